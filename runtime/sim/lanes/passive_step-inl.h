@@ -80,18 +80,13 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   }
   if (shape.features & kRowCollides) {
     const V3<D> velocity = now.velocity;
-    Contact<D> contact;
-    contact.normal = in_head;
-    contact.along = hn::Zero(d_);
-    const auto touches = keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, limited, now,
-                                       in_head, &contact);
+    const auto touches =
+        keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, limited, now, in_head);
     if (!hn::AllFalse(d_, touches)) {
-      const auto is_new = hn::AndNot(bone.touch.holds(d_), touches);
-      bone.touch.set(d_, is_new, rotate(d_, turn_, contact.normal),
-                     hn::Mul(contact.along, load(d_, constants.per_length, lane_)), hn::Zero(d_));
-      if (limited == nullptr) set_where(d_, touches, velocity, now.velocity);
-      held = hn::Or(held, is_new);
-      touches_ = true;
+      // A contact that holds has its say in keep_links().
+      const auto known = hn::And(touches, bone.touch.holds(d_));
+      if (limited == nullptr) set_where(d_, known, velocity, now.velocity);
+      held = hn::Or(held, hn::AndNot(known, touches));
     }
   }
   if constexpr (kOnCharacter<D>) {
