@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace coif {
 namespace {
@@ -166,46 +167,66 @@ void PassiveModel::rates(const SolverScene& scene, const HeadState& head, std::s
 
 /// By Gauss's principle, with all bonds in one dense matrix, as chains are short. A contact that would have to pull is left out, the
 /// strongest first.
+Eigen::VectorXd PassiveModel::nearest(std::span<const BoneContact> contacts, const Eigen::VectorXd& opening,
+                                      std::span<const double> entering) const {
+  const auto links = Eigen::Index(bones_.size()), all = links + Eigen::Index(contacts.size());
+  Eigen::MatrixXd bonds = Eigen::MatrixXd::Zero(all, 3 * links);
+  Eigen::VectorXd excess(all), mobile(3 * links);
+  for (Eigen::Index row = 0; row < all; ++row) {
+    const BoneContact* const contact = row < links ? nullptr : &contacts[std::size_t(row - links)];
+    const std::size_t i = contact == nullptr ? std::size_t(row) : contact->bone;
+    const Vector3d way = contact == nullptr ? bends_[i].direction : contact->normal;
+    const double share = contact == nullptr ? 1 : contact->share;
+    bonds.block<1, 3>(row, 3 * Eigen::Index(i)) = share * way.transpose();
+    if (const int up = bones_[i].parent; up >= 0) {
+      bonds.block<1, 3>(row, 3 * up) = (contact == nullptr ? -1 : 1 - share) * way.transpose();
+    }
+    excess[row] = contact == nullptr ? opening[row] : entering[std::size_t(row - links)];
+  }
+  for (Eigen::Index k = 0; k < links; ++k) mobile.segment<3>(3 * k).setConstant(1 / mass_of(bones_[std::size_t(k)]));
+  Eigen::MatrixXd yields = bonds * mobile.asDiagonal() * bonds.transpose();
+  for (Eigen::Index k = links; k < all; ++k) yields(k, k) += kSoftness * yields(0, 0);
+  std::vector<Eigen::Index> held(static_cast<std::size_t>(all));
+  std::iota(held.begin(), held.end(), Eigen::Index(0));
+  for (;;) {
+    const Eigen::VectorXd impulses = Eigen::MatrixXd(yields(held, held)).ldlt().solve(-excess(held));
+    std::size_t worst = held.size();
+    for (auto k = std::size_t(links); k < held.size(); ++k) {
+      const double least = worst < held.size() ? impulses[Eigen::Index(worst)] : 0;
+      if (impulses[Eigen::Index(k)] < least) worst = k;
+    }
+    if (worst == held.size()) return mobile.asDiagonal() * (Eigen::MatrixXd(bonds(held, Eigen::all)).transpose() * impulses);
+    held.erase(held.begin() + std::ptrdiff_t(worst));
+  }
+}
+
+void PassiveModel::lift(std::span<const BoneContact> contacts, std::span<const double> depths,
+                        std::span<const Vector3d> directions, std::vector<Vector3d>& ways) {
+  for (std::size_t i = 0; i < bones_.size(); ++i) bends_[i].direction = directions[i];
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(Eigen::Index(bones_.size()));
+  std::vector<double> entering;
+  for (const double depth : depths) entering.push_back(-depth);
+  const Eigen::VectorXd changes = nearest(contacts, none, entering);
+  ways.resize(bones_.size());
+  for (std::size_t i = 0; i < bones_.size(); ++i) ways[i] = changes.segment<3>(3 * Eigen::Index(i));
+}
+
 void PassiveModel::keep_links(const HeadState& head, std::span<const BoneContact> contacts,
                               std::span<BoneMotion> motions, std::span<BoneState> states) {
-  const auto links = Eigen::Index(bones_.size());
-  std::vector<BoneContact> held(contacts.begin(), contacts.end());
   BoneMotion joint;
+  Eigen::VectorXd opening(bones_.size());
   for (std::size_t i = 0; i < bones_.size(); ++i) {
     bends_[i].direction = turned(motions[i].frame, bones_[i].rest_direction);
+    const BoneMotion& parent = carrier(bones_, i, head, motions, joint);
+    opening[Eigen::Index(i)] = bends_[i].direction.dot(motions[i].velocity - parent.velocity);
   }
-  for (;;) {
-    const Eigen::Index count = links + Eigen::Index(held.size());
-    Eigen::MatrixXd bonds = Eigen::MatrixXd::Zero(count, 3 * links), mobile = bonds;  // and bonds over mass
-    Eigen::VectorXd excess(count);
-    const auto bind = [&](Eigen::Index row, std::size_t i, const Vector3d& way, double share, double wanted) {
-      const BoneMotion& parent = carrier(bones_, i, head, motions, joint);
-      const auto put = [&](std::size_t k, const Vector3d& part) {
-        bonds.block<1, 3>(row, 3 * Eigen::Index(k)) = part.transpose();
-        mobile.block<1, 3>(row, 3 * Eigen::Index(k)) = part.transpose() / mass_of(bones_[k]);
-      };
-      put(i, share * way);
-      const Vector3d of_start = (row < links ? -1.0 : 1 - share) * way;
-      if (bones_[i].parent >= 0) put(std::size_t(bones_[i].parent), of_start);
-      excess[row] = share * way.dot(motions[i].velocity) + of_start.dot(parent.velocity) - wanted;
-    };
-    for (Eigen::Index i = 0; i < links; ++i) bind(i, std::size_t(i), bends_[std::size_t(i)].direction, 1, 0);
-    for (std::size_t k = 0; k < held.size(); ++k) {
-      bind(links + Eigen::Index(k), held[k].bone, held[k].normal, held[k].share, held[k].normal.dot(held[k].surface));
-    }
-    Eigen::MatrixXd yields = bonds * mobile.transpose();
-    for (Eigen::Index k = links; k < count; ++k) yields(k, k) += kSoftness * yields(0, 0);
-    const Eigen::VectorXd impulses = yields.ldlt().solve(-excess);
-    Eigen::Index worst = links;
-    for (Eigen::Index k = links; k < count; ++k) worst = impulses[k] < impulses[worst] ? k : worst;
-    if (worst < count && impulses[worst] < 0) {
-      held.erase(held.begin() + (worst - links));
-      continue;
-    }
-    const Eigen::VectorXd changes = mobile.transpose() * impulses;
-    for (std::size_t i = 0; i < bones_.size(); ++i) motions[i].velocity += changes.segment<3>(3 * Eigen::Index(i));
-    break;
+  std::vector<double> entering;
+  for (const BoneContact& at : contacts) {
+    const Vector3d start = carrier(bones_, at.bone, head, motions, joint).velocity;
+    entering.push_back(at.normal.dot(start + at.share * (motions[at.bone].velocity - start) - at.surface));
   }
+  const Eigen::VectorXd changes = nearest(contacts, opening, entering);
+  for (std::size_t i = 0; i < bones_.size(); ++i) motions[i].velocity += changes.segment<3>(3 * Eigen::Index(i));
   for (std::size_t i = 0; i < bones_.size(); ++i) {
     const BoneMotion& parent = carrier(bones_, i, head, motions, joint);
     states[i].turning = across((motions[i].velocity - parent.velocity) / bones_[i].length, bends_[i].direction);

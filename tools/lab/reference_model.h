@@ -142,6 +142,7 @@ class ReferenceTree {
   void find_rates(const HeadState& head, const std::vector<BoneState>& states, std::vector<BoneRates>& rates);
   void untwist_all(const Eigen::Quaterniond& head_rotation);
   void hold(const HeadState& head);
+  void lift(const HeadState& head);
   void hold_bone(std::size_t i, const HeadState& head);
   void hold_links(std::size_t begin, std::size_t end, const HeadState& head);
   bool hold_limit(const RigBone& bone, const BoneMotion& parent, const HeadState& head, BoneState& state) const;
@@ -169,6 +170,7 @@ class ReferenceTree {
   std::vector<char> moved_;
   std::vector<char> turned_;  ///< By links.
   std::vector<BoneContact> contacts_;
+  std::vector<Eigen::Vector3d> velocities_;  ///< Of the particles, before anything holds them.
 };
 
 /// What moves by itself: each root of the rig with all that hangs from it, and those that are linked to it. Bones in the rig's order, or by

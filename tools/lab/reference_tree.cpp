@@ -20,6 +20,9 @@ constexpr double kFastestTorsion = 5000;  // 1/s
 /// Directions nearer than this to each other have no plane between them.
 constexpr double kSameDirection = 1.0e-9;
 
+/// Depth that counts as a contact, share of the collider's or the bone's size.
+constexpr double kTouches = 1.0e-10;
+
 void turn_to(const Vector3d& direction, const RigBone& bone, BoneState& state) {
   state.frame = shortest_arc(turned(state.frame, bone.rest_direction), direction) * state.frame;
   state.turning = across(state.turning, direction);
@@ -166,8 +169,53 @@ void ReferenceTree::untwist_all(const Quaterniond& head_rotation) {
   }
 }
 
+/// Passive bones leave colliders together, by the shortest way for all of their chain. A turn about its start alone would also undo what
+/// a bone turns that comes to lie on a collider from its start on.
+void ReferenceTree::lift(const HeadState& head) {
+  constexpr int kRounds = 4;
+  const Quaterniond to_head = head.rotation.conjugate();
+  std::vector<Vector3d> directions(bones_.size()), ends(bones_.size()), ways;
+  std::vector<double> depths;
+  velocities_.resize(bones_.size());
+  for (std::size_t i = 0; i < bones_.size(); ++i) {
+    const int up = bones_[i].parent;
+    const Vector3d start = up < 0 ? motion_of_joint(bones_[i].joint, head).velocity : velocities_[std::size_t(up)];
+    velocities_[i] = start + bones_[i].length * states_[i].turning;
+  }
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<BoneContact> found;
+    depths.clear();
+    for (std::size_t i = 0; i < bones_.size(); ++i) {
+      const RigBone& bone = bones_[i];
+      const Vector3d start = bone.parent < 0 ? turned(head.rotation, bone.joint) : ends[std::size_t(bone.parent)];
+      directions[i] = turned(states_[i].frame, bone.rest_direction);
+      ends[i] = start + bone.length * directions[i];
+      const HairSegment segment{turned(to_head, start), turned(to_head, directions[i]), bone.length, bone.hit_radius};
+      for (std::uint32_t left = bone.colliders; left != 0; left &= left - 1) {
+        const SolidShape& solid = solids_[std::size_t(std::countr_zero(left))];
+        const SolidContact at = nearest_contact(solid, segment);
+        if (!(at.gap < -kTouches * std::max(solid.size, bone.length) && at.along > 0)) continue;
+        const Vector3d point = start + at.along * directions[i];
+        found.push_back({i, at.along / bone.length, turned(head.rotation, at.normal),
+                         head.velocity + head.angular_velocity.cross(point)});
+        depths.push_back(-at.gap);
+      }
+    }
+    if (found.empty()) return;
+    passive_->lift(found, depths, directions, ways);
+    if (round == 0) contacts_ = found;
+    for (std::size_t i = 0; i < bones_.size(); ++i) {
+      const int up = bones_[i].parent;
+      const Vector3d way = up < 0 ? ways[i] : Vector3d(ways[i] - ways[std::size_t(up)]);
+      turn_to((directions[i] + way / bones_[i].length).normalized(), bones_[i], states_[i]);
+    }
+    untwist_all(head.rotation);
+  }
+}
+
 void ReferenceTree::hold(const HeadState& head) {
   contacts_.clear();
+  if (passive_) lift(head);
   std::size_t begin = 0, level = 0;
   for (std::size_t i = 0; i < bones_.size(); ++i) {
     hold_bone(i, head);
@@ -175,7 +223,7 @@ void ReferenceTree::hold(const HeadState& head) {
     hold_links(begin, i + 1, head);
     begin = level_ends_[level++];
   }
-  if (passive_ && std::ranges::find(moved_, char(1)) != moved_.end()) {
+  if (passive_ && (!contacts_.empty() || std::ranges::find(moved_, char(1)) != moved_.end())) {
     passive_->keep_links(head, contacts_, motions_, states_);
   }
 }
@@ -197,7 +245,7 @@ void ReferenceTree::hold_bone(std::size_t i, const HeadState& head) {
   untwist(bone, parent.frame, states_[i]);
   motions_[i] = motion_of(bone, parent, states_[i]);
   // keep_links() shall find what each particle brings along, not what its new direction leaves of that.
-  if (passive_ && !held) motions_[i].velocity = free_motions_[i].velocity;
+  if (passive_ && !held) motions_[i].velocity = velocities_[i];
 }
 
 void ReferenceTree::hold_links(std::size_t begin, std::size_t end, const HeadState& head) {
