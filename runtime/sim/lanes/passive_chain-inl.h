@@ -95,7 +95,10 @@ class PassiveChain {
                             V<D>& g22);
   HWY_INLINE void turn_bone(std::size_t i, hn::Mask<D> moving);
   HWY_INLINE void turn_bones();
-  hn::Mask<D> find_contacts(bool all);
+  hn::Mask<D> find_lying();
+  HWY_INLINE hn::Mask<D> find_meetings();
+  void meet(std::size_t i, hn::Mask<D> asked, hn::Mask<D>& touching);
+  HWY_INLINE const V3<D>& place_tail(std::size_t i);
   [[nodiscard]] HWY_INLINE hn::Mask<D> lay_on(std::size_t i) const;
   HWY_INLINE void meet_colliders();
   void hold_at_contacts(hn::Mask<D> touching);

@@ -1,7 +1,7 @@
 // How contacts act throughout a chain of the passive model (runtime/docs/MODEL.md, "The passive model"): a bone that lies on a
 // collider is held at the place of contact, and what holds it reaches its parents and children. Compiled once per instruction set.
 
-#include "moving_contact-inl.h"
+#include "meeting-inl.h"
 #include "passive_chain-inl.h"
 #include "row.h"
 
@@ -18,137 +18,78 @@ namespace HWY_NAMESPACE {
 
 constexpr int kMostReleases = 3;
 
-/// How near a bone is to a collider, in head space.
+/// Looks which bones are in their head's colliders: those that lay on some before the step.
 template <class D>
-COIF_RARE void find_gap(D d, const PlacedCollider& collider, const V3<D>& start, const V3<D>& direction, V<D> length,
-                        V<D> hit_radius, Deepest<D>& at) {
-  if (collider.keeps_inside || collider.shape == ColliderShape::kPlane) {
-    at.along = length;
-    const V3<D> end = sub(d, add_scaled(d, start, direction, length), same(d, collider.center));
-    if (!collider.keeps_inside) {
-      copy(d, same(d, collider.axis), at.normal);
-      at.gap = hn::Sub(dot(d, end, at.normal), hit_radius);
-      return;
-    }
-    const auto share = collider.shape == ColliderShape::kSphere ? hn::Zero(d) : nearest_ball(d, collider, end);
-    const V3<D> inwards = sub(d, scale(d, same(d, collider.axis), share), end);
-    const auto radius = hn::Sub(hn::Set(d, collider.radii.x), hn::Mul(hn::Set(d, collider.taper), share));
-    const auto distance = hn::Sqrt(dot(d, inwards, inwards));
-    copy(d, direction_or(d, inwards, direction), at.normal);
-    at.gap = hn::Sub(hn::Max(hn::Sub(radius, hit_radius), hn::Zero(d)), distance);
-    return;
-  }
-  const Solid<D> solid(d, collider, start, length, hit_radius);
-  solid.find_deepest(solid.into(direction), at);
-  const V3<D> normal = solid.out_of(at.normal);
-  copy(d, normal, at.normal);
-}
-
-/// A bone's way in head space, and how fast its ends went before the step, against the head.
-template <class D>
-struct MeetingBone {
-  V3<D> start[2], direction[2];
-  V3<D> velocity[2];  ///< Of its start and its end.
-  V<D> length, hit_radius;
-};
-
-/// When the bone meets the collider within the step, as its distance from it falls evenly faster or slower; and how far it has to be
-/// lifted from where it freely went: it loses the speed at which it comes, and comes to lie if it is pressed on.
-template <class D>
-COIF_RARE void meet_within(D d, const PlacedCollider& collider, const MeetingBone<D>& bone, V<D> dt,
-                           const Deepest<D>& now, hn::Mask<D> asked, PassiveTouch<D>& touch) {
-  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-  Deepest<D> before;
-  find_gap(d, collider, bone.start[0], bone.direction[0], bone.length, bone.hit_radius, before);
-  const auto share0 = hn::Div(before.along, bone.length), share1 = hn::Div(now.along, bone.length);
-  const V3<D> velocity = add_scaled(d, bone.velocity[0], sub(d, bone.velocity[1], bone.velocity[0]), share0);
-  const auto gap = hn::Max(before.gap, zero), speed = dot(d, before.normal, velocity);
-  const auto half = hn::Div(hn::Sub(hn::Sub(now.gap, gap), hn::Mul(speed, dt)), hn::Mul(dt, dt));  // of its acceleration
-  const auto gain = hn::Add(half, half);
-  const auto speed2 = hn::Sub(hn::Mul(speed, speed), hn::Mul(hn::Mul(hn::Set(d, 2.0f), gain), gap));
-  const auto comes = hn::Sqrt(hn::Max(speed2, zero));
-  // It goes away again within the step.
-  const auto dips = hn::And(hn::And(hn::Lt(speed, zero), hn::Gt(hn::Add(hn::Mul(gain, dt), speed), zero)), hn::Gt(speed2, zero));
-  const auto is_in = hn::Lt(now.gap, zero);
-  const auto meets = hn::And(asked, hn::Or(is_in, hn::And(dips, hn::Gt(before.gap, zero))));
-  const auto first = hn::Div(hn::Add(gap, gap), hn::Max(hn::Sub(comes, speed), hn::Set(d, 1e-12f)));
-  const auto left = hn::Max(hn::Sub(dt, first), zero);
-  const auto leaves = hn::And(hn::And(hn::Gt(gain, zero), hn::Gt(speed2, zero)), hn::Gt(gap, zero));
-  const auto lift = hn::IfThenElse(leaves, hn::Mul(comes, left), hn::Neg(now.gap));
-  const auto lifts = hn::And(meets, hn::Gt(lift, touch.lift));
-  if (hn::AllFalse(d, lifts)) return;
-  const auto part = hn::Min(hn::Div(first, dt), one);
-  const V3<D> then = direction_or(
-      d, add_scaled(d, before.normal, sub(d, now.normal, before.normal), part), now.normal);
-  const auto there = hn::Add(share0, hn::Mul(hn::Sub(share1, share0), part));
-  touch.set(d, lifts, choose<D>(leaves, then, now.normal), hn::IfThenElse(leaves, there, share1), lift);
-  touch.leave = hn::IfThenElse(lifts, hn::IfThenElseZero(leaves, hn::Mul(gain, left)), touch.leave);
-}
-
-/// Looks which bones are in their head's colliders, of those that lay on some before the step, or which of the others come to lie on
-/// them. Returns the lanes in which some bone does.
-template <class D>
-COIF_RARE hn::Mask<D> PassiveChain<D>::find_contacts(bool others) {
+COIF_RARE hn::Mask<D> PassiveChain<D>::find_lying() {
   auto touching = hn::Lt(turn_.x.x, hn::Set(d_, -2.0f));
-  const MoveLanes& move = *row_.move;
-  const M3<D> turn_before = load(d_, move.from_head_before, lane_);
   for (std::size_t i = 0; i < count_; ++i) {
     PassiveBone<D>& bone = bones_[i];
-    const Carrier<D>& from = carrier_of(i);
-    const RowBone& shape = row_.bones[i];
-    MeetingBone<D> meeting;
-    meeting.length = load(d_, row_.constants[i].length, lane_);
-    const V3<D> before = load(d_, state_[i].direction, lane_);
-    copy(d_, from.position, meeting.start[1]);
-    copy(d_, rotate_back(d_, turn_, bone.direction), meeting.direction[1]);
-    bone.tail.way = add_scaled(d_, from.way, sub(d_, bone.direction, before), meeting.length);
-    bone.tail.position = add_scaled(d_, from.position, meeting.direction[1], meeting.length);
-    auto asked = others ? hn::Not(bone.touch.holds(d_)) : lay_on(i);
+    const V3<D>& start = place_tail(i);
+    auto asked = lay_on(i);
     if (any_rigid(i)) asked = hn::AndNot(rigid_lanes(i), asked);
-    if (others) bone.touch.lift = hn::IfThenZeroElse(bone.touch.holds(d_), bone.touch.lift);
-    if ((shape.features & kRowCollides) == 0 || hn::AllFalse(d_, asked)) continue;
-    meeting.hit_radius = load(d_, row_.constants[i].hit_radius, lane_);
-    const PlacedColliders& colliders = *row_.colliders;
-    auto margin = hn::Zero(d_);
-    if (others) {
-      const V3<D> head_velocity = load(d_, move.velocity_before, lane_);
-      const V3<D> head_turning = load(d_, move.angular_velocity_before, lane_);
-      const V3<D> start = sub(d_, rotate(d_, turn_, from.position), sub(d_, from.way, load(d_, move.way, lane_)));
-      const V3<D> end = add_scaled(d_, start, before, meeting.length);
-      const auto against = [&](const V3<D>& velocity, const V3<D>& place) {
-        return rotate_back(d_, turn_before, sub(d_, sub(d_, velocity, head_velocity), cross(d_, head_turning, place)));
-      };
-      copy(d_, rotate_back(d_, turn_before, start), meeting.start[0]);
-      copy(d_, rotate_back(d_, turn_before, before), meeting.direction[0]);
-      copy(d_, against(from.velocity_before, start), meeting.velocity[0]);
-      copy(d_, against(bone.tail.velocity_before, end), meeting.velocity[1]);
-      const auto speed2 = dot(d_, meeting.velocity[1], meeting.velocity[1]);
-      margin = hn::Mul(hn::Sqrt(speed2), hn::Mul(method_.dt, hn::Set(d_, 0.25f)));
-    }
-    const auto thickness = hn::Add(meeting.hit_radius, margin);
-    asked = hn::And(asked, in_reach(d_, colliders, shape.colliders, from.position, hn::Add(meeting.length, thickness)));
-    if (HWY_LIKELY(hn::AllFalse(d_, asked))) continue;
-    for (std::uint32_t set = shape.colliders; set != 0; set &= set - 1) {
+    if (hn::AllFalse(d_, asked)) continue;
+    const V3<D> direction = rotate_back(d_, turn_, bone.direction);
+    const BoneLanes& constants = row_.constants[i];
+    const auto length = load(d_, constants.length, lane_), hit_radius = load(d_, constants.hit_radius, lane_);
+    for (std::uint32_t set = row_.bones[i].colliders; set != 0; set &= set - 1) {
       const std::uint32_t c = std::uint32_t(std::countr_zero(set));
-      const auto here = hn::And(hn::And(asked, lanes_with(d_, row_.constants[i], lane_, c)),
-                                reaches(d_, colliders[c], from.position, meeting.direction[1], meeting.length, thickness));
-      if (HWY_LIKELY(hn::AllFalse(d_, here))) continue;
+      const auto here = hn::And(asked, lanes_with(d_, constants, lane_, c));
+      if (hn::AllFalse(d_, here)) continue;
       Deepest<D> now;
-      find_gap(d_, colliders[c], meeting.start[1], meeting.direction[1], meeting.length, meeting.hit_radius, now);
-      PassiveTouch<D> touch = bone.touch;
-      if (others) {
-        meet_within(d_, colliders[c], meeting, method_.dt, now, here, touch);
-      } else {
-        const auto deeper = hn::And(here, hn::Gt(hn::Neg(now.gap), touch.lift));
-        touch.set(d_, deeper, now.normal, hn::Div(now.along, meeting.length), hn::Neg(now.gap));
-      }
-      const auto changed = hn::Gt(touch.lift, bone.touch.lift);
-      touch.normal = choose<D>(changed, rotate(d_, turn_, touch.normal), bone.touch.normal);
-      bone.touch = touch;
-      touching = hn::Or(touching, hn::And(changed, bone.touch.holds(d_)));
+      find_gap(d_, (*row_.colliders)[c], start, direction, length, hit_radius, now);
+      const auto deeper = hn::And(here, hn::Gt(hn::Neg(now.gap), bone.touch.lift));
+      bone.touch.set(d_, deeper, rotate(d_, turn_, now.normal), hn::Div(now.along, length), hn::Neg(now.gap));
     }
+    touching = hn::Or(touching, bone.touch.holds(d_));
   }
   return touching;
+}
+
+/// And where other bones meet them.
+template <class D>
+HWY_INLINE hn::Mask<D> PassiveChain<D>::find_meetings() {
+  auto touching = hn::Lt(turn_.x.x, hn::Set(d_, -2.0f));
+  for (std::size_t i = 0; i < count_; ++i) {
+    PassiveBone<D>& bone = bones_[i];
+    const V3<D>& start = place_tail(i);
+    if ((row_.bones[i].features & kRowCollides) == 0) continue;
+    const BoneLanes& constants = row_.constants[i];
+    const auto length = load(d_, constants.length, lane_);
+    // Farther than it is long it does not go in a step, or no step could follow it.
+    const auto reach = hn::Add(hn::Add(length, hn::Mul(length, hn::Set(d_, 0.25f))), load(d_, constants.hit_radius, lane_));
+    auto asked = in_reach(d_, *row_.colliders, row_.bones[i].colliders, start, reach);
+    if (HWY_UNLIKELY(touches_)) asked = hn::AndNot(bone.touch.holds(d_), asked);
+    if (any_rigid(i)) asked = hn::AndNot(rigid_lanes(i), asked);
+    if (HWY_LIKELY(hn::AllFalse(d_, asked))) continue;
+    meet(i, asked, touching);
+  }
+  return touching;
+}
+
+template <class D>
+COIF_RARE void PassiveChain<D>::meet(std::size_t i, hn::Mask<D> asked, hn::Mask<D>& touching) {
+  PassiveBone<D>& bone = bones_[i];
+  const V3<D> direction = rotate_back(d_, turn_, bone.direction);
+  const MeetingBone<D> way = meeting_bone(d_, row_, lane_, i, turn_, carrier_of(i),
+                                          load(d_, state_[i].direction, lane_), direction, bone.tail.velocity_before);
+  Meeting<D> meeting;
+  if (HWY_LIKELY(!find_meeting(d_, row_, lane_, i, way, method_.dt, asked, meeting))) return;
+  const auto meets = hn::Gt(meeting.lift, hn::Zero(d_));
+  bone.touch.set(d_, meets, rotate(d_, turn_, meeting.normal), meeting.share, meeting.lift);
+  bone.touch.leave = hn::IfThenElse(meets, meeting.leave, bone.touch.leave);
+  touching = hn::Or(touching, hn::And(meets, bone.touch.holds(d_)));
+}
+
+/// Where the bone's tail goes freely, for its children. Returns where the bone starts, head space.
+template <class D>
+HWY_INLINE const V3<D>& PassiveChain<D>::place_tail(std::size_t i) {
+  PassiveBone<D>& bone = bones_[i];
+  const Carrier<D>& from = carrier_of(i);
+  const auto length = load(d_, row_.constants[i].length, lane_);
+  const V3<D> turned = sub(d_, bone.direction, load(d_, state_[i].direction, lane_));
+  bone.tail.way = add_scaled(d_, from.way, turned, length);
+  bone.tail.position = add_scaled(d_, from.position, rotate_back(d_, turn_, bone.direction), length);
+  return from.position;
 }
 
 /// Where the bone lay on a collider before the step.
@@ -166,11 +107,14 @@ HWY_INLINE void PassiveChain<D>::meet_colliders() {
     lay = hn::Or(lay, lay_on(i));
   }
   if (!hn::AllFalse(d_, lay)) {
-    const auto touching = find_contacts(false);
+    const auto touching = find_lying();
     touches_ = !hn::AllFalse(d_, touching);
     if (touches_) hold_at_contacts(touching);
   }
-  const auto touching = find_contacts(true);
+  if (touches_) {
+    for (std::size_t i = 0; i < count_; ++i) bones_[i].touch.lift = hn::Zero(d_);
+  }
+  const auto touching = find_meetings();
   hits_ = !hn::AllFalse(d_, touching);
   if (!hits_) return;
   hit_ = touching;
