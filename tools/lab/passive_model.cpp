@@ -21,6 +21,12 @@ double per_fold(double unfolded) {
   return 1 / std::max(unfolded, kLeastUnfolded);
 }
 
+/// Of a joint's stiffness, what it has against folding by more than a right angle.
+constexpr double kFoldStiffness = 0.01;
+
+/// tan^2 of half the fold, less what it is at a right angle; 0 below.
+double folded(double per_fold) { return std::max(2 * per_fold - 2, 0.0); }
+
 /// Of a positive definite matrix.
 Matrix3d symmetric_inverse(const Matrix3d& m) {
   const double xx = m(1, 1) * m(2, 2) - m(1, 2) * m(1, 2), xy = m(0, 2) * m(1, 2) - m(0, 1) * m(2, 2),
@@ -94,8 +100,10 @@ void PassiveModel::load(std::size_t i, const HeadState& head, const BoneMotion& 
   const Vector3d drag = bone.damping * carried_[i].inertia * across(motion.angular_velocity - base, bend.direction);
   const double stiffness = bone.stiffness * carried_[i].inertia;
   const Vector3d of_parent = stiffness * bend.direction.cross(by_parent);
-  bend.torque = share * of_parent + (1 - share) * stiffness * bend.direction.cross(by_head) - drag;
-  bend.reaction = share * (of_parent - drag);
+  const double fold = folded(bend.per_fold) * bend.per_fold;
+  const Vector3d unfold = 6 * kFoldStiffness * stiffness * fold * fold * bend.direction.cross(bend.arc);
+  bend.torque = share * of_parent + (1 - share) * stiffness * bend.direction.cross(by_head) - drag + unfold;
+  bend.reaction = share * (of_parent - drag) + unfold;
 }
 
 void PassiveModel::gather(std::size_t i, double opening) {
@@ -248,7 +256,8 @@ double PassiveModel::energy(const SolverScene& scene, const HeadState& head, std
                           (1 - bone.parent_share) * direction.dot(turned(head.rotation, bone.pull_direction()));
     sum += mass_of(bone) *
            (0.5 * motions[i].velocity.squaredNorm() - bone.gravity_scale * scene.gravity.dot(motions[i].end));
-    sum += bone.stiffness * carried_[i].inertia * (1 - cosine);
+    const double fold = folded(per_fold(1 + direction.dot(turned(parent.frame, bone.rest_direction))));
+    sum += bone.stiffness * carried_[i].inertia * (1 - cosine + kFoldStiffness * fold * fold * fold);
   }
   return sum;
 }

@@ -29,6 +29,9 @@ inline constexpr float kLeastShare = 0.02f;
 /// Of a contact, against what it holds.
 inline constexpr float kFirmContact = 1000.0f;
 
+/// Of a joint's stiffness, what it has against folding by more than a right angle (MODEL.md, "The passive model").
+inline constexpr float kFoldStiffness = 0.01f;
+
 /// Radians a step: the method can follow what turns slower against the head.
 inline constexpr float kMostTurn = 0.7f;
 
@@ -117,17 +120,52 @@ struct PassiveNumbers {
   V<D> dt, per_dt, mean, from_lagged, from_acceleration, lag, lagged_per_way, early, late;
 };
 
+/// The six entries of a b^T that a symmetric sum of such has.
+template <class D>
+HWY_INLINE Symmetric3<D> outer(D, const V3<D>& a, const V3<D>& b) {
+  return {hn::Mul(a.x, b.x), hn::Mul(a.x, b.y), hn::Mul(a.x, b.z), hn::Mul(a.y, b.y), hn::Mul(a.y, b.z), hn::Mul(a.z, b.z)};
+}
+
+template <class D>
+HWY_INLINE Symmetric3<D> add(D, const Symmetric3<D>& a, const Symmetric3<D>& b) {
+  return {hn::Add(a.xx, b.xx), hn::Add(a.xy, b.xy), hn::Add(a.xz, b.xz),
+          hn::Add(a.yy, b.yy), hn::Add(a.yz, b.yz), hn::Add(a.zz, b.zz)};
+}
+
+template <class D>
+HWY_INLINE V3<D> mixed_of(D d, const V3<D> (&two)[2], V<D> first, V<D> second) {
+  return add_scaled(d, scale(d, two[0], first), two[1], second);
+}
+
+/// m += a b^T.
+template <class D>
+HWY_INLINE void add_outer(D, const V3<D>& a, const V3<D>& b, M3<D>& m) {
+  const auto add_to = [&](V3<D>& column, V<D> by) {
+    column = {hn::Add(column.x, hn::Mul(a.x, by)), hn::Add(column.y, hn::Mul(a.y, by)),
+              hn::Add(column.z, hn::Mul(a.z, by))};
+  };
+  add_to(m.x, b.x);
+  add_to(m.y, b.y);
+  add_to(m.z, b.z);
+}
+
 /// What all that hangs from a bone does to it, as long as nobody has said how the bone moves: the function
-///     p P p / 2 + p R y + y Q y / 2 + p a + y b
-/// of the way p of its end and its two turns y.
+///     p P p / 2 + p R w + w Q w / 2 + p a - w t
+/// of the way p of its end and the turn w of its frame.
 template <class D>
 struct PassiveBelow {
-  Symmetric3<D> inertia;  ///< P; the bone's own included.
-  V3<D> coupling[2];      ///< R
-  V<D> stiff[3];          ///< Q: 11, 12, 22.
-  V3<D> load;             ///< a
-  V<D> turn[2];           ///< b
-  V3<D> torque;           ///< Of the children's bending.
+  Symmetric3<D> inertia;   ///< P; the bone's own included.
+  M3<D> coupling;          ///< R
+  Symmetric3<D> firmness;  ///< Q
+  V3<D> load;              ///< a
+  V3<D> torque;            ///< t
+};
+
+/// Of a bone's two turns, while they are taken out: what holds them against the parent's frame and besides (11, 12, 22), and by how much
+/// the spin of its frame moves them.
+template <class D>
+struct PassiveTurns {
+  V<D> firm[3], rest[3], spin[2];
 };
 
 /// The same for velocities that stretch nothing: what `push` the bone's end gets moves it by mass^-1 (push - pull direction),
@@ -194,22 +232,25 @@ struct PassiveBone {
 
   Carrier<D> tail;
   V3<D> direction, arc;  ///< The bone's, and where it would rest.
+  /// By what the direction changed in this step, before it was rounded: velocities of what the rounded one does would hold a bone
+  /// where it is against small forces, in short steps.
+  V3<D> moved;
   V<D> per_fold;
   V3<D> load, torque, reaction;
-  V<D> firm, coupled;  ///< Against its turns; of that, what its parent's turns bring.
+  V<D> against_fold;  ///< Stiffness of the fold alone, by the square of how far a side leads towards the arc.
+  V<D> firm, coupled;  ///< Against its turns; of that, against those that its frame makes with its parent's.
   V3<D> side[2];       ///< A turn y brings the direction to side[0] y[0] + side[1] y[1].
   union {
     PassiveBelow<D> below;
     PassiveLinks<D> links;  ///< When `below` has done its work, begun by link().
   };
-  /// Its turns y solve H y + by_start p + wanted = coupled from_parent y', where its start goes by p and its parent turns by y'.
-  V3<D> by_start[2];
+  /// Its turns y solve H y + by_start p + by_frame w + wanted = 0, where its start goes by p and its parent's frame turns by w.
+  V3<D> by_start[2], by_frame[2];
   V<D> wanted[2];
-  V<D> from_parent[2][2];
   V<D> inverse[3];  ///< 1 / H: 11, 12, 22.
   V3<D> shift;      ///< Of its end: against the first guess; then of what held it, against where it would freely be.
-  V<D> turn[2];
-  V3<D> free;  ///< The direction without contacts.
+  V3<D> turn;       ///< Of its frame.
+  V3<D> free;       ///< As `moved`, without the contacts that it comes to; then the way of its end.
   PassiveTouch<D> touch;
   PassiveHold<D> hold;
   [[no_unique_address]] BoneAirOf<D> felt;
@@ -219,8 +260,9 @@ struct PassiveBone {
     const auto zero = hn::Zero(d);
     const V3<D> none{zero, zero, zero};
     below.inertia = {inertia, zero, zero, inertia, zero, inertia};
-    below.coupling[0] = below.coupling[1] = below.load = below.torque = none;
-    below.stiff[0] = below.stiff[1] = below.stiff[2] = below.turn[0] = below.turn[1] = zero;
+    below.coupling = {none, none, none};
+    below.firmness = {zero, zero, zero, zero, zero, zero};
+    below.load = below.torque = none;
   }
 
   /// Nothing is linked to it yet.
@@ -235,8 +277,28 @@ struct PassiveBone {
     const V3<D> none{zero, zero, zero};
     for (V3<D>* const vector : {&load, &torque, &reaction}) set_where(d, rigid, none, *vector);
     below.inertia.xx = below.inertia.yy = below.inertia.zz = hn::IfThenElse(rigid, zero, below.inertia.xx);
+    against_fold = hn::IfThenElse(rigid, zero, against_fold);
     firm = hn::IfThenElse(rigid, one, firm);
     coupled = hn::IfThenElse(rigid, one, coupled);
+  }
+
+  /// The torque that unfolds a bone which is folded by more than a right angle, by the sine of that angle: the gradient of kFoldStiffness
+  /// stiffness (tan^2(fold / 2) - 1)^3. Sets its stiffness.
+  HWY_INLINE V<D> fold_back(D d, V<D> stiffness) {
+    const auto twice = hn::Add(per_fold, per_fold);
+    const auto fold = hn::Max(hn::Sub(twice, hn::Set(d, 2.0f)), hn::Zero(d));
+    const auto each = hn::Mul(hn::Mul(stiffness, hn::Set(d, 6 * kFoldStiffness)), hn::Mul(hn::Mul(per_fold, per_fold), fold));
+    against_fold = hn::Mul(hn::Mul(each, twice), hn::Add(twice, fold));
+    return hn::Mul(each, fold);
+  }
+
+  /// Turns the direction by `change`, which is across it, to the length that it has.
+  HWY_INLINE void turn_by(D d, const V3<D>& change, hn::Mask<D> where) {
+    const auto one = hn::Set(d, 1.0f), change2 = dot(d, change, change), length = hn::Sqrt(hn::Add(one, change2));
+    const V3<D> sum = add(d, direction, change);
+    const V3<D> step = sub_scaled(d, change, direction, hn::Div(change2, hn::Add(one, length)));
+    set_where(d, where, add_scaled(d, moved, step, hn::Div(one, length)), moved);
+    set_where(d, where, direction_or(d, sum, direction), direction);
   }
 
   /// Source: Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
@@ -250,56 +312,97 @@ struct PassiveBone {
     side[1] = {b, hn::Add(sign, hn::Mul(hn::Mul(direction.y, direction.y), a)), hn::Neg(direction.y)};
   }
 
-  /// A turn of the parent turns the bone's rest direction along.
-  HWY_INLINE void find_coupling(D d, const PassiveBone& parent) {
-    const auto straight = dot(d, parent.direction, direction);
-    for (int k = 0; k < 2; ++k) {
-      const auto lean = dot(d, side[k], parent.direction);
-      for (int l = 0; l < 2; ++l) {
-        from_parent[k][l] = hn::Sub(hn::Mul(straight, dot(d, side[k], parent.side[l])),
-                                    hn::Mul(lean, dot(d, parent.side[l], direction)));
-      }
-    }
+  /// How the bone's frame turns with its own turn `k`: the shortest arc spins it about the bone.
+  [[nodiscard]] HWY_INLINE V3<D> frame_turn(D d, int k) const {
+    const V3<D>& other = side[1 - k];
+    const V3<D> spun = sub_scaled(d, other, direction, hn::Mul(per_fold, dot(d, other, arc)));
+    return k == 0 ? spun : negative(d, spun);
   }
 
   /// H, symmetric and positive definite.
-  HWY_INLINE void invert(D d, V<D> h11, V<D> h12, V<D> h22) {
-    const auto k = hn::Div(hn::Set(d, 1.0f), hn::Sub(hn::Mul(h11, h22), hn::Mul(h12, h12)));
-    inverse[0] = hn::Mul(h22, k);
-    inverse[1] = hn::Neg(hn::Mul(h12, k));
-    inverse[2] = hn::Mul(h11, k);
+  HWY_INLINE void invert(D d, const V<D> (&h)[3]) {
+    const auto k = hn::Div(hn::Set(d, 1.0f), hn::Sub(hn::Mul(h[0], h[2]), hn::Mul(h[1], h[1])));
+    inverse[0] = hn::Mul(h[2], k);
+    inverse[1] = hn::Neg(hn::Mul(h[1], k));
+    inverse[2] = hn::Mul(h[0], k);
   }
 
-  /// Adds to `above`, with H less what the parent's turns bring: written so, nothing cancels however firm the bone is.
-  HWY_INLINE void hand_up(D d, V<D> g11, V<D> g12, V<D> g22, PassiveBelow<D>& above) const {
+  /// Takes its turns out of the equations. `slack` holds it whatever its parent does; `hangs`: something hangs from it.
+  HWY_INLINE PassiveTurns<D> take_out(D d, V<D> length, V<D> slack, bool hangs) {
+    PassiveTurns<D> its;
+    const auto lean0 = dot(d, side[0], arc), lean1 = dot(d, side[1], arc);
+    const auto fold0 = hn::Mul(against_fold, lean0), fold1 = hn::Mul(against_fold, lean1);
+    its.firm[0] = hn::Add(coupled, hn::Mul(fold0, lean0));
+    its.firm[1] = hn::Mul(fold0, lean1);
+    its.firm[2] = hn::Add(coupled, hn::Mul(fold1, lean1));
+    V3<D> way[2], frame[2];
+    V<D> by_frame_turn[2][2];
+    for (int k = 0; k < 2; ++k) {
+      way[k] = scale(d, side[k], length);
+      by_start[k] = times(d, below.inertia, way[k]);
+      wanted[k] = dot(d, way[k], load);
+      its.spin[k] = hn::Zero(d);
+      if (!hangs) continue;
+      frame[k] = frame_turn(d, k);
+      by_start[k] = add(d, by_start[k], rotate(d, below.coupling, frame[k]));
+      wanted[k] = hn::Sub(wanted[k], dot(d, frame[k], below.torque));
+    }
+    wanted[0] = hn::Sub(wanted[0], dot(d, side[1], torque));
+    wanted[1] = hn::Add(wanted[1], dot(d, side[0], torque));
+    its.rest[0] = hn::Add(dot(d, way[0], by_start[0]), slack);
+    its.rest[1] = dot(d, way[0], by_start[1]);
+    its.rest[2] = hn::Add(dot(d, way[1], by_start[1]), slack);
+    if (hangs) {
+      for (int k = 0; k < 2; ++k) {
+        const V3<D> turned = add(d, rotate_back(d, below.coupling, way[k]), times(d, below.firmness, frame[k]));
+        for (int l = 0; l < 2; ++l) by_frame_turn[k][l] = dot(d, frame[l], turned);
+        its.spin[k] = dot(d, direction, turned);
+      }
+      its.rest[0] = hn::Add(its.rest[0], by_frame_turn[0][0]);
+      its.rest[1] = hn::Add(its.rest[1], by_frame_turn[1][0]);
+      its.rest[2] = hn::Add(its.rest[2], by_frame_turn[1][1]);
+    }
+    V<D> h[3];
+    for (int k = 0; k < 3; ++k) h[k] = hn::Add(its.rest[k], its.firm[k]);
+    invert(d, h);
+    return its;
+  }
+
+  /// What is left of them goes to what hangs from the parent. Written so, nothing cancels however firm the bone is.
+  HWY_INLINE void hand_up(D d, const PassiveTurns<D>& its, bool hangs, PassiveBelow<D>& above) {
+    const auto mul = [](V<D> a, V<D> b, V<D> c, V<D> e) { return hn::Add(hn::Mul(a, b), hn::Mul(c, e)); };
+    const V3<D> across[2] = {side[1], negative(d, side[0])};
+    const V3<D> spun = scale(d, add(d, arc, direction), per_fold);
     const V3<D> z0 = add_scaled(d, scale(d, by_start[0], inverse[0]), by_start[1], inverse[1]);
     const V3<D> z1 = add_scaled(d, scale(d, by_start[0], inverse[1]), by_start[1], inverse[2]);
-    const auto plus = [](V<D> a, V<D> b) { return hn::Add(a, b); };
-    const Symmetric3<D>& p = below.inertia;
-    const Symmetric3<D> kept =
-        add_outer(d, add_outer(d, p, negative(d, z0), by_start[0]), negative(d, z1), by_start[1]);
-    Symmetric3<D>& sum = above.inertia;
-    sum = {plus(sum.xx, kept.xx), plus(sum.xy, kept.xy), plus(sum.xz, kept.xz),
-           plus(sum.yy, kept.yy), plus(sum.yz, kept.yz), plus(sum.zz, kept.zz)};
+    above.inertia = add(d, above.inertia, add_outer(d, add_outer(d, below.inertia, negative(d, z0), by_start[0]),
+                                                    negative(d, z1), by_start[1]));
     above.load = add(d, above.load, sub_scaled(d, sub_scaled(d, load, z0, wanted[0]), z1, wanted[1]));
-    const auto w0 = plus(hn::Mul(inverse[0], wanted[0]), hn::Mul(inverse[1], wanted[1]));
-    const auto w1 = plus(hn::Mul(inverse[1], wanted[0]), hn::Mul(inverse[2], wanted[1]));
-    const auto n11 = plus(hn::Mul(inverse[0], g11), hn::Mul(inverse[1], g12));
-    const auto n12 = plus(hn::Mul(inverse[0], g12), hn::Mul(inverse[1], g22));
-    const auto n22 = plus(hn::Mul(inverse[1], g12), hn::Mul(inverse[2], g22));
-    for (int l = 0; l < 2; ++l) {
-      const auto a = hn::Mul(coupled, from_parent[0][l]), b = hn::Mul(coupled, from_parent[1][l]);
-      above.coupling[l] = add_scaled(d, add_scaled(d, above.coupling[l], z0, a), z1, b);
-      above.turn[l] = plus(above.turn[l], plus(hn::Mul(a, w0), hn::Mul(b, w1)));
-    }
-    const auto quadratic = [&](int l, int m) {
-      const auto a = plus(hn::Mul(n11, from_parent[0][m]), hn::Mul(n12, from_parent[1][m]));
-      const auto b = plus(hn::Mul(n12, from_parent[0][m]), hn::Mul(n22, from_parent[1][m]));
-      return hn::Mul(coupled, plus(hn::Mul(from_parent[0][l], a), hn::Mul(from_parent[1][l], b)));
-    };
-    above.stiff[0] = plus(above.stiff[0], quadratic(0, 0));
-    above.stiff[1] = plus(above.stiff[1], quadratic(0, 1));
-    above.stiff[2] = plus(above.stiff[2], quadratic(1, 1));
+
+    const V<D> (&k)[3] = its.firm;
+    // firm / H, and that times what H has besides.
+    const auto f00 = mul(k[0], inverse[0], k[1], inverse[1]), f01 = mul(k[0], inverse[1], k[1], inverse[2]);
+    const auto f10 = mul(k[1], inverse[0], k[2], inverse[1]), f11 = mul(k[1], inverse[1], k[2], inverse[2]);
+    const auto n0 = mul(f00, its.rest[0], f01, its.rest[1]), n1 = mul(f00, its.rest[1], f01, its.rest[2]);
+    const auto n2 = mul(f10, its.rest[1], f11, its.rest[2]);
+    above.firmness = add(d, above.firmness, outer(d, mixed_of(d, across, n0, n1), across[0]));
+    above.firmness = add(d, above.firmness, outer(d, mixed_of(d, across, n1, n2), across[1]));
+    const auto w0 = mul(f00, wanted[0], f01, wanted[1]), w1 = mul(f10, wanted[0], f11, wanted[1]);
+    above.torque = sub(d, above.torque, add(d, reaction, mixed_of(d, across, w0, w1)));
+    add_outer(d, mixed_of(d, by_start, f00, f10), across[0], above.coupling);
+    add_outer(d, mixed_of(d, by_start, f01, f11), across[1], above.coupling);
+    for (int l = 0; l < 2; ++l) by_frame[l] = negative(d, mixed_of(d, across, k[l], k[l + 1]));
+    if (!hangs) return;
+    const auto c0 = mul(inverse[0], its.spin[0], inverse[1], its.spin[1]);
+    const auto c1 = mul(inverse[1], its.spin[0], inverse[2], its.spin[1]);
+    const V3<D> start = sub(d, rotate(d, below.coupling, direction), mixed_of(d, by_start, c0, c1));
+    add_outer(d, start, spun, above.coupling);
+    const auto own = hn::Sub(dot(d, direction, times(d, below.firmness, direction)), mul(its.spin[0], c0, its.spin[1], c1));
+    const V3<D> turning = mixed_of(d, across, mul(f00, its.spin[0], f01, its.spin[1]), mul(f10, its.spin[0], f11, its.spin[1]));
+    above.firmness = add(d, above.firmness, outer(d, add_scaled(d, turning, spun, own), spun));
+    above.firmness = add(d, above.firmness, outer(d, spun, turning));
+    above.torque = add_scaled(d, above.torque, spun, hn::Add(dot(d, direction, below.torque), mul(c0, wanted[0], c1, wanted[1])));
+    for (int l = 0; l < 2; ++l) by_frame[l] = add_scaled(d, by_frame[l], spun, its.spin[l]);
   }
 };
 

@@ -20,10 +20,14 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// Where what eliminate() leaves out is more than this share of what holds a bone, one round of it is not enough.
-constexpr float kLeastTwisting = 0.002f;
-constexpr int kMostRounds = 4;      ///< After the first.
-constexpr float kSettled2 = 1e-8f;  ///< Radians squared, of a round's largest turn.
+constexpr int kMostRounds = 8;  ///< After the first.
+
+/// Radians that Newton's method may leave undone in a step of `dt` seconds: as a force that is always the same, but no less than what
+/// single precision sees.
+constexpr float may_leave(float dt) {
+  const float left = 0.1f * dt * dt;
+  return left > 1e-7f ? left : 1e-7f;
+}
 
 template <class D>
 class PassiveChain {
@@ -91,8 +95,7 @@ class PassiveChain {
   HWY_INLINE void find_forces(std::size_t i);
   HWY_INLINE void bend_towards_rest(std::size_t i, const Carrier<D>& from, PassiveBone<D>& bone);
   HWY_INLINE void eliminate(std::size_t i);
-  HWY_INLINE void hold_bone(PassiveBone<D>& bone, const V3<D>& first, const V3<D>& second, V<D>& g11, V<D>& g12,
-                            V<D>& g22);
+  HWY_INLINE void hold_bone(PassiveBone<D>& bone, V<D> length, PassiveTurns<D>& turns);
   HWY_INLINE void turn_bone(std::size_t i, hn::Mask<D> moving);
   HWY_INLINE void turn_bones();
   hn::Mask<D> find_lying();
@@ -103,7 +106,7 @@ class PassiveChain {
   HWY_INLINE void meet_colliders();
   void hold_at_contacts(hn::Mask<D> touching);
   HWY_INLINE void find_hold(std::size_t i, const Symmetric3<D>& inverse, V<D> opening);
-  HWY_INLINE PassivePace<D> pace_of(std::size_t i, const V3<D>& own_way, const V3<D>& before, V<D> length);
+  HWY_INLINE PassivePace<D> pace_of(std::size_t i, V<D> length);
   HWY_INLINE void settle(std::size_t i);
   HWY_INLINE void gather_momentum(std::size_t i);
   HWY_INLINE void keep_links(std::size_t i);
@@ -148,9 +151,10 @@ HWY_INLINE void PassiveChain<D>::guess(std::size_t i) {
   const V3<D> change = sub(d_, load(d_, state.acceleration, lane_), of_start);
   const V3<D> way = add_scaled(d_, scale(d_, relative, method_.dt), change, load(d_, coefficients_[i].reach, lane_));
   const V3<D> turn = scale(d_, across(d_, way, before), load(d_, constants.per_length, lane_));
-  const auto one = hn::Set(d_, 1.0f), turn2 = dot(d_, turn, turn);
-  const auto kept = hn::Sqrt(hn::Div(one, hn::Add(one, hn::Add(turn2, turn2))));
-  bone.direction = direction_or(d_, add_scaled(d_, before, turn, kept), before);
+  const auto zero = hn::Zero(d_), one = hn::Set(d_, 1.0f), turn2 = dot(d_, turn, turn);
+  bone.direction = before;
+  bone.moved = {zero, zero, zero};
+  bone.turn_by(d_, scale(d_, turn, hn::Sqrt(hn::Div(one, hn::Add(one, hn::Add(turn2, turn2))))), hn::Eq(one, one));
   bone.tail.velocity_before = add(d_, from.velocity_before, relative);
 }
 
@@ -163,8 +167,7 @@ HWY_INLINE void PassiveChain<D>::find_forces(std::size_t i) {
   PassiveBone<D>& bone = bones_[i];
   const Carrier<D>& from = carrier_of(i);
   const auto length = load(d_, constants.length, lane_), friction = load(d_, c.friction, lane_);
-  const V3<D> before = load(d_, state.direction, lane_);
-  bone.tail.way = add_scaled(d_, from.way, sub(d_, bone.direction, before), length);
+  bone.tail.way = add_scaled(d_, from.way, bone.moved, length);
   const PassivePace<D> pace = method_.pace(d_, bone.tail.way, bone.tail.velocity_before,
                                            load(d_, state.acceleration, lane_), load(d_, state.lagged, lane_));
   bone.tail.velocity = pace.velocity;
@@ -200,6 +203,7 @@ HWY_INLINE void PassiveChain<D>::bend_towards_rest(std::size_t i, const Carrier<
   const V3<D> unbent = leans ? load(d_, constants.pull, lane_) : rest;
   const V3<D> arm = leans ? rotate(d_, turn_, rotate(d_, from.frame, unbent)) : bone.arc;
   const V3<D> pull = scale(d_, cross(d_, bone.direction, arm), stiffness);
+  const V3<D> unfold = scale(d_, cross(d_, bone.direction, bone.arc), bone.fold_back(d_, stiffness));
   bone.firm = hn::Mul(load(d_, c.firm, lane_), carried);
   bone.coupled = bone.firm;
   if (row_.bones[i].features & kRowSharesPull) {
@@ -212,54 +216,39 @@ HWY_INLINE void PassiveChain<D>::bend_towards_rest(std::size_t i, const Carrier<
                                   load(d_, row_.move->angular_velocity, lane_), rest_share);
     const V3<D> drag = scale(d_, across(d_, sub(d_, bone.tail.angular_velocity, base), bone.direction), damping);
     const V3<D> of_head = scale(d_, cross(d_, bone.direction, by_head), hn::Mul(stiffness, rest_share));
-    bone.torque = sub(d_, add(d_, scale(d_, pull, share), of_head), drag);
-    bone.reaction = scale(d_, sub(d_, pull, drag), share);
+    // In this order, so that a bone that shares nothing has the bits that it has among others.
+    const V3<D> by_parent_alone = add_scaled(d_, unfold, pull, share);
+    bone.torque = sub(d_, add(d_, by_parent_alone, of_head), drag);
+    bone.reaction = sub_scaled(d_, by_parent_alone, drag, share);
     bone.coupled = hn::Mul(bone.firm, share);
     return;
   }
   const V3<D> turning = sub(d_, bone.tail.angular_velocity, from.angular_velocity);
-  bone.torque = sub_scaled(d_, pull, across(d_, turning, bone.direction), damping);
+  bone.torque = sub_scaled(d_, add(d_, unfold, pull), across(d_, turning, bone.direction), damping);
   bone.reaction = bone.torque;
 }
 
-/// The two turns of the bone, as functions of how its start moves and how its parent turns, taken out of the equations; what
-/// is left of them goes to the parent.
+/// The two turns of the bone, as functions of how its start moves and how its parent's frame turns, taken out of the equations;
+/// what is left of them goes to the parent.
 template <class D>
 HWY_INLINE void PassiveChain<D>::eliminate(std::size_t i) {
   PassiveBone<D>& bone = bones_[i];
-  const BoneLanes& constants = row_.constants[i];
-  const auto length = load(d_, constants.length, lane_), tension = load(d_, state_[i].tension, lane_);
+  const auto length = load(d_, row_.constants[i].length, lane_), tension = load(d_, state_[i].tension, lane_);
+  const bool hangs = (row_.bones[i].features & kRowHasChildren) != 0;
   bone.load = add(d_, bone.load, bone.below.load);
   const V3<D> torque = add(d_, bone.torque, bone.below.torque);
-  const auto spin = hn::Mul(dot(d_, torque, bone.direction), bone.per_fold);
-  const V3<D> bending = cross(d_, sub_scaled(d_, torque, bone.arc, spin), bone.direction);
-  for (int k = 0; k < 2; ++k) {
-    const V3<D> side = scale(d_, bone.side[k], length);
-    bone.by_start[k] = add(d_, times(d_, bone.below.inertia, side), bone.below.coupling[k]);
-    bone.wanted[k] = hn::Add(hn::Sub(dot(d_, side, bone.load), dot(d_, bone.side[k], bending)), bone.below.turn[k]);
-  }
-  const V3<D> first = scale(d_, bone.side[0], length), second = scale(d_, bone.side[1], length);
-  // How the frame turns about the bone changes with its turns: by the torque times the tangent of half the bend. That is not in the
+  // How the frame's spin changes as the bone turns: by the torque times the tangent of half the bend. That is not in the
   // equations, which only have as much more to hold the bone by (Newton's method is slower for it, and goes on).
   const V3<D> lever = cross(d_, bone.arc, bone.direction);
   const auto twisting = hn::Mul(hn::Sqrt(hn::Mul(dot(d_, torque, torque), dot(d_, lever, lever))), bone.per_fold);
   const auto slack = hn::Add(hn::Add(hn::Sub(bone.firm, bone.coupled), hn::Mul(tension, length)), twisting);
-  const auto both = [&](const V3<D>& side, int k, int l) {
-    return hn::Add(dot(d_, side, bone.by_start[l]), dot(d_, l == 0 ? first : second, bone.below.coupling[k]));
-  };
-  auto g11 = hn::Add(hn::Add(both(first, 0, 0), bone.below.stiff[0]), slack);
-  auto g12 = hn::Add(both(first, 0, 1), bone.below.stiff[1]);
-  auto g22 = hn::Add(hn::Add(both(second, 1, 1), bone.below.stiff[2]), slack);
-  if (HWY_UNLIKELY(holds_contacts_)) hold_bone(bone, first, second, g11, g12, g22);
-  const auto h11 = hn::Add(g11, bone.coupled), h22 = hn::Add(g22, bone.coupled);
-  most_twisting_ = hn::Max(most_twisting_, hn::Div(twisting, hn::Min(h11, h22)));
-  bone.invert(d_, h11, g12, h22);
-  if (is_first(i)) return;
-  PassiveBone<D>& parent = parent_of(i);
-  bone.find_coupling(d_, parent);
-  bone.hand_up(d_, g11, g12, g22, parent.below);
-  parent.below.torque =
-      add(d_, parent.below.torque, sub(d_, scale(d_, add(d_, bone.arc, bone.direction), spin), bone.reaction));
+  PassiveTurns<D> turns = bone.take_out(d_, length, slack, hangs);
+  if (HWY_UNLIKELY(holds_contacts_)) hold_bone(bone, length, turns);
+  const auto held = hn::Add(hn::Min(turns.rest[0], turns.rest[2]), bone.coupled);
+  auto share = hn::Div(twisting, held);
+  if (HWY_UNLIKELY(ends(i))) share = hn::IfThenElseZero(has_bone(d_, row_, i, lane_), share);
+  most_twisting_ = hn::Max(most_twisting_, share);
+  if (!is_first(i)) bone.hand_up(d_, turns, hangs, parent_of(i).below);
 }
 
 /// The turns that balance the forces, as far as these are linear.
@@ -267,34 +256,36 @@ template <class D>
 HWY_INLINE void PassiveChain<D>::turn_bone(std::size_t i, hn::Mask<D> moving) {
   PassiveBone<D>& bone = bones_[i];
   auto first = bone.wanted[0], second = bone.wanted[1];
-  bone.shift = {hn::Zero(d_), hn::Zero(d_), hn::Zero(d_)};
+  const auto zero = hn::Zero(d_);
+  bone.shift = bone.turn = {zero, zero, zero};
   if (!is_first(i)) {
     const PassiveBone<D>& parent = parent_of(i);
-    const auto pulled = [&](int k) {
-      const auto by_turn =
-          hn::Add(hn::Mul(bone.from_parent[k][0], parent.turn[0]), hn::Mul(bone.from_parent[k][1], parent.turn[1]));
-      return hn::Sub(dot(d_, bone.by_start[k], parent.shift), hn::Mul(bone.coupled, by_turn));
+    const auto moved = [&](int k) {
+      return hn::Add(dot(d_, bone.by_start[k], parent.shift), dot(d_, bone.by_frame[k], parent.turn));
     };
-    first = hn::Add(first, pulled(0));
-    second = hn::Add(second, pulled(1));
+    first = hn::Add(first, moved(0));
+    second = hn::Add(second, moved(1));
     bone.shift = parent.shift;
+    const V3<D> sum = add(d_, bone.arc, bone.direction);
+    bone.turn = scale(d_, bone.direction, hn::Mul(bone.per_fold, dot(d_, sum, parent.turn)));
   }
-  bone.turn[0] = hn::Neg(hn::Add(hn::Mul(bone.inverse[0], first), hn::Mul(bone.inverse[1], second)));
-  bone.turn[1] = hn::Neg(hn::Add(hn::Mul(bone.inverse[1], first), hn::Mul(bone.inverse[2], second)));
-  const V3<D> change = add_scaled(d_, scale(d_, bone.side[0], bone.turn[0]), bone.side[1], bone.turn[1]);
+  const auto y0 = hn::Neg(hn::Add(hn::Mul(bone.inverse[0], first), hn::Mul(bone.inverse[1], second)));
+  const auto y1 = hn::Neg(hn::Add(hn::Mul(bone.inverse[1], first), hn::Mul(bone.inverse[2], second)));
+  bone.turn = add_scaled(d_, add_scaled(d_, bone.turn, bone.frame_turn(d_, 0), y0), bone.frame_turn(d_, 1), y1);
+  const V3<D> change = add_scaled(d_, scale(d_, bone.side[0], y0), bone.side[1], y1);
   bone.shift = add_scaled(d_, bone.shift, change, load(d_, row_.constants[i].length, lane_));
   auto change2 = dot(d_, change, change);
   if (HWY_UNLIKELY(ends(i))) change2 = hn::IfThenElseZero(has_bone(d_, row_, i, lane_), change2);
   farthest2_ = hn::Max(farthest2_, change2);
-  set_where(d_, moving, direction_or(d_, add(d_, bone.direction, change), bone.direction), bone.direction);
+  bone.turn_by(d_, change, moving);
 }
 
-/// Rounds of Newton's method. Nearly always one is enough. Where torques act on bones that are bent far, as under a head upside down, it
-/// would leave hair rattling for ever, with energy from nowhere: there they go on until they find nothing more to do. Each lane
-/// stops by itself. (One loop, so that the code is there once.)
+/// Rounds of Newton's method, until what the next one would turn is too little to matter: of this round's turns the share that the
+/// equations leave out, and their squares. Nearly always one is enough. Each lane stops by itself. (One loop, so that the code is there once.)
 template <class D>
 HWY_INLINE void PassiveChain<D>::turn_bones() {
   auto moving = hn::Eq(turn_.x.x, turn_.x.x);
+  const auto enough = hn::Set(d_, may_leave(row_.dt));
   for (int round = 0;; ++round) {
     for (std::size_t i = 0; i < count_; ++i) {
       if (round == 0) guess(i);
@@ -303,8 +294,8 @@ HWY_INLINE void PassiveChain<D>::turn_bones() {
     farthest2_ = hn::Zero(d_);
     for (std::size_t i = count_; i-- > 0;) eliminate(i);
     for (std::size_t i = 0; i < count_; ++i) turn_bone(i, moving);
-    if (round == 0) moving = hn::Gt(most_twisting_, hn::Set(d_, kLeastTwisting));
-    moving = hn::And(moving, hn::Gt(farthest2_, hn::Set(d_, kSettled2)));
+    const auto left = hn::Add(hn::Mul(most_twisting_, hn::Sqrt(farthest2_)), farthest2_);
+    moving = hn::And(moving, hn::Gt(left, enough));
     if (round == kMostRounds || HWY_LIKELY(hn::AllFalse(d_, moving))) return;
   }
 }

@@ -86,8 +86,7 @@ HWY_INLINE const V3<D>& PassiveChain<D>::place_tail(std::size_t i) {
   PassiveBone<D>& bone = bones_[i];
   const Carrier<D>& from = carrier_of(i);
   const auto length = load(d_, row_.constants[i].length, lane_);
-  const V3<D> turned = sub(d_, bone.direction, load(d_, state_[i].direction, lane_));
-  bone.tail.way = add_scaled(d_, from.way, turned, length);
+  bone.tail.way = add_scaled(d_, from.way, bone.moved, length);
   bone.tail.position = add_scaled(d_, from.position, rotate_back(d_, turn_, bone.direction), length);
   return from.position;
 }
@@ -122,32 +121,34 @@ HWY_INLINE void PassiveChain<D>::meet_colliders() {
   hold_at_contacts(touching);
 }
 
-/// Adds the contact's firmness to the bone's equations. `first` and `second`: ways of its end as it turns.
+/// Adds the contact's firmness to the bone's equations.
 template <class D>
-HWY_INLINE void PassiveChain<D>::hold_bone(PassiveBone<D>& bone, const V3<D>& first, const V3<D>& second, V<D>& g11,
-                                           V<D>& g12, V<D>& g22) {
+HWY_INLINE void PassiveChain<D>::hold_bone(PassiveBone<D>& bone, V<D> length, PassiveTurns<D>& turns) {
   const PassiveTouch<D>& touch = bone.touch;
   const auto holds = touch.holds(d_);
   if (hn::AllFalse(d_, holds)) return;
-  const auto m1 = hn::Mul(touch.share, dot(d_, touch.normal, first));
-  const auto m2 = hn::Mul(touch.share, dot(d_, touch.normal, second));
-  const auto h11 = hn::Add(g11, bone.coupled), h22 = hn::Add(g22, bone.coupled);
-  const auto size = hn::Sub(hn::Mul(h11, h22), hn::Mul(g12, g12));
-  const auto turns = hn::Add(hn::Sub(hn::Mul(hn::Mul(m1, m1), h22), hn::Mul(hn::Mul(hn::Add(m1, m1), m2), g12)),
-                             hn::Mul(hn::Mul(m2, m2), h11));
+  const auto lever = hn::Mul(touch.share, length);
+  const auto m0 = hn::Mul(lever, dot(d_, touch.normal, bone.side[0]));
+  const auto m1 = hn::Mul(lever, dot(d_, touch.normal, bone.side[1]));
+  const auto& inverse = bone.inverse;
+  const auto by_turns =
+      hn::Add(hn::Add(hn::Mul(hn::Mul(m0, m0), inverse[0]), hn::Mul(hn::Mul(hn::Add(m0, m0), m1), inverse[1])),
+              hn::Mul(hn::Mul(m1, m1), inverse[2]));
   const Symmetric3<D>& inertia = bone.below.inertia;
-  const auto start = hn::Div(hn::Set(d_, 3.0f), hn::Add(hn::Add(inertia.xx, inertia.yy), inertia.zz));
-  const auto yields = hn::Add(hn::Div(turns, size), start);
-  const auto firm = hn::IfThenElseZero(holds, hn::Div(hn::Set(d_, kFirmContact), yields));
+  const auto by_start = hn::Div(hn::Set(d_, 3.0f), hn::Add(hn::Add(inertia.xx, inertia.yy), inertia.zz));
+  const auto firm = hn::IfThenElseZero(holds, hn::Div(hn::Set(d_, kFirmContact), hn::Add(by_turns, by_start)));
   const auto push = hn::Neg(hn::Mul(firm, touch.lift));
-  const auto f1 = hn::Mul(firm, m1), f2 = hn::Mul(firm, m2);
-  bone.by_start[0] = add_scaled(d_, bone.by_start[0], touch.normal, f1);
-  bone.by_start[1] = add_scaled(d_, bone.by_start[1], touch.normal, f2);
-  bone.wanted[0] = hn::Add(bone.wanted[0], hn::Mul(m1, push));
-  bone.wanted[1] = hn::Add(bone.wanted[1], hn::Mul(m2, push));
-  g11 = hn::Add(g11, hn::Mul(f1, m1));
-  g12 = hn::Add(g12, hn::Mul(f1, m2));
-  g22 = hn::Add(g22, hn::Mul(f2, m2));
+  const auto f0 = hn::Mul(firm, m0), f1 = hn::Mul(firm, m1);
+  bone.by_start[0] = add_scaled(d_, bone.by_start[0], touch.normal, f0);
+  bone.by_start[1] = add_scaled(d_, bone.by_start[1], touch.normal, f1);
+  bone.wanted[0] = hn::Add(bone.wanted[0], hn::Mul(m0, push));
+  bone.wanted[1] = hn::Add(bone.wanted[1], hn::Mul(m1, push));
+  turns.rest[0] = hn::Add(turns.rest[0], hn::Mul(f0, m0));
+  turns.rest[1] = hn::Add(turns.rest[1], hn::Mul(f0, m1));
+  turns.rest[2] = hn::Add(turns.rest[2], hn::Mul(f1, m1));
+  const V<D> all[3] = {hn::Add(turns.rest[0], turns.firm[0]), hn::Add(turns.rest[1], turns.firm[1]),
+                       hn::Add(turns.rest[2], turns.firm[2])};
+  bone.invert(d_, all);
   bone.below.inertia = add_outer(d_, inertia, scale(d_, touch.normal, firm), touch.normal);
   bone.load = add_scaled(d_, bone.load, touch.normal, push);
 }
@@ -187,7 +188,7 @@ HWY_INLINE void PassiveChain<D>::find_hold(std::size_t i, const Symmetric3<D>& i
 template <class D>
 COIF_RARE void PassiveChain<D>::hold_at_contacts(hn::Mask<D> touching) {
   holds_contacts_ = true;
-  for (std::size_t i = 0; i < count_; ++i) copy(d_, bones_[i].direction, bones_[i].free);
+  for (std::size_t i = 0; i < count_; ++i) copy(d_, bones_[i].moved, bones_[i].free);
   for (int round = 0;; ++round) {
     for (std::size_t i = 0; i < count_; ++i) find_forces(i);
     for (std::size_t i = count_; i-- > 0;) eliminate(i);
@@ -195,16 +196,21 @@ COIF_RARE void PassiveChain<D>::hold_at_contacts(hn::Mask<D> touching) {
     for (std::size_t i = 0; i < count_; ++i) {
       turn_bone(i, touching);
       PassiveBone<D>& bone = bones_[i];
-      const V3<D> way = add_scaled(d_, scale(d_, bone.side[0], bone.turn[0]), bone.side[1], bone.turn[1]);
-      V3<D> lifted = scale(d_, way, hn::Mul(bone.touch.share, load(d_, row_.constants[i].length, lane_)));
-      if (!is_first(i)) lifted = add(d_, lifted, parent_of(i).shift);
+      const auto zero = hn::Zero(d_);
+      const V3<D> start = is_first(i) ? V3<D>{zero, zero, zero} : parent_of(i).shift;
+      const V3<D> lifted = add_scaled(d_, start, sub(d_, bone.shift, start), bone.touch.share);
       const auto lets_go = hn::And(bone.touch.holds(d_), hn::Gt(dot(d_, bone.touch.normal, lifted), bone.touch.lift));
       bone.touch.share = hn::IfThenZeroElse(lets_go, bone.touch.share);
       pulls = hn::Or(pulls, lets_go);
     }
     if (HWY_LIKELY(hn::AllFalse(d_, pulls)) || round == kMostReleases) return;
     touching = pulls;
-    for (std::size_t i = 0; i < count_; ++i) set_where(d_, touching, bones_[i].free, bones_[i].direction);
+    for (std::size_t i = 0; i < count_; ++i) {
+      PassiveBone<D>& bone = bones_[i];
+      const V3<D> before = load(d_, state_[i].direction, lane_);
+      set_where(d_, touching, bone.free, bone.moved);
+      set_where(d_, touching, direction_or(d_, add(d_, before, bone.free), before), bone.direction);
+    }
   }
 }
 

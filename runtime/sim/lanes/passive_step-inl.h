@@ -20,15 +20,14 @@ namespace HWY_NAMESPACE {
 
 /// Where the chain hits something, forces and velocities are those without that: a blow is over when the step is.
 template <class D>
-HWY_INLINE PassivePace<D> PassiveChain<D>::pace_of(std::size_t i, const V3<D>& own_way, const V3<D>& before, V<D> length) {
+HWY_INLINE PassivePace<D> PassiveChain<D>::pace_of(std::size_t i, V<D> length) {
   PassiveBone<D>& bone = bones_[i];
   const PassiveState& state = state_[i];
-  V3<D> way = own_way;
+  V3<D> way = bone.tail.way;
   if (HWY_UNLIKELY(hits_)) {
     const V3<D> start = is_first(i) ? carrier_of(i).way : parent_of(i).free;
-    const V3<D> free = add_scaled(d_, start, sub(d_, bone.free, before), length);
-    set_where(d_, hit_, free, way);
-    copy(d_, choose<D>(hit_, free, own_way), bone.free);
+    set_where(d_, hit_, add_scaled(d_, start, bone.free, length), way);
+    copy(d_, way, bone.free);
   }
   return method_.pace(d_, way, bone.tail.velocity_before, load(d_, state.acceleration, lane_),
                       load(d_, state.lagged, lane_));
@@ -44,8 +43,8 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   PassiveState& state = state_[i];
   const auto length = load(d_, constants.length, lane_);
   const V3<D> before = load(d_, state.direction, lane_), direction = bone.direction;
-  bone.tail.way = add_scaled(d_, from.way, sub(d_, direction, before), length);
-  const PassivePace<D> pace = pace_of(i, bone.tail.way, before, length);
+  bone.tail.way = add_scaled(d_, from.way, bone.moved, length);
+  const PassivePace<D> pace = pace_of(i, length);
   const V3<D> rest = load(d_, constants.rest, lane_), by_parent = rotate(d_, from.frame, rest);
   const V3<D> arm = rotate(d_, turn_, by_parent);
   // Where what it hangs from was held, its own end still goes where it freely went, but for its length.
