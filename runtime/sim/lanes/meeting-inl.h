@@ -58,7 +58,8 @@ struct Meeting {
   V<D> lift;     ///< Metres by which that place has to be lifted from where it freely went; 0: they do not meet.
   V<D> lost;     ///< m/s at which it came.
   V<D> leave;    ///< m/s at which it leaves again at the end of the step.
-  V<D> part;     ///< Of the step, from its start to the meeting.
+  V<D> part;     ///< Of the step, from its start to where the bone is when it gets the blow.
+  V<D> left;     ///< Of the step, from the meeting to its end.
 };
 
 /// Its distance from the collider falls evenly faster or slower throughout the step. The bone loses the speed at which it comes; it
@@ -95,6 +96,7 @@ COIF_RARE void meet_within(D d, const PlacedCollider& collider, const MeetingBon
   keep(comes, meeting.lost);
   keep(hn::IfThenElseZero(leaves, hn::Mul(gain, left)), meeting.leave);
   keep(part, meeting.part);
+  keep(hn::Div(left, dt), meeting.left);
 }
 
 /// How the bone goes through the step. `before`: its direction then; the last two: of its start and end, before the step.
@@ -140,7 +142,7 @@ HWY_INLINE bool find_meeting(D d, const RowStep& row, std::size_t lane, std::siz
     if (HWY_LIKELY(hn::AllFalse(d, here))) continue;
     if (hn::AllFalse(d, hn::Gt(meeting.lift, zero))) {
       copy(d, way.direction[1], meeting.normal);
-      meeting.share = meeting.lost = meeting.leave = meeting.part = zero;
+      meeting.share = meeting.lost = meeting.leave = meeting.part = meeting.left = zero;
     }
     Deepest<D> now;
     find_gap(d, colliders[i], way.start[1], way.direction[1], way.length, way.hit_radius, now);

@@ -77,6 +77,7 @@ COIF_RARE void PassiveChain<D>::meet(std::size_t i, hn::Mask<D> asked, hn::Mask<
   const auto meets = hn::Gt(meeting.lift, hn::Zero(d_));
   bone.touch.set(d_, meets, rotate(d_, turn_, meeting.normal), meeting.share, meeting.lift);
   bone.touch.leave = hn::IfThenElse(meets, meeting.leave, bone.touch.leave);
+  after_hit_ = hn::Max(after_hit_, hn::IfThenElseZero(hn::And(meets, bone.touch.holds(d_)), meeting.left));
   touching = hn::Or(touching, hn::And(meets, bone.touch.holds(d_)));
 }
 
@@ -97,6 +98,25 @@ HWY_INLINE hn::Mask<D> PassiveChain<D>::lay_on(std::size_t i) const {
   return hn::Gt(load(d_, state_[i].touching, lane_), hn::Zero(d_));
 }
 
+/// After a blow the forces of before it say nothing. The step starts from the blow instead, and takes the accelerations for those at its
+/// end. (The step of the blow left out what accelerates after it.)
+template <class D>
+COIF_RARE void PassiveChain<D>::start_from_blow(V<D> late) {
+  const auto one = hn::Set(d_, 1.0f), half = hn::Set(d_, 0.5f), none = hn::Zero(d_);
+  fresh_ = hn::Ge(late, one);
+  const auto since = hn::Mul(hn::Sub(late, one), method_.dt), whole = hn::Add(method_.dt, since);
+  const auto way = hn::Mul(method_.dt, hn::Add(hn::Mul(method_.dt, half), since));
+  const auto choose_fresh = [&](V<D> value, V<D>& to) { to = hn::IfThenElse(fresh_, value, to); };
+  choose_fresh(one, method_.mean);
+  choose_fresh(none, method_.from_lagged);
+  choose_fresh(none, method_.from_acceleration);
+  choose_fresh(none, method_.lag);
+  choose_fresh(none, method_.early);
+  choose_fresh(whole, method_.late);
+  choose_fresh(hn::Div(one, way), method_.lagged_per_way);
+  starts_fresh_ = true;
+}
+
 /// First where bones lay, then where others come to lie.
 template <class D>
 HWY_INLINE void PassiveChain<D>::meet_colliders() {
@@ -115,7 +135,7 @@ HWY_INLINE void PassiveChain<D>::meet_colliders() {
   }
   const auto touching = find_meetings();
   hits_ = !hn::AllFalse(d_, touching);
-  if (!hits_) return;
+  if (HWY_LIKELY(!hits_)) return;
   hit_ = touching;
   touches_ = true;
   hold_at_contacts(touching);
@@ -179,8 +199,7 @@ HWY_INLINE void PassiveChain<D>::find_hold(std::size_t i, const Symmetric3<D>& i
   const V3<D> tail = add(d_, bone.tail.velocity, bone.links.by_push);
   const V3<D> mixed = add_scaled(d_, scale(d_, tail, share), bone.links.start_velocity, rest);
   const auto stretch = hn::Add(opening, dot(d_, bone.direction, bone.links.by_push));
-  const auto leaving = hn::Sub(dot(d_, touch.normal, sub(d_, mixed, surface)), touch.leave);
-  hold.wanted = hn::Sub(leaving, hn::Mul(drag, stretch));
+  hold.wanted = hn::Sub(dot(d_, touch.normal, sub(d_, mixed, surface)), hn::Mul(drag, stretch));
   (void)zero;
 }
 
