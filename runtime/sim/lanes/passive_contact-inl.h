@@ -77,7 +77,6 @@ COIF_RARE void PassiveChain<D>::meet(std::size_t i, hn::Mask<D> asked, hn::Mask<
   const auto meets = hn::Gt(meeting.lift, hn::Zero(d_));
   bone.touch.set(d_, meets, rotate(d_, turn_, meeting.normal), meeting.share, meeting.lift);
   bone.touch.leave = hn::IfThenElse(meets, meeting.leave, bone.touch.leave);
-  after_hit_ = hn::Max(after_hit_, hn::IfThenElseZero(hn::And(meets, bone.touch.holds(d_)), meeting.left));
   touching = hn::Or(touching, hn::And(meets, bone.touch.holds(d_)));
 }
 
@@ -199,7 +198,8 @@ HWY_INLINE void PassiveChain<D>::find_hold(std::size_t i, const Symmetric3<D>& i
   const V3<D> tail = add(d_, bone.tail.velocity, bone.links.by_push);
   const V3<D> mixed = add_scaled(d_, scale(d_, tail, share), bone.links.start_velocity, rest);
   const auto stretch = hn::Add(opening, dot(d_, bone.direction, bone.links.by_push));
-  hold.wanted = hn::Sub(dot(d_, touch.normal, sub(d_, mixed, surface)), hn::Mul(drag, stretch));
+  const auto leaving = hn::Sub(dot(d_, touch.normal, sub(d_, mixed, surface)), touch.leave);
+  hold.wanted = hn::Sub(leaving, hn::Mul(drag, stretch));
   (void)zero;
 }
 
