@@ -87,7 +87,7 @@ COIF_RARE void meet_within(D d, const PlacedCollider& collider, const MeetingBon
   const auto lifts = hn::And(meets, hn::Gt(lift, meeting.lift));
   if (hn::AllFalse(d, lifts)) return;
   // The blow is where they meet; what holds a bone that stays is where it lies.
-  const auto part = hn::IfThenElse(leaves, hn::Min(hn::Div(first, dt), one), one);
+  const auto met = hn::Min(hn::Div(first, dt), one), part = hn::IfThenElse(leaves, met, hn::Mul(hn::Set(d, 0.5f), hn::Add(met, one)));
   const V3<D> then = add_scaled(d, before.normal, sub(d, now.normal, before.normal), part);
   set_where(d, lifts, direction_or(d, then, now.normal), meeting.normal);
   const auto keep = [&](V<D> value, V<D>& to) { to = hn::IfThenElse(lifts, value, to); };
