@@ -59,7 +59,6 @@ struct Meeting {
   V<D> lost;     ///< m/s at which it came.
   V<D> leave;    ///< m/s at which it leaves again at the end of the step.
   V<D> part;     ///< Of the step, from its start to where the bone is when it gets the blow.
-  V<D> left;     ///< Of the step, from the meeting to its end.
 };
 
 /// Its distance from the collider falls evenly faster or slower throughout the step. The bone loses the speed at which it comes; it
@@ -86,8 +85,9 @@ COIF_RARE void meet_within(D d, const PlacedCollider& collider, const MeetingBon
   const auto lift = hn::IfThenElse(leaves, hn::Mul(comes, left), hn::Neg(now.gap));
   const auto lifts = hn::And(meets, hn::Gt(lift, meeting.lift));
   if (hn::AllFalse(d, lifts)) return;
-  // The blow is where they meet; what holds a bone that stays is where it lies.
-  const auto met = hn::Min(hn::Div(first, dt), one), part = hn::IfThenElse(leaves, met, hn::Mul(hn::Set(d, 0.5f), hn::Add(met, one)));
+  // A bone that leaves gets the blow where they meet, one that stays is pushed from there on.
+  const auto met = hn::Min(hn::Div(first, dt), one), middle = hn::Mul(hn::Set(d, 0.5f), hn::Add(met, one));
+  const auto part = hn::IfThenElse(leaves, met, middle);
   const V3<D> then = add_scaled(d, before.normal, sub(d, now.normal, before.normal), part);
   set_where(d, lifts, direction_or(d, then, now.normal), meeting.normal);
   const auto keep = [&](V<D> value, V<D>& to) { to = hn::IfThenElse(lifts, value, to); };
@@ -96,7 +96,6 @@ COIF_RARE void meet_within(D d, const PlacedCollider& collider, const MeetingBon
   keep(comes, meeting.lost);
   keep(hn::IfThenElseZero(leaves, hn::Mul(gain, left)), meeting.leave);
   keep(part, meeting.part);
-  keep(hn::Div(left, dt), meeting.left);
 }
 
 /// How the bone goes through the step. `before`: its direction then; the last two: of its start and end, before the step.
@@ -142,7 +141,7 @@ HWY_INLINE bool find_meeting(D d, const RowStep& row, std::size_t lane, std::siz
     if (HWY_LIKELY(hn::AllFalse(d, here))) continue;
     if (hn::AllFalse(d, hn::Gt(meeting.lift, zero))) {
       copy(d, way.direction[1], meeting.normal);
-      meeting.share = meeting.lost = meeting.leave = meeting.part = meeting.left = zero;
+      meeting.share = meeting.lost = meeting.leave = meeting.part = zero;
     }
     Deepest<D> now;
     find_gap(d, colliders[i], way.start[1], way.direction[1], way.length, way.hit_radius, now);

@@ -44,15 +44,14 @@ class PassiveChain {
         turn_(load(d, row.move->from_head, lane)),
         motion_(hn::Zero(d)),
         fastest2_(hn::Zero(d)),
-        most_twisting_(hn::Zero(d)),
-        after_hit_(hn::Zero(d)) {
+        most_twisting_(hn::Zero(d)) {
     for (std::size_t i = 0; i < count_; ++i) collides_ = collides_ || (row.bones[i].features & kRowCollides) != 0;
   }
 
   HWY_INLINE void run() {
     if (collides_) {
-      const auto late = load(d_, state_[0].since_blow, lane_);
-      if (HWY_UNLIKELY(!hn::AllFalse(d_, hn::Gt(late, hn::Zero(d_))))) start_from_blow(late);
+      const auto blow = hn::Gt(load(d_, state_[0].after_blow, lane_), hn::Zero(d_));
+      if (HWY_UNLIKELY(!hn::AllFalse(d_, blow))) start_after_blow(blow);
     }
     turn_bones();
     if (collides_) meet_colliders();
@@ -123,7 +122,7 @@ class PassiveChain {
   HWY_INLINE void turn_bones();
   hn::Mask<D> find_lying();
   HWY_INLINE hn::Mask<D> find_meetings();
-  void start_from_blow(V<D> late);
+  void start_after_blow(hn::Mask<D> blow);
   void meet(std::size_t i, hn::Mask<D> asked, hn::Mask<D>& touching);
   HWY_INLINE const V3<D>& place_tail(std::size_t i);
   [[nodiscard]] HWY_INLINE hn::Mask<D> lay_on(std::size_t i) const;
@@ -154,9 +153,8 @@ class PassiveChain {
   V<D> most_twisting_;                      ///< Of what the bones are held by.
   V<D> farthest2_;                          ///< Square of the last round's largest turn.
   bool collides_ = false, touches_ = false, holds_contacts_ = false, hits_ = false, starts_fresh_ = false;
-  hn::Mask<D> fresh_;  ///< If starts_fresh_: where the last step ended after a blow.
-  V<D> after_hit_;     ///< Share of the step that follows the blow.
-  hn::Mask<D> hit_;  ///< If hits_: where some bone comes to lie on a collider.
+  hn::Mask<D> fresh_;  ///< If starts_fresh_: where there was a blow in the last step.
+  hn::Mask<D> hit_;    ///< If hits_: where there is one in this.
   std::size_t joint_of_ = ~std::size_t{0};  ///< The bone that hangs from joint_.
   Carrier<D> joint_;
   Carrier<D> posed_;

@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-constexpr int kMostReleases = 3;
+constexpr int kMostReleases = 3;  ///< Times that contacts are found to pull and let go.
 
 /// Looks which bones are in their head's colliders: those that lay on some before the step.
 template <class D>
@@ -66,6 +66,7 @@ HWY_INLINE hn::Mask<D> PassiveChain<D>::find_meetings() {
   return touching;
 }
 
+/// Of one bone, which comes near some.
 template <class D>
 COIF_RARE void PassiveChain<D>::meet(std::size_t i, hn::Mask<D> asked, hn::Mask<D>& touching) {
   PassiveBone<D>& bone = bones_[i];
@@ -97,26 +98,24 @@ HWY_INLINE hn::Mask<D> PassiveChain<D>::lay_on(std::size_t i) const {
   return hn::Gt(load(d_, state_[i].touching, lane_), hn::Zero(d_));
 }
 
-/// After a blow the forces of before it say nothing. The step starts from the blow instead, and takes the accelerations for those at its
-/// end. (The step of the blow left out what accelerates after it.)
+/// A blow changes accelerations at once, and those of before it say nothing about the next step. That one takes the accelerations at its own
+/// end for all of it: the same method with other numbers.
 template <class D>
-COIF_RARE void PassiveChain<D>::start_from_blow(V<D> late) {
-  const auto one = hn::Set(d_, 1.0f), half = hn::Set(d_, 0.5f), none = hn::Zero(d_);
-  fresh_ = hn::Ge(late, one);
-  const auto since = hn::Mul(hn::Sub(late, one), method_.dt), whole = hn::Add(method_.dt, since);
-  const auto way = hn::Mul(method_.dt, hn::Add(hn::Mul(method_.dt, half), since));
-  const auto choose_fresh = [&](V<D> value, V<D>& to) { to = hn::IfThenElse(fresh_, value, to); };
-  choose_fresh(one, method_.mean);
-  choose_fresh(none, method_.from_lagged);
-  choose_fresh(none, method_.from_acceleration);
-  choose_fresh(none, method_.lag);
-  choose_fresh(none, method_.early);
-  choose_fresh(whole, method_.late);
-  choose_fresh(hn::Div(one, way), method_.lagged_per_way);
+COIF_RARE void PassiveChain<D>::start_after_blow(hn::Mask<D> blow) {
+  const auto one = hn::Set(d_, 1.0f), none = hn::Zero(d_);
+  const auto set = [&](V<D> value, V<D>& to) { to = hn::IfThenElse(blow, value, to); };
+  set(one, method_.mean);
+  for (V<D>* const number : {&method_.from_lagged, &method_.from_acceleration, &method_.lag, &method_.early}) {
+    set(none, *number);
+  }
+  set(method_.dt, method_.late);
+  set(hn::Mul(hn::Add(method_.per_dt, method_.per_dt), method_.per_dt), method_.lagged_per_way);
+  fresh_ = blow;
   starts_fresh_ = true;
 }
 
-/// First where bones lay, then where others come to lie.
+/// First the contacts that there were hold, then those at which other bones come to lie. Accelerations and velocities are those of
+/// before the latter: a blow is no force.
 template <class D>
 HWY_INLINE void PassiveChain<D>::meet_colliders() {
   auto lay = hn::Lt(turn_.x.x, hn::Set(d_, -2.0f));
@@ -128,8 +127,6 @@ HWY_INLINE void PassiveChain<D>::meet_colliders() {
     const auto touching = find_lying();
     touches_ = !hn::AllFalse(d_, touching);
     if (touches_) hold_at_contacts(touching);
-  }
-  if (touches_) {
     for (std::size_t i = 0; i < count_; ++i) bones_[i].touch.lift = hn::Zero(d_);
   }
   const auto touching = find_meetings();
@@ -178,7 +175,7 @@ HWY_INLINE void PassiveChain<D>::find_hold(std::size_t i, const Symmetric3<D>& i
   PassiveBone<D>& bone = bones_[i];
   const PassiveTouch<D>& touch = bone.touch;
   PassiveHold<D>& hold = bone.hold;
-  const auto zero = hn::Zero(d_), one = hn::Set(d_, 1.0f);
+  const auto one = hn::Set(d_, 1.0f);
   const auto holds = touch.holds(d_), share = touch.share, rest = hn::Sub(one, share);
   const V3<D> by_push = scale(d_, times(d_, inverse, touch.normal), share);
   const auto drag = hn::Mul(dot(d_, bone.direction, by_push), bone.links.yields);  // s dAn / dAd
@@ -200,7 +197,6 @@ HWY_INLINE void PassiveChain<D>::find_hold(std::size_t i, const Symmetric3<D>& i
   const auto stretch = hn::Add(opening, dot(d_, bone.direction, bone.links.by_push));
   const auto leaving = hn::Sub(dot(d_, touch.normal, sub(d_, mixed, surface)), touch.leave);
   hold.wanted = hn::Sub(leaving, hn::Mul(drag, stretch));
-  (void)zero;
 }
 
 /// One round more, in which the contacts hold. Those that would have to pull let go, and it is done again.
@@ -218,7 +214,8 @@ COIF_RARE void PassiveChain<D>::hold_at_contacts(hn::Mask<D> touching) {
       const auto zero = hn::Zero(d_);
       const V3<D> start = is_first(i) ? V3<D>{zero, zero, zero} : parent_of(i).shift;
       const V3<D> lifted = add_scaled(d_, start, sub(d_, bone.shift, start), bone.touch.share);
-      const auto lets_go = hn::And(bone.touch.holds(d_), hn::Gt(dot(d_, bone.touch.normal, lifted), bone.touch.lift));
+      const auto held = hn::And(touching, bone.touch.holds(d_));
+      const auto lets_go = hn::And(held, hn::Gt(dot(d_, bone.touch.normal, lifted), bone.touch.lift));
       bone.touch.share = hn::IfThenZeroElse(lets_go, bone.touch.share);
       pulls = hn::Or(pulls, lets_go);
     }

@@ -29,13 +29,8 @@ HWY_INLINE PassivePace<D> PassiveChain<D>::pace_of(std::size_t i, V<D> length) {
     set_where(d_, hit_, add_scaled(d_, start, bone.free, length), way);
     copy(d_, way, bone.free);
   }
-  PassivePace<D> pace = method_.pace(d_, way, bone.tail.velocity_before, load(d_, state.acceleration, lane_),
-                                     load(d_, state.lagged, lane_));
-  if (HWY_UNLIKELY(hits_)) {
-    const auto left = hn::IfThenElseZero(hit_, hn::Mul(after_hit_, method_.dt));
-    pace.velocity = sub_scaled(d_, pace.velocity, pace.acceleration, left);
-  }
-  return pace;
+  return method_.pace(d_, way, bone.tail.velocity_before, load(d_, state.acceleration, lane_),
+                      load(d_, state.lagged, lane_));
 }
 
 /// What that makes of the bone's motion; limits and contacts.
@@ -115,8 +110,7 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   if (collides_) {
     const auto lies = hn::AndNot(hn::Gt(bone.touch.leave, hn::Zero(d_)), bone.touch.holds(d_));
     store(d_, hn::IfThenElseZero(lies, hn::Set(d_, 1.0f)), state.touching, lane_);
-    store(d_, hits_ ? hn::IfThenElseZero(hit_, hn::Add(hn::Set(d_, 1.0f), after_hit_)) : hn::Zero(d_), state.since_blow,
-          lane_);
+    if (i == 0) store(d_, hits_ ? hn::IfThenElseZero(hit_, hn::Set(d_, 1.0f)) : hn::Zero(d_), state.after_blow, lane_);
   }
 
   const Bent<D> bent = bend(d_, from.frame, rest, by_parent, in_head);
