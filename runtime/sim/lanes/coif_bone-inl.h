@@ -183,13 +183,11 @@ HWY_INLINE hn::Mask<D> keep_in_limit(D d, const RowStep& row, std::size_t lane, 
 }
 
 /// Section 4, of bone `bone` of the row, which starts at `start` (head space) with `start_velocity`. `direction` is
-/// now.direction in head space and follows it; `limited`, which may be null, is from keep_in_limit(); `last`, which may be null, gets the last
-/// contact. Returns the lanes in which the bone touched something.
+/// now.direction in head space and follows it; `limited`, which may be null, is from keep_in_limit(). Returns the lanes in which the bone touched something.
 template <class D>
 HWY_INLINE hn::Mask<D> keep_clear_of(D d, const RowStep& row, std::size_t lane, const M3<D>& turn, std::size_t bone,
                                      const V3<D>& start, const V3<D>& start_velocity, const V3<D>& before,
-                                     LimitedBone<V<D>>* limited, BoneMotion<D>& now, V3<D>& direction,
-                                     Contact<D>* last = nullptr) {
+                                     LimitedBone<V<D>>* limited, BoneMotion<D>& now, V3<D>& direction) {
   const PlacedColliders& colliders = *row.colliders;
   const BoneLanes& constants = row.constants[bone];
   const std::uint32_t set = row.bones[bone].colliders;
@@ -219,7 +217,6 @@ HWY_INLINE hn::Mask<D> keep_clear_of(D d, const RowStep& row, std::size_t lane, 
   touching.length = length;
   touching.hit_radius = hit_radius;
   touching.limited = limited;
-  touching.last = last;
   const auto touched = keep_clear(d, colliders, set, constants, lane, reached, touching);
   if (hn::AllFalse(d, touched)) return touched;
   direction = choose<D>(touched, touching.direction, direction);

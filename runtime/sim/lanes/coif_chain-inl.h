@@ -6,7 +6,6 @@
 #include "contact-inl.h"
 #include "gusts-inl.h"
 #include "lane_math-inl.h"
-#include "meeting-inl.h"
 #include "moving_contact-inl.h"
 #include "palette-inl.h"
 #include "pose-inl.h"
@@ -43,8 +42,6 @@ class CoifChain {
 
  private:
   HWY_INLINE void advance(std::size_t i);
-  HWY_INLINE void leave_again(std::size_t i, const Carrier<D>& from, const V3<D>& before, const V3<D>& speed_before,
-                              BoneMotion<D>& now, V3<D>& direction);
 
   /// What the children hang from. The motion before the step is put together from what was stored after the last one.
   HWY_INLINE void leave_carrier(Carrier<D>& tail, CoifState& state, const Carrier<D>& from, const BoneMotion<D>& now,
@@ -175,41 +172,6 @@ class CoifChain {
   Carrier<D> carriers_[kMaxOpenBones];
 };
 
-/// Where the bone meets a collider within the step but would not stay there, it loses what it came at, as a contact takes it, and goes on
-/// from there. One that comes to lie is left to keep_clear_of().
-template <class D>
-HWY_INLINE void CoifChain<D>::leave_again(std::size_t i, const Carrier<D>& from, const V3<D>& before,
-                                          const V3<D>& speed_before, BoneMotion<D>& now, V3<D>& direction) {
-  const BoneLanes& constants = row_.constants[i];
-  const auto length = load(d_, constants.length, lane_), zero = hn::Zero(d_);
-  const auto reach = hn::Add(hn::Mul(length, hn::Set(d_, 1.25f)), load(d_, constants.hit_radius, lane_));
-  const auto is_near = in_reach(d_, *row_.colliders, row_.bones[i].colliders, from.position, reach);
-  if (HWY_LIKELY(hn::AllFalse(d_, is_near))) return;
-  const V3<D> end_velocity = add(d_, from.velocity_before, speed_before);
-  const MeetingBone<D> way = meeting_bone(d_, row_, lane_, i, turn_, from, before, direction, end_velocity);
-  Meeting<D> meeting;
-  if (HWY_LIKELY(!find_meeting(d_, row_, lane_, i, way, hn::Set(d_, row_.dt), is_near, meeting))) return;
-  const V3<D> normal = rotate(d_, turn_, meeting.normal), side = across(d_, normal, now.direction);
-  const auto size2 = dot(d_, side, side);
-  const auto leaves = hn::And(hn::And(hn::Gt(meeting.leave, zero), hn::Gt(size2, hn::Set(d_, 1e-6f))),
-                              hn::Gt(meeting.share, hn::Set(d_, 1e-3f)));
-  if (hn::AllFalse(d_, leaves)) return;
-  const auto one = hn::Set(d_, 1.0f), safe = hn::IfThenElse(leaves, hn::Mul(size2, meeting.share), one);
-  // As in stop_at_contact(): no more than what the bone itself brought there.
-  const V3<D> turning_before = scale(d_, cross(d_, load(d_, row_.move->angular_velocity_before, lane_), before), length);
-  const V3<D> own_before = sub(d_, speed_before, turning_before);
-  const V3<D> own_now =
-      sub(d_, now.velocity, scale(d_, cross(d_, load(d_, row_.move->angular_velocity, lane_), now.direction), length));
-  const V3<D> own = add_scaled(d_, own_before, sub(d_, own_now, own_before), meeting.part);
-  const auto brought = hn::Max(hn::Neg(hn::Div(dot(d_, own, side), hn::IfThenElse(leaves, size2, one))), zero);
-  const auto taken = hn::IfThenElseZero(leaves, hn::Min(hn::Div(meeting.lost, safe), brought));
-  const auto left = hn::Mul(hn::Set(d_, row_.dt), hn::Sub(one, meeting.part));
-  const V3<D> moved = add_scaled(d_, scale(d_, now.direction, length), side, hn::Mul(taken, left));
-  set_where(d_, leaves, direction_or(d_, moved, now.direction), now.direction);
-  set_where(d_, leaves, across(d_, add_scaled(d_, now.velocity, side, taken), now.direction), now.velocity);
-  set_where(d_, leaves, rotate_back(d_, turn_, now.direction), direction);
-}
-
 template <class D>
 HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
   const RowBone& shape = row_.bones[i];
@@ -245,7 +207,6 @@ HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
     limited = &limits;
     keep_in_limit(d_, row_, lane_, i, from, limits, now, direction);
   }
-  if (shape.features & kRowCollides) leave_again(i, from, before, speed_before, now, direction);
   if (shape.features & kRowCollides)
     keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, limited, now, direction);
   if constexpr (kOnCharacter<D>) {

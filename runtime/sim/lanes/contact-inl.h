@@ -77,10 +77,6 @@ HWY_INLINE hn::Mask<D> reaches(D d, const PlacedCollider& collider, const V3<D>&
 /// The velocity of the contact's point into the collider is lost. The collider stands still against the head.
 template <class D>
 HWY_INLINE void stop_at_contact(D d, hn::Mask<D> touches, const Contact<D>& contact, TouchingBone<D>& bone) {
-  if (bone.last != nullptr) {
-    set_where(d, touches, contact.normal, bone.last->normal);
-    bone.last->along = hn::IfThenElse(touches, contact.along, bone.last->along);
-  }
   const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
   const auto share = hn::Div(contact.along, bone.length);
   const V3<D> side = across(d, contact.normal, bone.direction);

@@ -17,13 +17,6 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// Where bones touch a collider after they were turned out of it. Head space.
-template <class D>
-struct Contact {
-  V3<D> normal;  ///< Unit, from the collider to the hair.
-  V<D> along;    ///< Metres from the bone's start.
-};
-
 /// A bone on its way through a step, as its colliders see it: in head space, where they stand still.
 template <class D>
 struct TouchingBone {
@@ -36,13 +29,19 @@ struct TouchingBone {
   V<D> length;
   V<D> hit_radius;
   LimitedBone<V<D>>* limited = nullptr;  ///< Null: nothing bounds its direction.
-  Contact<D>* last = nullptr;            ///< Gets the last contact with a collider of the head. Null: nobody asks.
 };
 
 inline constexpr int kNewtonSteps = 8;
 inline constexpr float kLargestTurn = 0.5f;  ///< Radians per Newton step: further the linear model says nothing.
 inline constexpr float kTolerance = 1e-6f;   ///< Depth that counts as clear, share of the collider's size.
 inline constexpr float kOvershoot = 1e-6f;   ///< So that Newton ends outside instead of creeping up from inside.
+
+/// Where bones touch a collider after they were turned out of it. Head space.
+template <class D>
+struct Contact {
+  V3<D> normal;  ///< Unit, from the collider to the hair.
+  V<D> along;    ///< Metres from the bone's start.
+};
 
 /// One step of Newton's method: turned so that the deepest point would reach the surface.
 template <class D>
