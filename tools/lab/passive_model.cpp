@@ -1,10 +1,12 @@
 #include "lab/passive_model.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace coif {
 namespace {
@@ -35,6 +37,9 @@ Matrix3d symmetric_inverse(const Matrix3d& m) {
   inverse << xx, xy, xz, xy, yy, yz, xz, yz, zz;
   return scale * inverse;
 }
+
+/// Of a contact, against a bone's: one without a lever cannot be helped.
+constexpr double kSoftness = 1.0e-9;
 
 double mass_of(const RigBone& bone) { return bone.length; }
 
@@ -168,21 +173,69 @@ void PassiveModel::rates(const SolverScene& scene, const HeadState& head, std::s
   }
 }
 
-void PassiveModel::keep_links(const HeadState& head, std::span<BoneMotion> motions, std::span<BoneState> states) {
+/// By Gauss's principle, with all bonds in one dense matrix, as chains are short. A contact that would have to pull is left out, the
+/// strongest first.
+Eigen::VectorXd PassiveModel::nearest(std::span<const BoneContact> contacts, const Eigen::VectorXd& opening,
+                                      std::span<const double> entering) const {
+  const auto links = Eigen::Index(bones_.size()), all = links + Eigen::Index(contacts.size());
+  Eigen::MatrixXd bonds = Eigen::MatrixXd::Zero(all, 3 * links);
+  Eigen::VectorXd excess(all), mobile(3 * links);
+  for (Eigen::Index row = 0; row < all; ++row) {
+    const BoneContact* const contact = row < links ? nullptr : &contacts[std::size_t(row - links)];
+    const std::size_t i = contact == nullptr ? std::size_t(row) : contact->bone;
+    const Vector3d way = contact == nullptr ? bends_[i].direction : contact->normal;
+    const double share = contact == nullptr ? 1 : contact->share;
+    bonds.block<1, 3>(row, 3 * Eigen::Index(i)) = share * way.transpose();
+    if (const int up = bones_[i].parent; up >= 0) {
+      bonds.block<1, 3>(row, 3 * up) = (contact == nullptr ? -1 : 1 - share) * way.transpose();
+    }
+    excess[row] = contact == nullptr ? opening[row] : entering[std::size_t(row - links)];
+  }
+  for (Eigen::Index k = 0; k < links; ++k) mobile.segment<3>(3 * k).setConstant(1 / mass_of(bones_[std::size_t(k)]));
+  Eigen::MatrixXd yields = bonds * mobile.asDiagonal() * bonds.transpose();
+  for (Eigen::Index k = links; k < all; ++k) yields(k, k) += kSoftness * yields(0, 0);
+  std::vector<Eigen::Index> held(static_cast<std::size_t>(all));
+  std::iota(held.begin(), held.end(), Eigen::Index(0));
+  for (;;) {
+    const Eigen::VectorXd impulses = Eigen::MatrixXd(yields(held, held)).ldlt().solve(-excess(held));
+    std::size_t worst = held.size();
+    for (auto k = std::size_t(links); k < held.size(); ++k) {
+      const double least = worst < held.size() ? impulses[Eigen::Index(worst)] : 0;
+      if (impulses[Eigen::Index(k)] < least) worst = k;
+    }
+    if (worst == held.size()) return mobile.asDiagonal() * (Eigen::MatrixXd(bonds(held, Eigen::all)).transpose() * impulses);
+    held.erase(held.begin() + std::ptrdiff_t(worst));
+  }
+}
+
+void PassiveModel::lift(std::span<const BoneContact> contacts, std::span<const double> depths,
+                        std::span<const Vector3d> directions, std::vector<Vector3d>& ways) {
+  for (std::size_t i = 0; i < bones_.size(); ++i) bends_[i].direction = directions[i];
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(Eigen::Index(bones_.size()));
+  std::vector<double> entering;
+  for (const double depth : depths) entering.push_back(-depth);
+  const Eigen::VectorXd changes = nearest(contacts, none, entering);
+  ways.resize(bones_.size());
+  for (std::size_t i = 0; i < bones_.size(); ++i) ways[i] = changes.segment<3>(3 * Eigen::Index(i));
+}
+
+void PassiveModel::keep_links(const HeadState& head, std::span<const BoneContact> contacts,
+                              std::span<BoneMotion> motions, std::span<BoneState> states) {
   BoneMotion joint;
+  Eigen::VectorXd opening(bones_.size());
   for (std::size_t i = 0; i < bones_.size(); ++i) {
     bends_[i].direction = turned(motions[i].frame, bones_[i].rest_direction);
-    links_[i] = {mass_of(bones_[i]) * Matrix3d::Identity(), Vector3d::Zero(), Vector3d::Zero()};
-  }
-  for (std::size_t i = bones_.size(); i-- > 0;) {
     const BoneMotion& parent = carrier(bones_, i, head, motions, joint);
-    gather(i, bends_[i].direction.dot(motions[i].velocity - parent.velocity));
+    opening[Eigen::Index(i)] = bends_[i].direction.dot(motions[i].velocity - parent.velocity);
   }
-  std::vector<Vector3d>& changes = forces_;
+  std::vector<double> entering;
+  for (const BoneContact& at : contacts) {
+    const Vector3d start = carrier(bones_, at.bone, head, motions, joint).velocity;
+    entering.push_back(at.normal.dot(start + at.share * (motions[at.bone].velocity - start) - at.surface));
+  }
+  const Eigen::VectorXd changes = nearest(contacts, opening, entering);
+  for (std::size_t i = 0; i < bones_.size(); ++i) motions[i].velocity += changes.segment<3>(3 * Eigen::Index(i));
   for (std::size_t i = 0; i < bones_.size(); ++i) {
-    const bool is_first = bones_[i].parent < 0;
-    changes[i] = release(i, is_first ? Vector3d::Zero() : changes[std::size_t(bones_[i].parent)]);
-    motions[i].velocity += changes[i];
     const BoneMotion& parent = carrier(bones_, i, head, motions, joint);
     states[i].turning = across((motions[i].velocity - parent.velocity) / bones_[i].length, bends_[i].direction);
   }

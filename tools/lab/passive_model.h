@@ -33,8 +33,13 @@ class PassiveModel {
   void rates(const SolverScene& scene, const HeadState& head, std::span<const BoneState> states,
              std::span<BoneMotion> motions, std::span<BoneRates> rates);
 
-  /// The velocities nearest to those of `motions`, by mass, that stretch no bone; `states` turn with them.
-  void keep_links(const HeadState& head, std::span<BoneMotion> motions, std::span<BoneState> states);
+  /// The velocities nearest to those of `motions`, by mass, that stretch no bone and lead into no collider; `states` turn with them.
+  void keep_links(const HeadState& head, std::span<const BoneContact> contacts, std::span<BoneMotion> motions,
+                  std::span<BoneState> states);
+
+  /// The ways of the particles that lift each contact by its depth and stretch no bone, the shortest by mass.
+  void lift(std::span<const BoneContact> contacts, std::span<const double> depths,
+            std::span<const Eigen::Vector3d> directions, std::vector<Eigen::Vector3d>& ways);
 
   /// Kinetic energy, and that of weight and bending, joules; against the head's rotation and gravity of `scene`.
   [[nodiscard]] double energy(const SolverScene& scene, const HeadState& head, std::span<const BoneState> states) const;
@@ -55,6 +60,10 @@ class PassiveModel {
     Eigen::Vector3d torque, reaction;
   };
 
+  /// What, by mass, changes least of what all particles do so that no bone is stretched, by `opening` each, nor enters a collider, by
+  /// `entering` (negative) at each contact.
+  [[nodiscard]] Eigen::VectorXd nearest(std::span<const BoneContact> contacts, const Eigen::VectorXd& opening,
+                                        std::span<const double> entering) const;
   const Eigen::Matrix3d& turn_above(std::size_t i) const;
   void load(std::size_t i, const HeadState& head, const BoneMotion& parent, const BoneMotion& motion);
   void gather(std::size_t i, double opening);

@@ -91,6 +91,14 @@ struct HeadStep {
   HeadState start, middle, end;
 };
 
+/// Where a bone of the passive model touches a collider.
+struct BoneContact {
+  std::size_t bone = 0;
+  double share = 0;         ///< Of the bone's length, from its start to the place of contact.
+  Eigen::Vector3d normal;   ///< Unit, world, from the collider to the hair.
+  Eigen::Vector3d surface;  ///< Velocity of the collider's surface there, m/s.
+};
+
 class PassiveModel;
 class ReferenceLinks;
 
@@ -134,11 +142,14 @@ class ReferenceTree {
   void find_rates(const HeadState& head, const std::vector<BoneState>& states, std::vector<BoneRates>& rates);
   void untwist_all(const Eigen::Quaterniond& head_rotation);
   void hold(const HeadState& head);
+  void lift(const HeadState& head);
   void hold_bone(std::size_t i, const HeadState& head);
   void hold_links(std::size_t begin, std::size_t end, const HeadState& head);
   bool hold_limit(const RigBone& bone, const BoneMotion& parent, const HeadState& head, BoneState& state) const;
   bool hold_bounds(const RigBone& bone, const BoneMotion& parent, BoneState& state) const;
-  bool hold_colliders(const RigBone& bone, const BoneMotion& parent, const HeadState& head, BoneState& state) const;
+  /// Turns the bone out of its colliders. The cascade's bone also loses the velocity that leads into them; of the passive model's
+  /// the contacts are added to contacts_, for keep_links().
+  bool hold_colliders(std::size_t i, const BoneMotion& parent, const HeadState& head);
 
   std::vector<std::uint32_t> members_;
   std::vector<RigBone> bones_;             ///< Parents are indices into bones_.
@@ -158,6 +169,8 @@ class ReferenceTree {
   std::vector<Eigen::Vector3d> before_;  ///< Directions at the start of the step.
   std::vector<char> moved_;
   std::vector<char> turned_;  ///< By links.
+  std::vector<BoneContact> contacts_;
+  std::vector<Eigen::Vector3d> velocities_;  ///< Of the particles, before anything holds them.
 };
 
 /// What moves by itself: each root of the rig with all that hangs from it, and those that are linked to it. Bones in the rig's order, or by

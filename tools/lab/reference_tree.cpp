@@ -20,6 +20,9 @@ constexpr double kFastestTorsion = 5000;  // 1/s
 /// Directions nearer than this to each other have no plane between them.
 constexpr double kSameDirection = 1.0e-9;
 
+/// Depth that counts as a contact, share of the collider's or the bone's size.
+constexpr double kTouches = 1.0e-10;
+
 void turn_to(const Vector3d& direction, const RigBone& bone, BoneState& state) {
   state.frame = shortest_arc(turned(state.frame, bone.rest_direction), direction) * state.frame;
   state.turning = across(state.turning, direction);
@@ -166,7 +169,53 @@ void ReferenceTree::untwist_all(const Quaterniond& head_rotation) {
   }
 }
 
+/// Passive bones leave colliders together, by the shortest way for all of their chain. A turn about its start alone would also undo what
+/// a bone turns that comes to lie on a collider from its start on.
+void ReferenceTree::lift(const HeadState& head) {
+  constexpr int kRounds = 4;
+  const Quaterniond to_head = head.rotation.conjugate();
+  std::vector<Vector3d> directions(bones_.size()), ends(bones_.size()), ways;
+  std::vector<double> depths;
+  velocities_.resize(bones_.size());
+  for (std::size_t i = 0; i < bones_.size(); ++i) {
+    const int up = bones_[i].parent;
+    const Vector3d start = up < 0 ? motion_of_joint(bones_[i].joint, head).velocity : velocities_[std::size_t(up)];
+    velocities_[i] = start + bones_[i].length * states_[i].turning;
+  }
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<BoneContact> found;
+    depths.clear();
+    for (std::size_t i = 0; i < bones_.size(); ++i) {
+      const RigBone& bone = bones_[i];
+      const Vector3d start = bone.parent < 0 ? turned(head.rotation, bone.joint) : ends[std::size_t(bone.parent)];
+      directions[i] = turned(states_[i].frame, bone.rest_direction);
+      ends[i] = start + bone.length * directions[i];
+      const HairSegment segment{turned(to_head, start), turned(to_head, directions[i]), bone.length, bone.hit_radius};
+      for (std::uint32_t left = bone.colliders; left != 0; left &= left - 1) {
+        const SolidShape& solid = solids_[std::size_t(std::countr_zero(left))];
+        const SolidContact at = nearest_contact(solid, segment);
+        if (!(at.gap < -kTouches * std::max(solid.size, bone.length) && at.along > 0)) continue;
+        const Vector3d point = start + at.along * directions[i];
+        found.push_back({i, at.along / bone.length, turned(head.rotation, at.normal),
+                         head.velocity + head.angular_velocity.cross(point)});
+        depths.push_back(-at.gap);
+      }
+    }
+    if (found.empty()) return;
+    passive_->lift(found, depths, directions, ways);
+    if (round == 0) contacts_ = found;
+    for (std::size_t i = 0; i < bones_.size(); ++i) {
+      const int up = bones_[i].parent;
+      const Vector3d way = up < 0 ? ways[i] : Vector3d(ways[i] - ways[std::size_t(up)]);
+      turn_to((directions[i] + way / bones_[i].length).normalized(), bones_[i], states_[i]);
+    }
+    untwist_all(head.rotation);
+  }
+}
+
 void ReferenceTree::hold(const HeadState& head) {
+  contacts_.clear();
+  if (passive_) lift(head);
   std::size_t begin = 0, level = 0;
   for (std::size_t i = 0; i < bones_.size(); ++i) {
     hold_bone(i, head);
@@ -174,7 +223,9 @@ void ReferenceTree::hold(const HeadState& head) {
     hold_links(begin, i + 1, head);
     begin = level_ends_[level++];
   }
-  if (passive_ && std::ranges::find(moved_, char(1)) != moved_.end()) passive_->keep_links(head, motions_, states_);
+  if (passive_ && (!contacts_.empty() || std::ranges::find(moved_, char(1)) != moved_.end())) {
+    passive_->keep_links(head, contacts_, motions_, states_);
+  }
 }
 
 void ReferenceTree::hold_bone(std::size_t i, const HeadState& head) {
@@ -188,13 +239,13 @@ void ReferenceTree::hold_bone(std::size_t i, const HeadState& head) {
   if (moved_[i]) follow_parent(bone, parent, free_motions_[up], head, before_[i], passive_ == nullptr, states_[i]);
   const bool at_limit = hold_limit(bone, parent, head, states_[i]);
   const bool at_bounds = hold_bounds(bone, parent, states_[i]);
-  bool held = hold_colliders(bone, parent, head, states_[i]) || at_limit || at_bounds;
-  held = hold_bounds(bone, parent, states_[i]) || held;
-  if (held) moved_[i] = true;
+  const bool touches = hold_colliders(i, parent, head);
+  const bool held = hold_bounds(bone, parent, states_[i]) || at_limit || at_bounds;
+  if (held || touches) moved_[i] = true;
   untwist(bone, parent.frame, states_[i]);
   motions_[i] = motion_of(bone, parent, states_[i]);
   // keep_links() shall find what each particle brings along, not what its new direction leaves of that.
-  if (passive_ && !held) motions_[i].velocity = free_motions_[i].velocity;
+  if (passive_ && !held) motions_[i].velocity = velocities_[i];
 }
 
 void ReferenceTree::hold_links(std::size_t begin, std::size_t end, const HeadState& head) {
@@ -208,7 +259,7 @@ void ReferenceTree::hold_links(std::size_t begin, std::size_t end, const HeadSta
     const BoneMotion parent = start_of(i);
     moved_[i] = true;
     // Colliders last: as in the runtime, where both cannot be.
-    (void)hold_colliders(bones_[i], parent, head, states_[i]);
+    (void)hold_colliders(i, parent, head);
     (void)hold_bounds(bones_[i], parent, states_[i]);
     untwist(bones_[i], parent.frame, states_[i]);
     motions_[i] = motion_of(bones_[i], parent, states_[i]);
@@ -251,9 +302,10 @@ bool ReferenceTree::hold_bounds(const RigBone& bone, const BoneMotion& parent, B
   return true;
 }
 
-bool ReferenceTree::hold_colliders(const RigBone& bone, const BoneMotion& parent, const HeadState& head,
-                                   BoneState& state) const {
+bool ReferenceTree::hold_colliders(std::size_t i, const BoneMotion& parent, const HeadState& head) {
   constexpr int kRounds = 8;  // Where colliders overlap, leaving one may enter another.
+  const RigBone& bone = bones_[i];
+  BoneState& state = states_[i];
   if (bone.colliders == 0) return false;
   const Quaterniond to_head = head.rotation.conjugate();
   HairSegment segment{turned(to_head, parent.end), turned(to_head, turned(state.frame, bone.rest_direction)),
@@ -266,7 +318,13 @@ bool ReferenceTree::hold_colliders(const RigBone& bone, const BoneMotion& parent
       if (!turn_clear(solids_[std::size_t(std::countr_zero(left))], segment, contact)) continue;
       touched = touches = true;
       turn_to(turned(head.rotation, segment.direction), bone, state);
-      stop_inwards(turned(head.rotation, contact.normal), contact.along, parent, head, bone, state);
+      const Vector3d normal = turned(head.rotation, contact.normal);
+      if (passive_) {
+        const Vector3d point = parent.end + contact.along * turned(state.frame, bone.rest_direction);
+        contacts_.push_back({i, contact.along / bone.length, normal, head.velocity + head.angular_velocity.cross(point)});
+      } else {
+        stop_inwards(normal, contact.along, parent, head, bone, state);
+      }
     }
   }
   return touched;

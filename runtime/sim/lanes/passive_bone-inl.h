@@ -23,6 +23,12 @@ namespace HWY_NAMESPACE {
 /// Of 1 + cosine: a bone nearer to folded over its parent turns its frame no faster, small as its movements are.
 inline constexpr float kLeastUnfolded = 0.02f;
 
+/// Nearer to its start than this share of its length a contact does not hold a bone.
+inline constexpr float kLeastShare = 0.02f;
+
+/// Of a contact, against what it holds.
+inline constexpr float kFirmContact = 1000.0f;
+
 /// Of a joint's stiffness, what it has against folding by more than a right angle (MODEL.md, "The passive model").
 inline constexpr float kFoldStiffness = 0.01f;
 
@@ -206,6 +212,37 @@ struct PassiveBook {
   V3<D> gone;    ///< Where its end went, metres.
 };
 
+/// Where the bone touches a collider of its head.
+template <class D>
+struct PassiveTouch {
+  V3<D> normal;  ///< Unit, world, from the collider to the hair.
+  V<D> share;    ///< Of the bone's length, from its start to the place of contact; 0: it touches nothing.
+  V<D> lift;     ///< Metres by which that place has to be lifted from where the bone freely is.
+  V<D> leave;    ///< m/s at which it is left again at the end of the step.
+
+  HWY_INLINE void clear(D d) {
+    const auto zero = hn::Zero(d);
+    normal = {zero, zero, zero};
+    share = lift = leave = zero;
+  }
+  HWY_INLINE void set(D d, hn::Mask<D> where, const V3<D>& out, V<D> place, V<D> way) {
+    set_where(d, where, out, normal);
+    share = hn::IfThenElse(where, place, share);
+    lift = hn::IfThenElse(where, way, lift);
+  }
+  [[nodiscard]] HWY_INLINE hn::Mask<D> holds(D d) const { return hn::Gt(share, hn::Set(d, kLeastShare)); }
+};
+
+/// What keeps the bone's velocity from leading into the collider that it touches: a push of -(wanted + pulled v), where its start goes
+/// faster by v than was thought. It acts on the start along `yield`, 1 / `pulled` of it.
+template <class D>
+struct PassiveHold {
+  V3<D> lever;    ///< How a push moves the start.
+  V3<D> by_push;  ///< And the end.
+  V<D> wanted, yields;
+  V<D> drag;  ///< On the bone's pull.
+};
+
 /// Nothing of it outlives a step.
 template <class D>
 struct PassiveBone {
@@ -232,6 +269,9 @@ struct PassiveBone {
   V3<D> shift;      ///< Of its end: against the first guess; then of what held it, against where it would freely be.
   V3<D> turn;       ///< Of its frame.
   PassiveBook<D> book;
+  V3<D> free;       ///< As `moved`, without the contacts that it comes to; then the way of its end.
+  PassiveTouch<D> touch;
+  PassiveHold<D> hold;
   [[no_unique_address]] BoneAirOf<D> felt;
 
   /// Nothing hangs from it yet but its own weight.

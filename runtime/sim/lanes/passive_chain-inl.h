@@ -54,10 +54,16 @@ class PassiveChain {
         gained_(hn::Zero(d)),
         unsure_(hn::Zero(d)) {
     look_at_head();
+    for (std::size_t i = 0; i < count_; ++i) collides_ = collides_ || (row.bones[i].features & kRowCollides) != 0;
   }
 
   HWY_INLINE void run() {
+    if (collides_) {
+      const auto blow = hn::Gt(load(d_, state_[0].after_blow, lane_), hn::Zero(d_));
+      if (HWY_UNLIKELY(!hn::AllFalse(d_, blow))) start_after_blow(blow);
+    }
     turn_bones();
+    if (collides_) meet_colliders();
     for (std::size_t i = 0; i < count_; ++i) settle(i);
     for (std::size_t i = count_; i-- > 0;) gather_momentum(i);
     for (std::size_t i = 0; i < count_; ++i) keep_links(i);
@@ -98,13 +104,42 @@ class PassiveChain {
     return pose == nullptr ? rigid : hn::Or(rigid, is_posed(d_, *pose, lane_));
   }
 
+  [[nodiscard]] HWY_INLINE V<D> inertia_of(const PassiveCoefficients& c) const {
+    auto inertia = load(d_, c.inertia, lane_);
+    if (HWY_UNLIKELY(starts_fresh_)) {
+      const auto by_velocity = hn::Mul(load(d_, c.friction, lane_), method_.late);
+      const auto fresh = hn::Mul(hn::Add(method_.mean, by_velocity), method_.lagged_per_way);
+      inertia = hn::IfThenElse(fresh_, fresh, inertia);
+    }
+    return inertia;
+  }
+  [[nodiscard]] HWY_INLINE V<D> firmness_of(const PassiveCoefficients& c) const {
+    auto firm = load(d_, c.firm, lane_);
+    if (HWY_UNLIKELY(starts_fresh_)) {
+      const auto by_velocity = hn::Mul(load(d_, c.damping, lane_), hn::Mul(method_.late, method_.lagged_per_way));
+      firm = hn::IfThenElse(fresh_, hn::Add(load(d_, c.stiffness, lane_), by_velocity), firm);
+    }
+    return firm;
+  }
+
   [[nodiscard]] HWY_INLINE bool ends(std::size_t i) const { return (row_.bones[i].features & kRowEnds) != 0; }
   HWY_INLINE void guess(std::size_t i);
   HWY_INLINE void find_forces(std::size_t i);
   HWY_INLINE void bend_towards_rest(std::size_t i, const Carrier<D>& from, PassiveBone<D>& bone);
   HWY_INLINE void eliminate(std::size_t i);
+  HWY_INLINE void hold_bone(PassiveBone<D>& bone, V<D> length, PassiveTurns<D>& turns);
   HWY_INLINE void turn_bone(std::size_t i, hn::Mask<D> moving);
   HWY_INLINE void turn_bones();
+  hn::Mask<D> find_lying();
+  HWY_INLINE hn::Mask<D> find_meetings();
+  void start_after_blow(hn::Mask<D> blow);
+  void meet(std::size_t i, hn::Mask<D> asked, hn::Mask<D>& touching);
+  HWY_INLINE const V3<D>& place_tail(std::size_t i);
+  [[nodiscard]] HWY_INLINE hn::Mask<D> lay_on(std::size_t i) const;
+  HWY_INLINE void meet_colliders();
+  void hold_at_contacts(hn::Mask<D> touching);
+  HWY_INLINE void find_hold(std::size_t i, const Symmetric3<D>& inverse, V<D> opening);
+  HWY_INLINE PassivePace<D> pace_of(std::size_t i, V<D> length);
   HWY_INLINE void settle(std::size_t i);
   HWY_INLINE void gather_momentum(std::size_t i);
   HWY_INLINE void keep_links(std::size_t i);
@@ -133,7 +168,7 @@ class PassiveChain {
   PassiveBone<D>* const bones_;
   const std::size_t lane_;
   const std::size_t count_;  ///< Bones.
-  const PassiveNumbers<D> method_;
+  PassiveNumbers<D> method_;
   const M3<D> turn_;  ///< World from head space, at the end of the step.
   V<D> motion_, fastest2_;
   V<D> most_twisting_;                      ///< Of what the bones are held by.
@@ -147,6 +182,9 @@ class PassiveChain {
   V<D> had_, has_;                       ///< Twice the energy of the motion against the head, joules: before the step, and after.
   V<D> gained_, unsure_;                 ///< What bending and all other forces gave in between, and how much of that is unsure.
   V<D> farthest2_;                          ///< Square of the last round's largest turn.
+  bool collides_ = false, touches_ = false, holds_contacts_ = false, hits_ = false, starts_fresh_ = false;
+  hn::Mask<D> fresh_;  ///< If starts_fresh_: where there was a blow in the last step.
+  hn::Mask<D> hit_;    ///< If hits_: where there is one in this.
   std::size_t joint_of_ = ~std::size_t{0};  ///< The bone that hangs from joint_.
   Carrier<D> joint_;
   Carrier<D> posed_;
@@ -222,7 +260,7 @@ HWY_INLINE void PassiveChain<D>::find_forces(std::size_t i) {
   const V3<D> weight = scale(d_, load(d_, row_.move->gravity, lane_), load(d_, c.gravity_scale, lane_));
   const V3<D> wind = sub(d_, pace.velocity, air_of(d_, row_, lane_, bone));
   bone.load = scale(d_, add_scaled(d_, sub(d_, pace.acceleration, weight), wind, friction), length);
-  bone.clear(d_, hn::Mul(load(d_, c.inertia, lane_), length));
+  bone.clear(d_, hn::Mul(inertia_of(c), length));
   bone.find_sides(d_);
   bend_towards_rest(i, from, bone);
   if (any_rigid(i)) bone.be_rigid(d_, rigid_lanes(i));
@@ -252,7 +290,7 @@ HWY_INLINE void PassiveChain<D>::bend_towards_rest(std::size_t i, const Carrier<
   const V3<D> arm = leans ? rotate(d_, turn_, rotate(d_, from.frame, unbent)) : bone.arc;
   const V3<D> pull = scale(d_, cross(d_, bone.direction, arm), stiffness);
   const V3<D> unfold = scale(d_, cross(d_, bone.direction, bone.arc), bone.fold_back(d_, stiffness));
-  bone.firm = hn::Mul(load(d_, c.firm, lane_), carried);
+  bone.firm = hn::Mul(firmness_of(c), carried);
   bone.coupled = bone.firm;
   if (row_.bones[i].features & kRowSharesPull) {
     const auto share = load(d_, constants.parent_share, lane_), rest_share = hn::Sub(hn::Set(d_, 1.0f), share);
@@ -290,7 +328,8 @@ HWY_INLINE void PassiveChain<D>::eliminate(std::size_t i) {
   const V3<D> lever = cross(d_, bone.arc, bone.direction);
   const auto twisting = hn::Mul(hn::Sqrt(hn::Mul(dot(d_, torque, torque), dot(d_, lever, lever))), bone.per_fold);
   const auto slack = hn::Add(hn::Add(hn::Sub(bone.firm, bone.coupled), hn::Mul(tension, length)), twisting);
-  const PassiveTurns<D> turns = bone.take_out(d_, length, slack, hangs);
+  PassiveTurns<D> turns = bone.take_out(d_, length, slack, hangs);
+  if (HWY_UNLIKELY(holds_contacts_)) hold_bone(bone, length, turns);
   const auto held = hn::Add(hn::Min(turns.rest[0], turns.rest[2]), bone.coupled);
   auto share = hn::Div(twisting, held);
   if (HWY_UNLIKELY(ends(i))) share = hn::IfThenElseZero(has_bone(d_, row_, i, lane_), share);

@@ -3,6 +3,7 @@
 
 #include "moving_contact-inl.h"
 #include "palette-inl.h"
+#include "passive_contact-inl.h"
 #include "passive_energy-inl.h"
 #include "row.h"
 
@@ -17,6 +18,21 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
+/// Where the chain hits something, forces and velocities are those without that: a blow is over when the step is.
+template <class D>
+HWY_INLINE PassivePace<D> PassiveChain<D>::pace_of(std::size_t i, V<D> length) {
+  PassiveBone<D>& bone = bones_[i];
+  const PassiveState& state = state_[i];
+  V3<D> way = bone.tail.way;
+  if (HWY_UNLIKELY(hits_)) {
+    const V3<D> start = is_first(i) ? carrier_of(i).way : parent_of(i).free;
+    set_where(d_, hit_, add_scaled(d_, start, bone.free, length), way);
+    copy(d_, way, bone.free);
+  }
+  return method_.pace(d_, way, bone.tail.velocity_before, load(d_, state.acceleration, lane_),
+                      load(d_, state.lagged, lane_));
+}
+
 /// What that makes of the bone's motion; limits and contacts.
 template <class D>
 HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
@@ -28,8 +44,7 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   const auto length = load(d_, constants.length, lane_);
   const V3<D> before = load(d_, state.direction, lane_), direction = bone.direction;
   bone.tail.way = add_scaled(d_, from.way, bone.moved, length);
-  const PassivePace<D> pace = method_.pace(d_, bone.tail.way, bone.tail.velocity_before,
-                                           load(d_, state.acceleration, lane_), load(d_, state.lagged, lane_));
+  const PassivePace<D> pace = pace_of(i, length);
   const V3<D> rest = load(d_, constants.rest, lane_), by_parent = rotate(d_, from.frame, rest);
   const V3<D> arm = rotate(d_, turn_, by_parent);
   // Where what it hangs from was held, its own end still goes where it freely went, but for its length.
@@ -63,8 +78,15 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
     held = hn::Or(held, keep_in_limit(d_, row_, lane_, i, hung, limits, now, in_head));
   }
   if (shape.features & kRowCollides) {
-    held = hn::Or(
-        held, keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, limited, now, in_head));
+    const V3<D> velocity = now.velocity;
+    const auto touches =
+        keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, limited, now, in_head);
+    if (!hn::AllFalse(d_, touches)) {
+      // A contact that holds has its say in keep_links().
+      const auto known = hn::And(touches, bone.touch.holds(d_));
+      if (limited == nullptr) set_where(d_, known, velocity, now.velocity);
+      held = hn::Or(held, hn::AndNot(known, touches));
+    }
   }
   if constexpr (kOnCharacter<D>) {
     if (row_.character->collider_count != 0) {
@@ -87,6 +109,11 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   store(d_, now.direction, state.direction, lane_);
   store(d_, without_trace(d_, acceleration), state.acceleration, lane_);
   store(d_, without_trace(d_, lagged), state.lagged, lane_);
+  if (collides_) {
+    const auto lies = hn::AndNot(hn::Gt(bone.touch.leave, hn::Zero(d_)), bone.touch.holds(d_));
+    store(d_, hn::IfThenElseZero(lies, hn::Set(d_, 1.0f)), state.touching, lane_);
+    if (i == 0) store(d_, hits_ ? hn::IfThenElseZero(hit_, hn::Set(d_, 1.0f)) : hn::Zero(d_), state.after_blow, lane_);
+  }
 
   const Bent<D> bent = bend(d_, from.frame, rest, by_parent, in_head);
   const V3<D> swing = scale(d_, cross(d_, now.direction, now.velocity), load(d_, constants.per_length, lane_));
@@ -133,10 +160,16 @@ HWY_INLINE void PassiveChain<D>::gather_momentum(std::size_t i) {
   store(d_, hn::Max(tension, hn::Zero(d_)), state_[i].tension, lane_);
   const auto opening = dot(d_, bone.direction, sub(d_, bone.tail.velocity, bone.links.start_velocity));
   bone.links.pull = hn::Mul(hn::Add(opening, dot(d_, bone.direction, bone.links.by_push)), bone.links.yields);
+  if (HWY_UNLIKELY(touches_)) find_hold(i, inverse, opening);
   if (is_first(i)) return;
   PassiveLinks<D>& links = parent_of(i).links;
   const V3<D> firm = scale(d_, bone.direction, bone.links.yields);
   links.mass = add_outer(d_, links.mass, firm, bone.direction);
+  if (HWY_UNLIKELY(touches_)) {
+    const PassiveHold<D>& hold = bone.hold;
+    links.mass = add_outer(d_, links.mass, scale(d_, hold.lever, hold.yields), hold.lever);
+    links.push = sub_scaled(d_, links.push, hold.lever, hn::Mul(hold.yields, hold.wanted));
+  }
   links.push = add_scaled(d_, links.push, bone.direction, bone.links.pull);
   links.force = add(d_, links.force, bone.links.force);
 }
@@ -149,6 +182,14 @@ HWY_INLINE void PassiveChain<D>::keep_links(std::size_t i) {
     const PassiveBone<D>& parent = parent_of(i);
     pull = hn::Sub(pull, hn::Mul(dot(d_, bone.direction, parent.links.change), bone.links.yields));
     bone.links.start_velocity = parent.tail.velocity;
+  }
+  if (HWY_UNLIKELY(touches_)) {
+    const PassiveHold<D>& hold = bone.hold;
+    auto wanted = hold.wanted;
+    if (!is_first(i)) wanted = hn::Add(wanted, dot(d_, hold.lever, parent_of(i).links.change));
+    const auto push = hn::Neg(hn::Mul(hold.yields, wanted));
+    pull = hn::Add(pull, hn::Mul(push, hold.drag));
+    bone.links.by_push = add_scaled(d_, bone.links.by_push, hold.by_push, push);
   }
   bone.links.change = sub_scaled(d_, bone.links.by_push, bone.links.by_pull, pull);
   bone.tail.velocity = add(d_, bone.tail.velocity, bone.links.change);

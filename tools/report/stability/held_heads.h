@@ -19,7 +19,7 @@ struct HeldHeads {
 };
 
 /// Seconds after which hair of a held head is at rest: the longest that any of the shared artists' files takes, rounded up.
-inline constexpr double kSettlingTime = 10;
+inline constexpr double kSettlingTime = 8;
 /// Slower is at rest, m/s.
 inline constexpr double kAtRest = 0.02;
 
