@@ -4,9 +4,11 @@
 // Theory here: the chain for small angles, with the numbers that the cook gives its joints, under the bob alone. Floquet's multiplier of one
 // step says by how much a sway grows; above 0 per second it grows until the angles are large.
 
-#include "cook/dynamics/settle_model.h"
+#include "cook/cook.h"
 #include "cook/dynamics/choose_model.h"
+#include "cook/dynamics/settle_model.h"
 #include "cook/told.h"
+#include "import/import.h"
 #include "lab/rig.h"
 #include "lab/runtime_solver.h"
 #include "models/test_rig.h"
@@ -19,7 +21,9 @@
 #include <cmath>
 #include <complex>
 #include <cstdio>
+#include <filesystem>
 #include <numbers>
+#include <string>
 #include <vector>
 
 namespace coif::ponytail_test {
@@ -152,5 +156,57 @@ TEST(Ponytail, SwaysWhereTheoryLetsItGrowAndNowhereElse) {
     }
   }
 }
+
+/// Metres to each side, of the end of a bone that sways most, in the last four of ten seconds.
+double widest_sway_in_jog(const Asset& asset) {
+  RuntimeSolver solver(asset, {}, kCoifSolver, 2);
+  const auto path = path_of(Motion::kJog);
+  solver.reset(path->pose(0));
+  std::vector<double> least(solver.bone_ends().size(), 1e9), most(least.size(), -1e9);
+  for (int frame = 1; frame <= 600; ++frame) {
+    EXPECT_TRUE(solver.step(path->pose(frame / 60.0), 1.0 / 60));
+    if (frame <= 360) continue;
+    for (std::size_t i = 0; i < least.size(); ++i) {
+      least[i] = std::min(least[i], solver.bone_ends()[i].x());
+      most[i] = std::max(most[i], solver.bone_ends()[i].x());
+    }
+  }
+  double widest = 0;
+  for (std::size_t i = 0; i < least.size(); ++i) widest = std::max(widest, (most[i] - least[i]) / 2);
+  return widest;
+}
+
+struct Worn {
+  const char* path;  ///< Below the corpus' folder "hair".
+  bool is_tied;
+};
+
+class ArtistsPonytails : public testing::TestWithParam<Worn> {};
+
+TEST_P(ArtistsPonytails, SwayInJogWhereTheyAreTied) {
+  const auto path = std::filesystem::path(COIF_TEST_ASSETS) / "hair" / GetParam().path;
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << ": no corpus of artists' files here";
+  const auto source = import_model(path);
+  ASSERT_TRUE(source) << source.error().message;
+  const auto cooked = cook(*source, default_recipe(), {.threads = 2, .recipe_directory = {}, .draft = true});
+  ASSERT_TRUE(cooked) << cooked.error().message;
+  const auto says_tied = [](const std::string& note) { return note.find(" tied hair, ") != std::string::npos; };
+  EXPECT_EQ(std::ranges::any_of(cooked->report.notes, says_tied), GetParam().is_tied);
+  const OpenedAsset opened(cooked->asset);
+  const double sway = widest_sway_in_jog(opened.asset());
+  if (GetParam().is_tied) {
+    EXPECT_TRUE(sway > 0.05 && sway < 0.3) << sway;
+  } else {
+    EXPECT_LT(sway, 0.03);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Corpus, ArtistsPonytails,
+    testing::Values(Worn{"mh_ponytail01/ponytail01.obj", true}, Worn{"moz_pigtails-1/hair_pigtails-1-red.glb", true},
+                    Worn{"mh_braid01/braid01.obj", true},
+                    Worn{"moz_french-braids-double/hair_french-braids-double-brown.glb", true},
+                    Worn{"mh2013_long2/long2.obj", false}, Worn{"mh2013_curly/curly.obj", false},
+                    Worn{"unitychan/UnityChan.fbx", false}));
 
 }  // namespace coif::ponytail_test

@@ -93,7 +93,7 @@ TEST(TiedChains, KeepWhatTheRecipeSays) {
     return motion;
   };
   const SaidMotion usual = loosened(default_recipe());
-  EXPECT_FLOAT_EQ(usual.records[1].friction, float(0.4 * preset_of(default_recipe()).friction));
+  EXPECT_FLOAT_EQ(usual.records[1].friction, float(0.3 * preset_of(default_recipe()).friction));
   EXPECT_TRUE(usual.is_tied(1));
   EXPECT_FALSE(usual.is_tied(0)) << "the head";
   Recipe recipe = default_recipe();

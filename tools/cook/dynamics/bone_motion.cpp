@@ -49,13 +49,14 @@ void bake_natural(const Rig& rig, std::span<const Carried> carried, std::size_t 
                   DynamicsRecord& record) {
   record.stiffness = float(std::min(natural_stiffness(rig, carried, i, motion.bending_length), double(kMostStiffness)));
   const double stiffness = double(record.stiffness), swing = swing_rate(rig, carried, i, stiffness);
-  const double damped = motion.is_tied ? stiffness / swing : swing;
+  constexpr double kTiedBending = 1.6;  // Hairs that lie close slide on each other when their bundle bends.
+  const double damped = motion.is_tied ? kTiedBending * stiffness / swing : swing;
   record.damping = float(std::min(2 * motion.damping_ratio * damped, double(kMostDamping)));
   record.resistance = float(resistance_for(stiffness, double(record.authoring_rate)));
 }
 
 double friction_of(const HairPreset& preset, bool is_tied) {
-  constexpr double kTied = 0.4;
+  constexpr double kTied = 0.3;
   return is_tied ? kTied * preset.friction : preset.friction;
 }
 

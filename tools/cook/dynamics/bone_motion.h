@@ -41,8 +41,8 @@ void bake_oscillator(std::optional<double> ratio, double length, DynamicsRecord&
 struct NaturalMotion {
   double bending_length = 0;  ///< Metres.
   double damping_ratio = 0;   ///< Share of what keeps a joint from swinging past its rest.
-  /// Only the bending is damped, not the swinging: a tied bundle has no neighbours along which it rubs as it swings. The ratio is then
-  /// that of the joint's stiffness alone, as seen at the rate at which it swings: half of the bending's loss factor.
+  /// Only the bending is damped, not the swinging: a tied bundle has no neighbours along which it rubs as it swings. The ratio, 1.6
+  /// times as large, is then that of the joint's stiffness alone, as seen at the rate at which it swings: half of the bending's loss factor.
   bool is_tied = false;
 };
 
