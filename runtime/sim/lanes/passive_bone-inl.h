@@ -255,6 +255,9 @@ struct PassiveBone {
   V3<D> moved;
   V<D> per_fold;
   V3<D> load, torque, reaction;
+  V<D> inertia;    ///< Of its own.
+  bool has_below;  ///< Some child has handed up.
+  bool is_near;    ///< Some lane's bone may reach a collider of its head.
   V<D> against_fold;  ///< Stiffness of the fold alone, by the square of how far a side leads towards the arc.
   V<D> firm, coupled;  ///< Against its turns; of that, against those that its frame makes with its parent's.
   V3<D> side[2];       ///< A turn y brings the direction to side[0] y[0] + side[1] y[1].
@@ -274,28 +277,27 @@ struct PassiveBone {
   PassiveHold<D> hold;
   [[no_unique_address]] BoneAirOf<D> felt;
 
-  /// Nothing hangs from it yet but its own weight.
-  HWY_INLINE void clear(D d, V<D> inertia) {
+  /// Nothing hangs from it yet but its own weight. Where nothing will, the rest is not read.
+  HWY_INLINE void clear(D d, V<D> own, bool hangs) {
     const auto zero = hn::Zero(d);
-    const V3<D> none{zero, zero, zero};
-    below.inertia = {inertia, zero, zero, inertia, zero, inertia};
-    below.coupling = {none, none, none};
-    below.firmness = {zero, zero, zero, zero, zero, zero};
-    below.load = below.torque = none;
+    has_below = false;
+    inertia = own;
+    if (!hangs) below.inertia = {own, zero, zero, own, zero, own};
   }
 
   /// Nothing is linked to it yet.
-  HWY_INLINE void link(D d, V<D> inertia) {
+  HWY_INLINE void link(D d, V<D> own) {
     new (static_cast<void*>(&links)) PassiveLinks<D>;
-    links.clear(d, inertia);
+    links.clear(d, own);
   }
 
   /// In these lanes it weighs nothing and keeps its rest direction.
-  HWY_INLINE void be_rigid(D d, hn::Mask<D> rigid) {
+  HWY_INLINE void be_rigid(D d, hn::Mask<D> rigid, bool hangs) {
     const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
     const V3<D> none{zero, zero, zero};
     for (V3<D>* const vector : {&load, &torque, &reaction}) set_where(d, rigid, none, *vector);
-    below.inertia.xx = below.inertia.yy = below.inertia.zz = hn::IfThenElse(rigid, zero, below.inertia.xx);
+    inertia = hn::IfThenElse(rigid, zero, inertia);
+    if (!hangs) below.inertia.xx = below.inertia.yy = below.inertia.zz = inertia;
     against_fold = hn::IfThenElse(rigid, zero, against_fold);
     firm = hn::IfThenElse(rigid, one, firm);
     coupled = hn::IfThenElse(rigid, one, coupled);
@@ -387,16 +389,16 @@ struct PassiveBone {
     return its;
   }
 
-  /// What is left of them goes to what hangs from the parent. Written so, nothing cancels however firm the bone is.
-  HWY_INLINE void hand_up(D d, const PassiveTurns<D>& its, bool hangs, PassiveBelow<D>& above) {
+  /// What is left of them goes to `parent`. Written so, nothing cancels however firm the bone is.
+  HWY_INLINE void hand_up(D d, const PassiveTurns<D>& its, bool hangs, PassiveBone& parent) {
     const auto mul = [](V<D> a, V<D> b, V<D> c, V<D> e) { return hn::Add(hn::Mul(a, b), hn::Mul(c, e)); };
     const V3<D> across[2] = {side[1], negative(d, side[0])};
     const V3<D> spun = scale(d, add(d, arc, direction), per_fold);
-    const V3<D> z0 = add_scaled(d, scale(d, by_start[0], inverse[0]), by_start[1], inverse[1]);
-    const V3<D> z1 = add_scaled(d, scale(d, by_start[0], inverse[1]), by_start[1], inverse[2]);
-    above.inertia = add(d, above.inertia, add_outer(d, add_outer(d, below.inertia, negative(d, z0), by_start[0]),
-                                                    negative(d, z1), by_start[1]));
-    above.load = add(d, above.load, sub_scaled(d, sub_scaled(d, load, z0, wanted[0]), z1, wanted[1]));
+    const V3<D> z0 = mixed_of(d, by_start, inverse[0], inverse[1]), z1 = mixed_of(d, by_start, inverse[1], inverse[2]);
+    PassiveBelow<D> mine;
+    mine.inertia =
+        add_outer(d, add_outer(d, below.inertia, negative(d, z0), by_start[0]), negative(d, z1), by_start[1]);
+    mine.load = sub_scaled(d, sub_scaled(d, load, z0, wanted[0]), z1, wanted[1]);
 
     const V<D> (&k)[3] = its.firm;
     // firm / H, and that times what H has besides.
@@ -404,24 +406,45 @@ struct PassiveBone {
     const auto f10 = mul(k[1], inverse[0], k[2], inverse[1]), f11 = mul(k[1], inverse[1], k[2], inverse[2]);
     const auto n0 = mul(f00, its.rest[0], f01, its.rest[1]), n1 = mul(f00, its.rest[1], f01, its.rest[2]);
     const auto n2 = mul(f10, its.rest[1], f11, its.rest[2]);
-    above.firmness = add(d, above.firmness, outer(d, mixed_of(d, across, n0, n1), across[0]));
-    above.firmness = add(d, above.firmness, outer(d, mixed_of(d, across, n1, n2), across[1]));
+    mine.firmness = add(d, outer(d, mixed_of(d, across, n0, n1), across[0]), outer(d, mixed_of(d, across, n1, n2), across[1]));
     const auto w0 = mul(f00, wanted[0], f01, wanted[1]), w1 = mul(f10, wanted[0], f11, wanted[1]);
-    above.torque = sub(d, above.torque, add(d, reaction, mixed_of(d, across, w0, w1)));
-    add_outer(d, mixed_of(d, by_start, f00, f10), across[0], above.coupling);
-    add_outer(d, mixed_of(d, by_start, f01, f11), across[1], above.coupling);
+    mine.torque = negative(d, add(d, reaction, mixed_of(d, across, w0, w1)));
+    const V3<D> held[2] = {mixed_of(d, by_start, f00, f10), mixed_of(d, by_start, f01, f11)};
     for (int l = 0; l < 2; ++l) by_frame[l] = negative(d, mixed_of(d, across, k[l], k[l + 1]));
-    if (!hangs) return;
-    const auto c0 = mul(inverse[0], its.spin[0], inverse[1], its.spin[1]);
-    const auto c1 = mul(inverse[1], its.spin[0], inverse[2], its.spin[1]);
-    const V3<D> start = sub(d, rotate(d, below.coupling, direction), mixed_of(d, by_start, c0, c1));
-    add_outer(d, start, spun, above.coupling);
-    const auto own = hn::Sub(dot(d, direction, times(d, below.firmness, direction)), mul(its.spin[0], c0, its.spin[1], c1));
-    const V3<D> turning = mixed_of(d, across, mul(f00, its.spin[0], f01, its.spin[1]), mul(f10, its.spin[0], f11, its.spin[1]));
-    above.firmness = add(d, above.firmness, outer(d, add_scaled(d, turning, spun, own), spun));
-    above.firmness = add(d, above.firmness, outer(d, spun, turning));
-    above.torque = add_scaled(d, above.torque, spun, hn::Add(dot(d, direction, below.torque), mul(c0, wanted[0], c1, wanted[1])));
-    for (int l = 0; l < 2; ++l) by_frame[l] = add_scaled(d, by_frame[l], spun, its.spin[l]);
+    const auto column = [&](V<D> a, V<D> b) { return mixed_of(d, held, a, b); };
+    mine.coupling = {column(across[0].x, across[1].x), column(across[0].y, across[1].y), column(across[0].z, across[1].z)};
+    if (hangs) {
+      const auto c0 = mul(inverse[0], its.spin[0], inverse[1], its.spin[1]);
+      const auto c1 = mul(inverse[1], its.spin[0], inverse[2], its.spin[1]);
+      const V3<D> start = sub(d, rotate(d, below.coupling, direction), mixed_of(d, by_start, c0, c1));
+      add_outer(d, start, spun, mine.coupling);
+      const auto own = hn::Sub(dot(d, direction, times(d, below.firmness, direction)), mul(its.spin[0], c0, its.spin[1], c1));
+      const V3<D> turning = mixed_of(d, across, mul(f00, its.spin[0], f01, its.spin[1]), mul(f10, its.spin[0], f11, its.spin[1]));
+      const V3<D> half = add_scaled(d, turning, spun, hn::Mul(own, hn::Set(d, 0.5f)));
+      mine.firmness = add(d, mine.firmness, add(d, outer(d, half, spun), outer(d, spun, half)));
+      mine.torque =
+          add_scaled(d, mine.torque, spun, hn::Add(dot(d, direction, below.torque), mul(c0, wanted[0], c1, wanted[1])));
+      for (int l = 0; l < 2; ++l) by_frame[l] = add_scaled(d, by_frame[l], spun, its.spin[l]);
+    }
+    parent.take_on(d, mine);
+  }
+
+  /// Of each child; the first brings the bone's own inertia along.
+  HWY_INLINE void take_on(D d, const PassiveBelow<D>& child) {
+    if (!has_below) {
+      has_below = true;
+      below = child;
+      below.inertia.xx = hn::Add(below.inertia.xx, inertia);
+      below.inertia.yy = hn::Add(below.inertia.yy, inertia);
+      below.inertia.zz = hn::Add(below.inertia.zz, inertia);
+      return;
+    }
+    below.inertia = add(d, below.inertia, child.inertia);
+    below.firmness = add(d, below.firmness, child.firmness);
+    below.coupling = {add(d, below.coupling.x, child.coupling.x), add(d, below.coupling.y, child.coupling.y),
+                      add(d, below.coupling.z, child.coupling.z)};
+    below.load = add(d, below.load, child.load);
+    below.torque = add(d, below.torque, child.torque);
   }
 };
 

@@ -122,6 +122,7 @@ class PassiveChain {
     return firm;
   }
 
+  [[nodiscard]] HWY_INLINE bool has_children(std::size_t i) const { return (row_.bones[i].features & kRowHasChildren) != 0; }
   [[nodiscard]] HWY_INLINE bool ends(std::size_t i) const { return (row_.bones[i].features & kRowEnds) != 0; }
   HWY_INLINE void guess(std::size_t i);
   HWY_INLINE void find_forces(std::size_t i);
@@ -144,6 +145,8 @@ class PassiveChain {
   HWY_INLINE void gather_momentum(std::size_t i);
   HWY_INLINE void keep_links(std::size_t i);
   HWY_INLINE void look_at_head();
+  void begin_book(const V3<D>& velocity, const V3<D>& velocity_before, const V3<D>& spin, const V3<D>& spin_before,
+                  hn::Mask<D> stands);
   HWY_INLINE void calm_what_is_wild();
   HWY_INLINE void slow_down(hn::Mask<D> where, V<D> kept);
 
@@ -182,6 +185,7 @@ class PassiveChain {
   V<D> had_, has_;                       ///< Twice the energy of the motion against the head, joules: before the step, and after.
   V<D> gained_, unsure_;                 ///< What bending and all other forces gave in between, and how much of that is unsure.
   V<D> farthest2_;                          ///< Square of the last round's largest turn.
+  bool is_moved_ = false;  ///< Bones may be elsewhere than their free motion led.
   bool collides_ = false, touches_ = false, holds_contacts_ = false, hits_ = false, starts_fresh_ = false;
   hn::Mask<D> fresh_;  ///< If starts_fresh_: where there was a blow in the last step.
   hn::Mask<D> hit_;    ///< If hits_: where there is one in this.
@@ -194,32 +198,18 @@ class PassiveChain {
 template <class D>
 HWY_INLINE void PassiveChain<D>::look_at_head() {
   const MoveLanes& move = *row_.move;
-  const auto half = hn::Set(d_, 0.5f), one = hn::Set(d_, 1.0f), zero = hn::Zero(d_);
-  const M3<D> before = load(d_, move.from_head_before, lane_);
+  const auto one = hn::Set(d_, 1.0f), zero = hn::Zero(d_);
   const V3<D> velocity = load(d_, move.velocity, lane_), velocity_before = load(d_, move.velocity_before, lane_);
   const V3<D> spin = load(d_, move.angular_velocity, lane_), spin_before = load(d_, move.angular_velocity_before, lane_);
-  speeding_up_ = scale(d_, sub(d_, velocity, velocity_before), method_.per_dt);
-  spinning_up_ = scale(d_, sub(d_, spin, spin_before), method_.per_dt);
-  steadily_ = scale(d_, add(d_, velocity, velocity_before), half);
-  turning_ = scale(d_, add(d_, spin, spin_before), half);
-  const auto is_none = [&](const V3<D>& v) { return hn::Eq(hn::Add(hn::Add(hn::Abs(v.x), hn::Abs(v.y)), hn::Abs(v.z)), zero); };
-  const auto same = [&](const V3<D>& a, const V3<D>& b) { return is_none(sub(d_, a, b)); };
-  const auto has_turned = hn::Not(hn::And(hn::And(same(turn_.x, before.x), same(turn_.y, before.y)), same(turn_.z, before.z)));
-  const auto goes = hn::Not(hn::And(hn::And(is_none(velocity), is_none(velocity_before)), hn::And(is_none(spin), is_none(spin_before))));
-  is_still_ = hn::Not(hn::Or(has_turned, goes));
-  carried_ = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
-  const auto column = [&](V<D> x, V<D> y, V<D> z) { return rotate(d_, turn_, V3<D>{x, y, z}); };
-  set_where(d_, has_turned, column(before.x.x, before.y.x, before.z.x), carried_.x);
-  set_where(d_, has_turned, column(before.x.y, before.y.y, before.z.y), carried_.y);
-  set_where(d_, has_turned, column(before.x.z, before.y.z, before.z.z), carried_.z);
   const auto fastest = [&](const V3<D>& a, const V3<D>& b) { return hn::Max(dot(d_, a, a), dot(d_, b, b)); };
-  const auto is_slow = hn::And(hn::Lt(fastest(velocity, velocity_before), hn::Set(d_, kSlowHead * kSlowHead)),
-                               hn::Lt(fastest(spin, spin_before), hn::Set(d_, kSlowTurn * kSlowTurn)));
+  const auto speed2 = fastest(velocity, velocity_before), turning2 = fastest(spin, spin_before);
   bool may_be = !row_.is_linked;
   if constexpr (kOnCharacter<D>) may_be = may_be && row_.character->poses == nullptr;
-  watched_ = hn::And(is_slow, may_be ? hn::Eq(one, one) : hn::Eq(one, zero));
+  watched_ = hn::And(hn::Lt(speed2, hn::Set(d_, kSlowHead * kSlowHead)), hn::Lt(turning2, hn::Set(d_, kSlowTurn * kSlowTurn)));
+  watched_ = hn::And(watched_, may_be ? hn::Eq(one, one) : hn::Eq(one, zero));
   was_watched_ = watched_;
   keeps_book_ = !hn::AllFalse(d_, watched_);
+  if (keeps_book_) begin_book(velocity, velocity_before, spin, spin_before, hn::Eq(hn::Add(speed2, turning2), zero));
 }
 
 /// A first guess of the step's end, in which no direction turns by more than about 55 degrees.
@@ -260,10 +250,10 @@ HWY_INLINE void PassiveChain<D>::find_forces(std::size_t i) {
   const V3<D> weight = scale(d_, load(d_, row_.move->gravity, lane_), load(d_, c.gravity_scale, lane_));
   const V3<D> wind = sub(d_, pace.velocity, air_of(d_, row_, lane_, bone));
   bone.load = scale(d_, add_scaled(d_, sub(d_, pace.acceleration, weight), wind, friction), length);
-  bone.clear(d_, hn::Mul(inertia_of(c), length));
+  bone.clear(d_, hn::Mul(inertia_of(c), length), has_children(i));
   bone.find_sides(d_);
   bend_towards_rest(i, from, bone);
-  if (any_rigid(i)) bone.be_rigid(d_, rigid_lanes(i));
+  if (any_rigid(i)) bone.be_rigid(d_, rigid_lanes(i), has_children(i));
 }
 
 /// The torque of the bending between the bone and what it hangs from, which is that of a potential, and of its damping.
@@ -320,9 +310,12 @@ template <class D>
 HWY_INLINE void PassiveChain<D>::eliminate(std::size_t i) {
   PassiveBone<D>& bone = bones_[i];
   const auto length = load(d_, row_.constants[i].length, lane_), tension = load(d_, state_[i].tension, lane_);
-  const bool hangs = (row_.bones[i].features & kRowHasChildren) != 0;
-  bone.load = add(d_, bone.load, bone.below.load);
-  const V3<D> torque = add(d_, bone.torque, bone.below.torque);
+  const bool hangs = has_children(i);
+  V3<D> torque = bone.torque;
+  if (hangs) {
+    bone.load = add(d_, bone.load, bone.below.load);
+    torque = add(d_, torque, bone.below.torque);
+  }
   // How the frame's spin changes as the bone turns: by the torque times the tangent of half the bend. That is not in the
   // equations, which only have as much more to hold the bone by (Newton's method is slower for it, and goes on).
   const V3<D> lever = cross(d_, bone.arc, bone.direction);
@@ -334,7 +327,7 @@ HWY_INLINE void PassiveChain<D>::eliminate(std::size_t i) {
   auto share = hn::Div(twisting, held);
   if (HWY_UNLIKELY(ends(i))) share = hn::IfThenElseZero(has_bone(d_, row_, i, lane_), share);
   most_twisting_ = hn::Max(most_twisting_, share);
-  if (!is_first(i)) bone.hand_up(d_, turns, hangs, parent_of(i).below);
+  if (!is_first(i)) bone.hand_up(d_, turns, hangs, parent_of(i));
 }
 
 /// The turns that balance the forces, as far as these are linear.

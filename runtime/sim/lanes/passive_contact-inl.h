@@ -52,12 +52,14 @@ HWY_INLINE hn::Mask<D> PassiveChain<D>::find_meetings() {
   for (std::size_t i = 0; i < count_; ++i) {
     PassiveBone<D>& bone = bones_[i];
     const V3<D>& start = place_tail(i);
+    bone.is_near = false;
     if ((row_.bones[i].features & kRowCollides) == 0) continue;
     const BoneLanes& constants = row_.constants[i];
     const auto length = load(d_, constants.length, lane_);
     // Farther than it is long it does not go in a step, or no step could follow it.
     const auto reach = hn::Add(hn::Add(length, hn::Mul(length, hn::Set(d_, 0.25f))), load(d_, constants.hit_radius, lane_));
     auto asked = in_reach(d_, *row_.colliders, row_.bones[i].colliders, start, reach);
+    bone.is_near = !hn::AllFalse(d_, asked);
     if (HWY_UNLIKELY(touches_)) asked = hn::AndNot(bone.touch.holds(d_), asked);
     if (any_rigid(i)) asked = hn::AndNot(rigid_lanes(i), asked);
     if (HWY_LIKELY(hn::AllFalse(d_, asked))) continue;

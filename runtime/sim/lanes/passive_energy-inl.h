@@ -47,6 +47,28 @@ HWY_INLINE V<D> PassiveChain<D>::mass_of(std::size_t i) const {
   return mass;
 }
 
+/// How the head moves during the step; `stands`: at neither end it does.
+template <class D>
+void PassiveChain<D>::begin_book(const V3<D>& velocity, const V3<D>& velocity_before, const V3<D>& spin, const V3<D>& spin_before,
+                                 hn::Mask<D> stands) {
+  const auto half = hn::Set(d_, 0.5f), one = hn::Set(d_, 1.0f), zero = hn::Zero(d_);
+  const M3<D> before = load(d_, row_.move->from_head_before, lane_);
+  speeding_up_ = scale(d_, sub(d_, velocity, velocity_before), method_.per_dt);
+  spinning_up_ = scale(d_, sub(d_, spin, spin_before), method_.per_dt);
+  steadily_ = scale(d_, add(d_, velocity, velocity_before), half);
+  turning_ = scale(d_, add(d_, spin, spin_before), half);
+  const auto same = [&](const V3<D>& a, const V3<D>& b) {
+    return hn::And(hn::And(hn::Eq(a.x, b.x), hn::Eq(a.y, b.y)), hn::Eq(a.z, b.z));
+  };
+  const auto is_turned = hn::Not(hn::And(hn::And(same(turn_.x, before.x), same(turn_.y, before.y)), same(turn_.z, before.z)));
+  is_still_ = hn::AndNot(is_turned, stands);
+  carried_ = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+  const auto column = [&](V<D> x, V<D> y, V<D> z) { return rotate(d_, turn_, V3<D>{x, y, z}); };
+  set_where(d_, is_turned, column(before.x.x, before.y.x, before.z.x), carried_.x);
+  set_where(d_, is_turned, column(before.x.y, before.y.y, before.z.y), carried_.y);
+  set_where(d_, is_turned, column(before.x.z, before.y.z, before.z.z), carried_.z);
+}
+
 /// Before the step: how the bone moves against the head.
 template <class D>
 HWY_INLINE void PassiveChain<D>::open_book(std::size_t i, const V3<D>& before, const V3<D>& relative) {

@@ -77,7 +77,9 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
     copy(d_, from.angular_velocity, hung.angular_velocity);
     held = hn::Or(held, keep_in_limit(d_, row_, lane_, i, hung, limits, now, in_head));
   }
-  if (shape.features & kRowCollides) {
+  // What starts where it freely starts and is near nothing need not be asked again.
+  is_moved_ = is_moved_ || (shape.features & (kRowHasLimit | kRowIsBounded)) != 0 || any_rigid(i);
+  if ((shape.features & kRowCollides) && (bone.is_near || touches_ || is_moved_)) {
     const V3<D> velocity = now.velocity;
     const auto touches =
         keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, limited, now, in_head);
