@@ -215,14 +215,16 @@ struct PassiveTouch {
   [[nodiscard]] HWY_INLINE hn::Mask<D> holds(D d) const { return hn::Gt(share, hn::Set(d, kLeastShare)); }
 };
 
-/// What keeps the bone's velocity from leading into the collider that it touches: a push of -(wanted + pulled v), where its start goes
-/// faster by v than was thought. It acts on the start along `yield`, 1 / `pulled` of it.
+/// What keeps velocities from leading into the collider that the bone touches: a push of -yields (wanted + lever v) along the normal, where
+/// its start goes faster by v than was thought.
 template <class D>
 struct PassiveHold {
-  V3<D> lever;    ///< How a push moves the start.
-  V3<D> by_push;  ///< And the end.
-  V<D> wanted, yields;
-  V<D> drag;  ///< On the bone's pull.
+  hn::Mask<D> holds;
+  V3<D> lever;    ///< How fast the place of contact comes out as the start moves; the push acts on the start along it.
+  V3<D> by_push;  ///< How a push changes the velocity of the bone's end.
+  V<D> drag;      ///< And the bone's pull.
+  V<D> wanted;    ///< m/s at which the place of contact goes out, but for the start's change.
+  V<D> yields;    ///< kg
 };
 
 /// Nothing of it outlives a step.

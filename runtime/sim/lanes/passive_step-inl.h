@@ -158,11 +158,7 @@ HWY_INLINE void PassiveChain<D>::gather_momentum(std::size_t i) {
   PassiveLinks<D>& links = parent_of(i).links;
   const V3<D> firm = scale(d_, bone.direction, bone.links.yields);
   links.mass = add_outer(d_, links.mass, firm, bone.direction);
-  if (HWY_UNLIKELY(touches_)) {
-    const PassiveHold<D>& hold = bone.hold;
-    links.mass = add_outer(d_, links.mass, scale(d_, hold.lever, hold.yields), hold.lever);
-    links.push = sub_scaled(d_, links.push, hold.lever, hn::Mul(hold.yields, hold.wanted));
-  }
+  if (HWY_UNLIKELY(touches_)) hand_up_hold(bone.hold, links);
   links.push = add_scaled(d_, links.push, bone.direction, bone.links.pull);
   links.force = add(d_, links.force, bone.links.force);
 }
@@ -177,12 +173,8 @@ HWY_INLINE void PassiveChain<D>::keep_links(std::size_t i) {
     bone.links.start_velocity = parent.tail.velocity;
   }
   if (HWY_UNLIKELY(touches_)) {
-    const PassiveHold<D>& hold = bone.hold;
-    auto wanted = hold.wanted;
-    if (!is_first(i)) wanted = hn::Add(wanted, dot(d_, hold.lever, parent_of(i).links.change));
-    const auto push = hn::Neg(hn::Mul(hold.yields, wanted));
-    pull = hn::Add(pull, hn::Mul(push, hold.drag));
-    bone.links.by_push = add_scaled(d_, bone.links.by_push, hold.by_push, push);
+    const auto zero = hn::Zero(d_);
+    push_back(is_first(i) ? V3<D>{zero, zero, zero} : parent_of(i).links.change, bone, pull);
   }
   bone.links.change = sub_scaled(d_, bone.links.by_push, bone.links.by_pull, pull);
   bone.tail.velocity = add(d_, bone.tail.velocity, bone.links.change);
