@@ -33,7 +33,7 @@ void put_to_rest(const ChainLane& chain, const Quat& head_rotation) {
     const std::uint32_t at = chain.state_lane;
     set_lane(state.direction, at, rotate(head_rotation, lane(chain.constants[i].rest, chain.constant_lane)));
     for (Lanes3* const vector : {&state.velocity, &state.acceleration, &state.lagged}) set_lane(*vector, at, Vec3{});
-    state.tension.v[at] = state.touching.v[at] = state.after_blow.v[at] = 0.0f;
+    state.tension.v[at] = state.contact.v[at] = 0.0f;
   }
 }
 

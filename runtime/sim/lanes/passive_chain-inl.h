@@ -50,7 +50,7 @@ class PassiveChain {
 
   HWY_INLINE void run() {
     if (collides_) {
-      const auto blow = hn::Gt(load(d_, state_[0].after_blow, lane_), hn::Zero(d_));
+      const auto blow = hn::Gt(load(d_, state_[0].contact, lane_), hn::Set(d_, 1.5f));
       if (HWY_UNLIKELY(!hn::AllFalse(d_, blow))) start_after_blow(blow);
     }
     turn_bones();

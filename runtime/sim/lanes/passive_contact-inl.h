@@ -95,7 +95,8 @@ HWY_INLINE const V3<D>& PassiveChain<D>::place_tail(std::size_t i) {
 /// Where the bone lay on a collider before the step.
 template <class D>
 HWY_INLINE hn::Mask<D> PassiveChain<D>::lay_on(std::size_t i) const {
-  return hn::Gt(load(d_, state_[i].touching, lane_), hn::Zero(d_));
+  const auto contact = load(d_, state_[i].contact, lane_);
+  return hn::Or(hn::Eq(contact, hn::Set(d_, 1.0f)), hn::Eq(contact, hn::Set(d_, 3.0f)));
 }
 
 /// A blow changes accelerations at once, and those of before it say nothing about the next step. That one takes the accelerations at its own

@@ -109,8 +109,11 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   store(d_, without_trace(d_, lagged), state.lagged, lane_);
   if (collides_) {
     const auto lies = hn::AndNot(hn::Gt(bone.touch.leave, hn::Zero(d_)), bone.touch.holds(d_));
-    store(d_, hn::IfThenElseZero(lies, hn::Set(d_, 1.0f)), state.touching, lane_);
-    if (i == 0) store(d_, hits_ ? hn::IfThenElseZero(hit_, hn::Set(d_, 1.0f)) : hn::Zero(d_), state.after_blow, lane_);
+    auto contact = hn::IfThenElseZero(lies, hn::Set(d_, 1.0f));
+    if (HWY_UNLIKELY(hits_) && i == 0) {
+      contact = hn::Add(contact, hn::IfThenElseZero(hit_, hn::Set(d_, 2.0f)));
+    }
+    store(d_, contact, state.contact, lane_);
   }
 
   const Bent<D> bent = bend(d_, from.frame, rest, by_parent, in_head);
