@@ -23,8 +23,8 @@ namespace HWY_NAMESPACE {
 /// Of 1 + cosine: a bone nearer to folded over its parent turns its frame no faster, small as its movements are.
 inline constexpr float kLeastUnfolded = 0.02f;
 
-/// Nearer to its start than this share of its length a contact does not hold a bone.
-inline constexpr float kLeastShare = 0.02f;
+/// Nearer to its start than this share of its length a contact holds a bone as if it were there; and nearer than the other not at all.
+inline constexpr float kLeastShare = 0.02f, kNoShare = 1e-4f;
 
 /// Of a contact, against what it holds.
 inline constexpr float kFirmContact = 1000.0f;
@@ -209,10 +209,11 @@ struct PassiveTouch {
   }
   HWY_INLINE void set(D d, hn::Mask<D> where, const V3<D>& out, V<D> place, V<D> way) {
     set_where(d, where, out, normal);
-    share = hn::IfThenElse(where, place, share);
+    const auto lever = hn::Max(place, hn::Set(d, kLeastShare));
+    share = hn::IfThenElse(where, hn::IfThenElseZero(hn::Gt(place, hn::Set(d, kNoShare)), lever), share);
     lift = hn::IfThenElse(where, way, lift);
   }
-  [[nodiscard]] HWY_INLINE hn::Mask<D> holds(D d) const { return hn::Gt(share, hn::Set(d, kLeastShare)); }
+  [[nodiscard]] HWY_INLINE hn::Mask<D> holds(D d) const { return hn::Gt(share, hn::Zero(d)); }
 };
 
 /// What keeps velocities from leading into the collider that the bone touches: a push of -yields (wanted + lever v) along the normal, where
