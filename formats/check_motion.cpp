@@ -70,7 +70,6 @@ constexpr float kMostRate = 1.0e5f;   ///< Per second.
 constexpr float kMostError = 1.0e3f;  ///< Chain lengths: something that is no longer hair.
 constexpr float kMostCost = 1.0e12f;  ///< Nanoseconds.
 constexpr std::uint32_t kMostSubsteps = 1024;
-constexpr std::uint32_t kMotions = 10;
 
 bool fits(const TuningRecord& t) {
   return in_range(t.substep_rate, 0.0f, kMostRate) && in_range(t.asked_error, 0.0f, kMostError) &&
@@ -83,7 +82,31 @@ bool fits(const QualityRecord& q) {
   return in_range(q.frame_rate, 1.0f, kMostRate) && q.substeps >= 1 && q.substeps <= kMostSubsteps &&
          in_range(q.rms_error, 0.0f, kMostError) && in_range(q.max_error, 0.0f, kMostError) &&
          in_range(q.stretch, 0.0f, kMostError) && in_range(q.penetration, 0.0f, kMostError) &&
-         in_range(q.cost, 0.0f, kMostCost) && q.worst_motion < kMotions;
+         in_range(q.cost, 0.0f, kMostCost);
+}
+
+/// A word of at least one byte, and zeros to the end of the record.
+bool is_name(const MotionNameRecord& motion) {
+  bool has_ended = false;
+  for (const char c : motion.name) {
+    if (has_ended && c != 0) return false;
+    has_ended = has_ended || c == 0;
+  }
+  return has_ended && motion.name[0] != 0;
+}
+
+/// Each name, and that every row's motion has one. Assets without names are older: their rows' numbers are not indices of ours.
+LoadStatus check_motion_names(const Asset& asset) {
+  const auto names = asset.motion_names();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!is_name(names[i])) return {LoadCode::kReference, chunk::kMotionNames, i};
+  }
+  if (names.empty()) return {};
+  for (std::size_t i = 0; i < asset.quality().size(); ++i) {
+    const std::uint32_t motion = asset.quality()[i].worst_motion;
+    if (motion >= names.size()) return {LoadCode::kReference, chunk::kQuality, i, names.size(), motion};
+  }
+  return {};
 }
 
 }  // namespace
@@ -93,7 +116,7 @@ LoadStatus check_tuning(const Asset& asset) {
   for (std::size_t i = 0; i < asset.quality().size(); ++i) {
     if (!fits(asset.quality()[i])) return {LoadCode::kNotFinite, chunk::kQuality, i};
   }
-  return {};
+  return check_motion_names(asset);
 }
 
 }  // namespace coif

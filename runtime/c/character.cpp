@@ -50,12 +50,15 @@ coif_status coif_hair_set_colliders(coif_hair* hair, uint32_t instance, const co
 
 coif_status coif_hair_set_body(coif_hair* hair, uint32_t instance, const coif_body_pose* bones, uint32_t count) {
   if (hair == nullptr) return COIF_NOT_CREATED;
+  if (bones == nullptr && count > 0) return COIF_BAD_ARGUMENT;
   return code(hair->hair.set_body(instance, span_of<coif::BodyPose>(bones, count)));
 }
 
 coif_status coif_hair_set_pose(coif_hair* hair, uint32_t instance, const coif_quat* rotations, uint32_t rotation_count,
                                const float* weights, uint32_t weight_count) {
   if (hair == nullptr) return COIF_NOT_CREATED;
+  if ((rotations == nullptr && rotation_count > 0) || (weights == nullptr && weight_count > 0))
+    return COIF_BAD_ARGUMENT;
   return code(hair->hair.set_pose(instance, span_of<coif::Quat>(rotations, rotation_count),
                                   span_of<float>(weights, weight_count)));
 }

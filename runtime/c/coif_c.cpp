@@ -63,7 +63,7 @@ coif::StepSettings settings_of(const coif_step_settings& from) {
   settings.dt = from.dt;
   settings.substeps = from.substeps;
   settings.iterations = from.iterations;
-  settings.environment = {vector_of(from.gravity), vector_of(from.wind), from.air_follow};
+  settings.environment = {vector_of(from.gravity), vector_of(from.wind), from.air_follow, from.true_gravity};
   settings.dynamics = {from.stiffness, from.damping, from.friction};
   settings.inertia = from.inertia;
   settings.teleport_distance = from.teleport_distance;
@@ -126,7 +126,8 @@ void coif_step_settings_init(coif_step_settings* settings) {
                usual.teleport_distance,
                usual.teleport_angle,
                usual.sleep_after,
-               usual.sleep_speed};
+               usual.sleep_speed,
+               air.true_gravity};
 }
 
 uint32_t coif_asset_tuned_substeps(const coif_asset* asset, float dt) {
@@ -226,7 +227,8 @@ coif_status coif_hair_settle(coif_hair* hair, const uint32_t* instances, uint32_
                              const coif_step_settings* settings) {
   if (hair == nullptr) return COIF_NOT_CREATED;
   if (settings == nullptr) return COIF_BAD_ARGUMENT;
-  const std::span<const uint32_t> chosen(instances, instances == nullptr ? 0 : count);
+  if (instances == nullptr && count > 0) return COIF_BAD_ARGUMENT;
+  const std::span<const uint32_t> chosen(instances, count);
   return code(hair->hair.settle(chosen, seconds, settings_of(*settings)));
 }
 

@@ -89,7 +89,7 @@ Vec3 vec3(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 
 Status check(const HeadPose& head, const DebugLines& lines) {
   if (lines.draw == nullptr) return Status::kBadArgument;
-  return is_valid(head) ? Status::kOk : Status::kBadPose;
+  return check_pose(head);
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ inline Status check(const Asset& asset, const HairInstance& instance, const Debu
   if (!asset.is_open()) return Status::kAssetLacksData;
   if (lines.draw == nullptr) return Status::kBadArgument;
   if (instance.palette.size() != asset.bones().size()) return Status::kSizeMismatch;
-  return is_valid(instance.head) ? Status::kOk : Status::kBadPose;
+  return check_pose(instance.head);
 }
 
 inline bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <coif/math.h>
+#include <coif/status.h>
 
 #include <cmath>
 
@@ -20,13 +21,15 @@ inline HeadTurn turn_of(const HeadPose& pose) {
            {scale * (s * (x * z - w * y)), scale * (s * (y * z + w * x)), scale * (1 - s * (x * x + y * y))}}};
 }
 
-/// Finite, the rotation a unit quaternion, the scale in its range.
-inline bool is_valid(const HeadPose& pose) {
+/// kBadPose for a number that is not finite or a rotation that is no unit quaternion, kBadScale for a scale out of its range.
+inline Status check_pose(const HeadPose& pose) {
   constexpr double kUnitTolerance = 2e-3;  // of the squared length; Hair::set_head() takes the same
   const double x = pose.rotation.x, y = pose.rotation.y, z = pose.rotation.z, w = pose.rotation.w;
   const double square = x * x + y * y + z * z + w * w;
-  return std::isfinite(pose.position[0]) && std::isfinite(pose.position[1]) && std::isfinite(pose.position[2]) &&
-         std::fabs(square - 1.0) < kUnitTolerance && pose.scale >= kSmallestScale && pose.scale <= kLargestScale;
+  const bool is_finite =
+      std::isfinite(pose.position[0]) && std::isfinite(pose.position[1]) && std::isfinite(pose.position[2]);
+  if (!is_finite || !(std::fabs(square - 1.0) < kUnitTolerance)) return Status::kBadPose;
+  return pose.scale >= kSmallestScale && pose.scale <= kLargestScale ? Status::kOk : Status::kBadScale;
 }
 
 }  // namespace coif

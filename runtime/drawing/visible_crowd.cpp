@@ -31,7 +31,7 @@ Status check_instance(const DrawnHair& hair, const HairInstance& instance) {
   const bool may_lack = hair.skinning == Skinning::kRigid && instance.palette.empty();
   if (instance.palette.size() != hair.bone_count && !may_lack) return Status::kSizeMismatch;
   if (instance.lod >= hair.lod_count) return Status::kBadArgument;
-  return is_valid(instance.head) ? Status::kOk : Status::kBadPose;
+  return check_pose(instance.head);
 }
 
 MatrixLayout matrix_layout_of(const DrawnHair& hair, std::uint32_t block_bytes, std::uint32_t frames) {

@@ -67,7 +67,7 @@ float largest_swing(const coif::Hair& hair, std::span<const coif::Vec3> rest) {
 
 /// The game's main loop: each frame the head's new pose, then a step that takes it there.
 coif::Status play(coif::Hair& hair, float& largest) {
-  // Where the head appears. Without reset() the hair would feel the way from the origin to here.
+  // Where the head appears, with its hair at rest: every pose from now on is movement.
   if (const coif::Status status = hair.reset(0, head_at(0)); status != coif::Status::kOk) return status;
   std::vector<coif::Vec3> rest(hair.bone_count());
   if (const coif::Status status = hair.bone_ends(0, rest); status != coif::Status::kOk) return status;

@@ -34,6 +34,7 @@ static class Coif
         public uint Substeps, Iterations;
         public float GravityX, GravityY, GravityZ, WindX, WindY, WindZ;
         public float AirFollow, Stiffness, Damping, Friction, Inertia, TeleportDistance, TeleportAngle, SleepAfter, SleepSpeed;
+        public uint TrueGravity;
     }
 
     // A view of an asset: plain bytes, which may be moved.

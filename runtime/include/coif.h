@@ -39,13 +39,14 @@ typedef struct coif_step_settings {
   float dt; /* seconds, any finite number from 0 on; long ones see coif/hair.h */
   uint32_t substeps;
   uint32_t iterations;
-  coif_vec3 gravity; /* world, m/s^2 */
+  coif_vec3 gravity; /* world axes, m/s^2; see true_gravity */
   coif_vec3 wind;    /* world, m/s */
   float air_follow;  /* 0..1, of what the asset says */
   float stiffness, damping, friction; /* factors */
   float inertia;
   float teleport_distance, teleport_angle;
   float sleep_after, sleep_speed;
+  uint32_t true_gravity; /* 0 or 1. 0: gravity follows each head's scale; 1: it is the same for heads of every scale */
 } coif_step_settings;
 
 typedef struct coif_detail {
@@ -70,9 +71,10 @@ uint32_t coif_hair_bone_count(const coif_hair* hair);
 /* Static for as long as the asset; empty where the asset has no names or no such bone. */
 const char* coif_hair_bone_name(const coif_hair* hair, uint32_t bone);
 
+/* The first pose that a head is told puts it there; then the hair feels every way. */
 coif_status coif_hair_set_head(coif_hair* hair, uint32_t instance, const coif_head_pose* pose);
 /* Every instance's at once, instance_count() poses; those that did not change cost next to nothing. COIF_SIZE_MISMATCH: nothing
- * is set. COIF_BAD_POSE: heads whose pose is bad stay where they were told to be, the others are set. */
+ * is set. COIF_BAD_POSE or COIF_BAD_SCALE: heads whose pose is bad stay where they were told to be, the others are set. */
 coif_status coif_hair_set_heads(coif_hair* hair, const coif_head_pose* poses, size_t count);
 /* The same as coif_hair_set_head() for a host that knows how fast the head moves when it arrives. */
 coif_status coif_hair_set_moving_head(coif_hair* hair, uint32_t instance, const coif_head_pose* pose,

@@ -1,4 +1,5 @@
 #include "models.h"
+#include "saved_lane.h"
 #include "vector_math.h"
 
 namespace coif {
@@ -33,9 +34,9 @@ Terms terms_of(double from_velocity, double from_load, double from_bend, double 
 namespace cascade {
 
 void set_coefficients(const StepTerms& step, const DynamicsRecord& dynamics, float length, const CoefficientLanes& to) {
-  const double friction = double(dynamics.friction) * double(step.scale.friction), dt = double(step.dt);
-  const double damping = double(dynamics.damping) * double(step.scale.damping) + friction;
-  const PoseResponse r = pose_response(double(dynamics.stiffness) * double(step.scale.stiffness), damping, dt);
+  const auto [stiffness, damping, friction] = bone_motion(step, dynamics);
+  const double dt = double(step.dt);
+  const PoseResponse r = pose_response(stiffness, damping + friction, dt);
   const double scale = double(dynamics.gravity_scale), per_length = 1 / double(length);
   const Terms offset = terms_of(r.offset_from_velocity, r.offset_from_load, r.offset_from_bend, friction, scale, dt);
   const Terms velocity =
@@ -88,6 +89,11 @@ void calm(const ChainLane& chain) {
     set_lane(state_of(chain)[i].velocity, chain.state_lane, Vec3{});
     state_of(chain)[i].spin.v[chain.state_lane] = 0.0f;
   }
+}
+
+bool could_be(const SavedLane& lane, std::size_t at) {
+  return is_unit_direction(lane.vector(at + offsetof(CoifState, direction))) &&
+         length(lane.vector(at + offsetof(CoifState, arm))) <= 1.0f + kSavedUnitTolerance;
 }
 
 }  // namespace cascade

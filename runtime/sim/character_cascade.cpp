@@ -13,6 +13,7 @@ const Solver kCharacterCascadeSolver{.state_bytes = sizeof(CoifState),
                                      .put_to_rest = &cascade::put_to_rest,
                                      .turn = &cascade::turn,
                                      .calm = &cascade::calm,
+                                     .could_be = &cascade::could_be,
                                      .tails = &tails_of_palette};
 
 }  // namespace coif

@@ -17,6 +17,7 @@ const Solver kPassive{.state_bytes = sizeof(PassiveState),
                       .put_to_rest = &passive::put_to_rest,
                       .turn = &passive::turn,
                       .calm = &passive::calm,
+                      .could_be = &passive::could_be,
                       .tails = &tails_of_palette};
 
 const Solver* solver_of(ChainModel model) {

@@ -1,5 +1,6 @@
 #include "crowd.h"
 
+#include "chain_motion.h"
 #include "head_lanes.h"
 
 namespace coif {
@@ -39,13 +40,24 @@ void put_idle_lanes_to_rest(CrowdState& crowd) {
   }
 }
 
-void turn_hair(CrowdState& crowd, std::uint32_t slot, const Quat& by) {
-  for_each_chain(crowd, slot,
-                 [&](const Solver& solver, const ChainRecord&, const ChainLane& chain) { solver.turn(chain, by); });
+namespace {
+
+/// Takes the hair along with its head's jump.
+void move_hair(CrowdState& crowd, std::uint32_t slot, const HairJump& by) {
+  const Vec3 velocity = by.velocity * crowd.blocks[slot / kLanes].heads.per_scale.v[slot % kLanes];
+  const bool is_faster = !(by.velocity == Vec3{} && by.turning == Vec3{});
+  for_each_chain(crowd, slot, [&](const Solver& solver, const ChainRecord&, const ChainLane& chain) {
+    solver.turn(chain, by.turn);
+    if (is_faster) add_motion(solver, chain, velocity, by.turning);
+  });
 }
 
+}  // namespace
+
+void turn_hair(CrowdState& crowd, std::uint32_t slot, const Quat& by) { move_hair(crowd, slot, {by, {}, {}}); }
+
 void jump(CrowdState& crowd, std::uint32_t slot, float dt) {
-  turn_hair(crowd, slot, jump_head(crowd.blocks[slot / kLanes].heads, slot % kLanes, dt));
+  move_hair(crowd, slot, jump_head(crowd.blocks[slot / kLanes].heads, slot % kLanes, dt));
 }
 
 }  // namespace coif

@@ -70,6 +70,7 @@ void carve(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, Crowd
   crowd.slots = carver.take<std::uint32_t>(desc.instances);
   crowd.details = carver.take<InstanceDetail>(desc.instances);
   crowd.told = carver.take<HeadPose>(desc.instances);
+  for (HeadPose& told : crowd.told) begin_untold(told);
   crowd.dynamics_sets = carver.take<DynamicsSet>(desc.dynamics_sets);
   crowd.sets = carver.take<std::byte>(desc.dynamics_sets > 1 ? desc.instances : 0);
   crowd.last_block = carver.take<std::uint32_t>(treatments);

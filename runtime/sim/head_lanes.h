@@ -21,8 +21,15 @@ inline bool is_told_again(const HeadPose* poses, const HeadPose* told, std::size
   return std::memcmp(poses, told, count * sizeof(HeadPose)) == 0;
 }
 
-/// What was told came with a velocity: the same pose without one says something else. The bits are no host's.
-inline void forget_told(HeadPose& told) { told.position[0] = bit_cast<double>(std::uint64_t{0x7FF8'C01F'C01F'C01F}); }
+// In place of a pose's first coordinate; bits that are no host's.
+inline constexpr std::uint64_t kToldVelocity = 0x7FF8'C01F'C01F'C01F, kToldNothing = 0x7FF8'C01F'C01F'C01E;
+
+/// What was told came with a velocity: the same pose without one says something else.
+inline void forget_told(HeadPose& told) { told.position[0] = bit_cast<double>(kToldVelocity); }
+
+/// No pose has been told yet: the first one puts the head there, and be it where it is already.
+inline void begin_untold(HeadPose& told) { told.position[0] = bit_cast<double>(kToldNothing); }
+inline bool is_untold(const HeadPose& told) { return bit_cast<std::uint64_t>(told.position[0]) == kToldNothing; }
 
 /// Heads at the identity pose, at rest. `heads` are zeros.
 inline void stand_upright(HeadLanes& heads) {
@@ -73,20 +80,34 @@ inline void stop_head(HeadLanes& heads, std::uint32_t i) {
   heads.quiet.v[i] = 0.0f;
 }
 
+/// What a jump of a head does to its hair: it is turned as if it were rigid, then it goes and turns faster with its head by so much,
+/// world, m/s and rad/s.
+struct HairJump {
+  Quat turn;
+  Vec3 velocity, turning;
+};
+
 /// Puts the head, without a way there, where it has to be to arrive at its next pose in `dt` seconds if it goes on as it did, in its
-/// own new directions. Returns by what its hair has to be turned.
-inline Quat jump_head(HeadLanes& heads, std::uint32_t i, float dt) {
+/// own new directions, or as it was told to.
+inline HairJump jump_head(HeadLanes& heads, std::uint32_t i, float dt) {
+  const bool is_told = heads.is_told.v[i] != 0.0f;
   const Quat now = lane(heads.rotation, i);
-  const Quat expected = rotation_by(lane(heads.angular_velocity, i) * dt) * now;
-  const Quat turn = renormalised(lane(heads.next_rotation, i) * conjugate(expected));
-  const auto turn_lane = [&](Lanes3& velocity) { set_lane(velocity, i, rotate(turn, lane(velocity, i))); };
+  const Vec3 turning = lane(is_told ? heads.mean_angular_velocity : heads.angular_velocity, i);
+  const Quat expected = rotation_by(turning * dt) * now;
+  HairJump jump{renormalised(lane(heads.next_rotation, i) * conjugate(expected)), {}, {}};
+  const auto turn_lane = [&](Lanes3& velocity) { set_lane(velocity, i, rotate(jump.turn, lane(velocity, i))); };
   for (Lanes3* const velocity : {&heads.velocity, &heads.angular_velocity}) turn_lane(*velocity);
-  if (heads.is_told.v[i] == 0.0f) {
+  if (is_told) {
+    jump.velocity = lane(heads.mean_velocity, i) - lane(heads.velocity, i);
+    jump.turning = turning - lane(heads.angular_velocity, i);
+    set_lane(heads.velocity, i, lane(heads.mean_velocity, i));
+    set_lane(heads.angular_velocity, i, turning);
+  } else {
     for (Lanes3* const velocity : {&heads.mean_velocity, &heads.mean_angular_velocity}) turn_lane(*velocity);
   }
-  set_lane(heads.rotation, i, renormalised(turn * now));
+  set_lane(heads.rotation, i, renormalised(jump.turn * now));
   set_lane(heads.way, i, lane(heads.velocity, i) * dt);
-  return turn;
+  return jump;
 }
 
 /// A frame took longer than is simulated. The head does not stop for it: the share of its way that comes before goes by

@@ -24,7 +24,7 @@ inline Status make_unit(const HeadPose& pose, HeadPose& unit) {
   // A difference with itself is zero where a number is finite.
   const double none = (place[0] - place[0]) + (place[1] - place[1]) + (place[2] - place[2]);
   if (!(none == 0.0) || !is_one(length)) return Status::kBadPose;
-  if (!(pose.scale >= kSmallestScale && pose.scale <= kLargestScale)) return Status::kBadPose;
+  if (!(pose.scale >= kSmallestScale && pose.scale <= kLargestScale)) return Status::kBadScale;
   const Quat& q = pose.rotation;
   for (int axis = 0; axis < 3; ++axis) unit.position[axis] = place[axis];
   unit.rotation = {float(q.x * scale), float(q.y * scale), float(q.z * scale), float(q.w * scale)};

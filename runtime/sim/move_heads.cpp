@@ -21,6 +21,7 @@ Status move_head(CrowdState& crowd, std::uint32_t instance, const HeadPose& pose
   HeadPose unit;
   if (const Status status = make_unit(pose, unit); status != Status::kOk) return status;
   if (velocity != nullptr && !(is_finite(velocity->linear) && is_finite(velocity->angular))) return Status::kBadPose;
+  const bool is_first = is_untold(crowd.told[instance]);
   crowd.told[instance] = pose;
   if (velocity != nullptr) forget_told(crowd.told[instance]);
   if (sleeps_on(crowd, instance, unit)) return Status::kOk;
@@ -28,6 +29,7 @@ Status move_head(CrowdState& crowd, std::uint32_t instance, const HeadPose& pose
   Block& block = crowd.blocks[slot / kLanes];
   if (!aim_head(block.heads, i, unit)) block.is_lost = std::uint16_t(block.is_lost | 1u << i);
   tell_velocity(block.heads, i, velocity);
+  if (is_first) block.teleports = std::uint16_t(block.teleports | 1u << i);
   return Status::kOk;
 }
 

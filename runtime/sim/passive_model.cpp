@@ -1,5 +1,6 @@
 #include "models.h"
 #include "passive_method.h"
+#include "saved_lane.h"
 #include "vector_math.h"
 
 namespace coif {
@@ -12,9 +13,7 @@ PassiveState* state_of(const ChainLane& chain) { return static_cast<PassiveState
 namespace passive {
 
 void set_coefficients(const StepTerms& step, const DynamicsRecord& dynamics, float, const CoefficientLanes& to) {
-  const double stiffness = double(dynamics.stiffness) * double(step.scale.stiffness);
-  const double damping = double(dynamics.damping) * double(step.scale.damping);
-  const double friction = double(dynamics.friction) * double(step.scale.friction);
+  const auto [stiffness, damping, friction] = bone_motion(step, dynamics);
   const double dt = double(step.dt);
   const PassiveMethod method(dt);
   PassiveCoefficients& c = *static_cast<PassiveCoefficients*>(to.coefficients);
@@ -34,6 +33,7 @@ void put_to_rest(const ChainLane& chain, const Quat& head_rotation) {
     set_lane(state.direction, at, rotate(head_rotation, lane(chain.constants[i].rest, chain.constant_lane)));
     for (Lanes3* const vector : {&state.velocity, &state.acceleration, &state.lagged}) set_lane(*vector, at, Vec3{});
     state.tension.v[at] = state.contact.v[at] = 0.0f;
+    state.bent.v[at] = kNotBent;
   }
 }
 
@@ -53,6 +53,17 @@ void calm(const ChainLane& chain) {
       set_lane(*vector, chain.state_lane, Vec3{});
     }
   }
+}
+
+bool could_be(const SavedLane& lane, std::size_t at) {
+  const float bent = lane.number(at + offsetof(PassiveState, bent));
+  const auto is_flag = [&](std::size_t of_state) {
+    const float flag = lane.number(at + of_state);
+    return flag == 0.0f || flag == 1.0f;
+  };
+  return is_unit_direction(lane.vector(at + offsetof(PassiveState, direction))) &&
+         lane.number(at + offsetof(PassiveState, tension)) >= 0.0f && (bent >= 0.0f || bent == kNotBent) &&
+         is_flag(offsetof(PassiveState, touching)) && is_flag(offsetof(PassiveState, after_blow));
 }
 
 }  // namespace passive

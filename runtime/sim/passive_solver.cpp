@@ -17,6 +17,7 @@ const Solver kPassiveSolver{.state_bytes = sizeof(PassiveState),
                             .put_to_rest = &passive::put_to_rest,
                             .turn = &passive::turn,
                             .calm = &passive::calm,
+                            .could_be = &passive::could_be,
                             .tails = &tails_of_palette};
 
 }  // namespace coif

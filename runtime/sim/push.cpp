@@ -2,6 +2,7 @@
 
 #include <coif/hair.h>
 
+#include "chain_motion.h"
 #include "crowd_step.h"
 #include "float_environment.h"
 #include "vector_math.h"
@@ -63,34 +64,15 @@ Vec3 change_of(const FeltImpulse& impulse, const Vec3& place, const Vec3& veloci
   return (given + outwards) * share;
 }
 
-/// One chain's numbers, whatever else its solver's state has.
-class PushedChain {
- public:
-  PushedChain(const Solver& solver, const ChainLane& chain) : solver_(solver), chain_(chain) {}
-
-  [[nodiscard]] Vec3 first(std::size_t bone) const { return lane(lanes(bone, 0), chain_.state_lane); }
-  [[nodiscard]] Vec3 velocity(std::size_t bone) const {
-    return lane(lanes(bone, solver_.velocity_at), chain_.state_lane);
-  }
-  void set_velocity(std::size_t bone, const Vec3& value) {
-    set_lane(lanes(bone, solver_.velocity_at), chain_.state_lane, value);
-  }
-
- private:
-  [[nodiscard]] Lanes3& lanes(std::size_t bone, std::size_t at) const {
-    return *reinterpret_cast<Lanes3*>(static_cast<std::byte*>(chain_.state) + bone * solver_.state_bytes + at);
-  }
-  const Solver& solver_;
-  const ChainLane& chain_;
-};
-
 /// Particles that go where they go: Algorithm 1 has world velocities.
-bool push_particles(PushedChain pushed, std::size_t bones, const FeltImpulse& impulse) {
+bool push_particles(ChainMotion pushed, std::size_t bones, const FeltImpulse& impulse) {
   bool any = false;
   for (std::size_t i = 0; i < bones; ++i) {
     const Vec3 change = change_of(impulse, pushed.first(i), pushed.velocity(i));
+    const Vec3 pushed_velocity = pushed.velocity(i) + change;
+    if (!is_finite(pushed_velocity)) continue;
     any = any || !(change == Vec3{});
-    pushed.set_velocity(i, pushed.velocity(i) + change);
+    pushed.set_velocity(i, pushed_velocity);
   }
   return any;
 }
@@ -110,7 +92,7 @@ struct Carrying {
 /// Parents come first.
 class PushedBones {
  public:
-  PushedBones(const PushedChain& pushed, const ChainLane& chain, const Carrying& head, const FeltImpulse& impulse)
+  PushedBones(const ChainMotion& pushed, const ChainLane& chain, const Carrying& head, const FeltImpulse& impulse)
       : pushed_(pushed), chain_(chain), head_(head), impulse_(impulse) {}
 
   bool run() {
@@ -123,7 +105,8 @@ class PushedBones {
       tail.place = start.place + direction * chain_.constants[i].length.v[chain_.constant_lane];
       tail.velocity = start.velocity + own;
       const Vec3 relative = change_of(impulse_, tail.place, tail.velocity) - start.change;
-      const Vec3 change = relative - direction * dot(relative, direction);
+      Vec3 change = relative - direction * dot(relative, direction);
+      if (!is_finite(own + change)) change = {};
       any = any || !(change == Vec3{});
       pushed_.set_velocity(i, own + change);
       tail.change = start.change + change;
@@ -138,7 +121,7 @@ class PushedBones {
     return {place, head_.velocity + cross(head_.turning, place), {}};
   }
 
-  PushedChain pushed_;
+  ChainMotion pushed_;
   const ChainLane& chain_;
   const Carrying& head_;
   const FeltImpulse& impulse_;
@@ -160,7 +143,7 @@ Status Hair::push(std::uint32_t instance, const Impulse& impulse) {
                       lane(heads.angular_velocity, i)};
   bool any = false;
   for_each_chain(*crowd_, slot, [&](const Solver& solver, const ChainRecord&, const ChainLane& chain) {
-    const PushedChain pushed(solver, chain);
+    const ChainMotion pushed(solver, chain);
     const bool hit = solver.keeps_places ? push_particles(pushed, chain.bones.size(), felt)
                                          : PushedBones(pushed, chain, head, felt).run();
     any = any || hit;

@@ -24,19 +24,16 @@ inline SavedCollider packed(const ToldCollider& told) {
   saved.rotation_before = told.has_way ? told.rotation_before : Quat{};
   saved.axis = now.axis;
   saved.half_extents = now.half_extents;
-  saved.velocity = now.velocity.linear;
-  saved.turning = now.velocity.angular;
+  if (now.is_velocity_known) {  // else it is the host's, and may be anything
+    saved.velocity = now.velocity.linear;
+    saved.turning = now.velocity.angular;
+  }
   saved.radius = now.radius;
   saved.end_radius = now.end_radius;
   saved.shape = std::uint32_t(now.shape);
   saved.flags = 1u | (told.has_way ? 2u : 0u) | (told.is_of_body ? 4u : 0u) | (told.keeps_inside ? 8u : 0u) |
                 (now.is_velocity_known ? 16u : 0u);
   return saved;
-}
-
-/// What is no collider was never told.
-[[nodiscard]] inline bool is_collider(const SavedCollider& saved, const ToldCollider& told) {
-  return (saved.flags & 1u) != 0 && check_collider(told.now) == Status::kOk;
 }
 
 inline ToldCollider unpacked(const SavedCollider& saved) {

@@ -3,7 +3,9 @@
 
 #include <coif/hair.h>
 
+#include "check_saved_state.h"
 #include "crowd_step.h"
+#include "float_environment.h"
 #include "mixer.h"
 #include "saved_collider.h"
 
@@ -13,7 +15,7 @@ namespace coif {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x7461'7473'6669'6F63;  // "coifstat", little-endian
-constexpr std::uint32_t kVersion = 3;
+constexpr std::uint32_t kVersion = 4;
 
 struct SavedHeader {
   std::uint64_t magic;
@@ -55,7 +57,7 @@ std::uint64_t signature_of(const CrowdState& crowd) {
 
 // Written as they lie in memory: nothing between their members.
 static_assert(sizeof(Gusts) == 28 && sizeof(HeadAir) == 16 && sizeof(GustWaves) == 384);
-static_assert(sizeof(StepSettings) == 18 * sizeof(float) && sizeof(InstanceDetail) == 5 && sizeof(HeadPose) == 48);
+static_assert(sizeof(StepSettings) == 19 * sizeof(float) && sizeof(InstanceDetail) == 5 && sizeof(HeadPose) == 48);
 
 /// Where bytes go to or come from; the same walk through the state does all three, so that they cannot disagree.
 struct Counting {
@@ -130,7 +132,7 @@ void pass_character(CrowdState& crowd, std::uint32_t instance, Tape& tape) {
     SavedCollider saved = (there & bit) != 0 ? packed(told) : SavedCollider{};
     tape.pass(&saved, sizeof saved);
     told = unpacked(saved);
-    there = is_collider(saved, told) ? there | bit : there & ~bit;
+    there = (saved.flags & 1u) != 0 ? there | bit : there & ~bit;
   }
   if (character.is_posed.empty()) return;
   std::uint8_t posed = character.is_posed[instance];
@@ -186,24 +188,6 @@ SavedHeader header_of(const CrowdState& crowd, std::span<const std::byte> conten
   return {kMagic, kVersion, crowd.instance_count(), signature_of(crowd), mixer.hash()};
 }
 
-/// Details that this crowd may have; a bool is 0 or 1.
-bool are_possible(const CrowdState& crowd, std::span<const std::byte> content) {
-  const std::span<const std::byte> details = content.first(crowd.details.size_bytes());
-  for (const std::byte set : content.subspan(details.size(), crowd.sets.size())) {
-    if (std::size_t(set) >= crowd.dynamics_sets.size()) return false;
-  }
-  const std::uint32_t levels = levels_of(crowd.asset);
-  for (std::size_t at = 0; at < details.size(); at += sizeof(InstanceDetail)) {
-    std::uint8_t raw[sizeof(InstanceDetail)];
-    std::memcpy(raw, &details[at], sizeof raw);
-    if (raw[offsetof(InstanceDetail, level)] >= levels) return false;
-    if (raw[offsetof(InstanceDetail, interval_power)] >= crowd.interval_count) return false;
-    if (raw[offsetof(InstanceDetail, asked_power)] >= crowd.interval_count) return false;
-    if (raw[offsetof(InstanceDetail, simulated)] > 1 || raw[offsetof(InstanceDetail, asleep)] > 1) return false;
-  }
-  return true;
-}
-
 /// Each head among those that are treated as it was; then its numbers.
 void read_all(CrowdState& crowd, Reading tape) {
   pass_details(crowd, tape);
@@ -244,8 +228,9 @@ Status Hair::restore(std::span<const std::byte> bytes) {
   if (header.crowd != signature_of(*crowd_)) return Status::kForeignState;
   const std::span<const std::byte> content = bytes.subspan(sizeof header);
   const SavedHeader whole = header_of(*crowd_, content);
-  const bool is_whole = bytes.size() == size_of(*crowd_) && header.hash == whole.hash && are_possible(*crowd_, content);
-  if (!is_whole) return Status::kDamagedState;
+  if (bytes.size() != size_of(*crowd_) || header.hash != whole.hash) return Status::kDamagedState;
+  const FloatEnvironment plain;
+  if (!could_be_saved(*crowd_, content)) return Status::kDamagedState;
   read_all(*crowd_, {content.data()});
   return Status::kOk;
 }

@@ -42,6 +42,7 @@ struct CrowdState;
 struct HeadStepLanes;
 struct RowCharacter;
 class MemoryCarver;
+class SavedLane;
 
 /// What is done for hair on a character; behind pointers, so that programs that name no such solver hold nothing of it.
 struct CharacterCode {
@@ -97,6 +98,8 @@ struct Solver {
   void (*turn)(const ChainLane& chain, const Quat& by) = nullptr;
   /// Takes all motion out; the shape stays.
   void (*calm)(const ChainLane& chain) = nullptr;
+  /// False for what no bone's state can be, of a lane in which each bone's begins at byte `at` of its Lanes; all numbers are finite.
+  bool (*could_be)(const SavedLane& lane, std::size_t at) = nullptr;
   /// The bones' tails, head space, metres; as many as the chain has bones. `palette` are the chain's matrices.
   void (*tails)(const ChainLane& chain, const Quat& head_rotation, std::span<const Mat34> palette,
                 std::span<Vec3> tails) = nullptr;

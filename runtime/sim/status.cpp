@@ -16,6 +16,8 @@ const char* describe(Status status) {
     case Status::kForeignState: return "the saved state is of another asset, solver, number of heads or version";
     case Status::kNotAsked: return "the hair was created without what this call needs; see HairDesc";
     case Status::kDamagedState: return "the saved state is none, or was changed or cut after it was saved";
+    case Status::kBadScale:
+      return "a head's scale is outside of 0.05 to 20; 1 is the size of the asset, 0 was never set";
     case Status::kDriver: return "OpenGL ES refused: function missing, shader not compiled, or out of memory";
   }
   return "unknown status";

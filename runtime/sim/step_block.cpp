@@ -61,6 +61,7 @@ RowStep row_step(const BlockStep& step, const Row& row, std::uint32_t lanes, std
   job.twist = crowd.twists_of(row, state);
   job.scratch = crowd.scratch.data() + step.index * (crowd.scratch.size() / crowd.blocks.size());
   job.lanes = lanes;
+  job.is_linked = crowd.links.code != nullptr && crowd.links.has(row.first_chain);
   job.move = &move;
   job.dt = step.interval.parts.part_dt();
   job.iterations = crowd.settings.iterations;

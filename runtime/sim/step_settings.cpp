@@ -12,6 +12,7 @@ bool is_within(float value, float low, float high) { return value >= low && valu
 
 Status check_environment(const Environment& environment) {
   if (!is_finite(environment.gravity) || !is_finite(environment.wind)) return Status::kBadArgument;
+  if (environment.true_gravity > 1) return Status::kBadArgument;
   return is_within(environment.air_follow, 0.0f, 1.0f) ? Status::kOk : Status::kBadArgument;
 }
 
@@ -53,6 +54,7 @@ StepParts parts_of(const StepPace& pace, const StepSettings& settings, const Fra
   parts.has_stalled = span.steady < span.dt;
   parts.count = substeps_for(pace, settings, span);
   parts.gravity = environment.gravity;
+  parts.has_true_gravity = environment.true_gravity != 0;
   parts.wind = environment.wind;
   parts.air_follow = environment.air_follow * (1.0f - pace.air_lag);
   parts.inertia = settings.inertia;
@@ -62,8 +64,9 @@ StepParts parts_of(const StepPace& pace, const StepSettings& settings, const Fra
 }
 
 bool rests_under_both(const StepSettings& a, const StepSettings& b) {
-  return a.environment.gravity == b.environment.gravity && a.environment.wind == b.environment.wind &&
-         same(a.dynamics, b.dynamics) && a.sleep_after == b.sleep_after && a.sleep_speed == b.sleep_speed;
+  return a.environment.gravity == b.environment.gravity && a.environment.true_gravity == b.environment.true_gravity &&
+         a.environment.wind == b.environment.wind && same(a.dynamics, b.dynamics) && a.sleep_after == b.sleep_after &&
+         a.sleep_speed == b.sleep_speed;
 }
 
 bool fits(const DynamicsScale& scale) {

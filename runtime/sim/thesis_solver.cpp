@@ -44,6 +44,9 @@ void calm(const ChainLane& chain) {
   }
 }
 
+/// Particles may be anywhere and go any way.
+bool could_be(const SavedLane&, std::size_t) { return true; }
+
 void tails(const ChainLane& chain, const Quat& head_rotation, std::span<const Mat34>, std::span<Vec3> ends) {
   for (std::size_t i = 0; i < chain.bones.size(); ++i) {
     ends[i] = rotate(conjugate(head_rotation), lane(state_of(chain)[i].position, chain.state_lane));
@@ -66,6 +69,7 @@ const Solver kThesisSolver{.state_bytes = sizeof(ThesisState),
                            .put_to_rest = &put_to_rest,
                            .turn = &turn,
                            .calm = &calm,
+                           .could_be = &could_be,
                            .tails = &tails};
 
 }  // namespace coif

@@ -12,12 +12,16 @@
 namespace coif {
 namespace {
 
+bool same_velocity(const MovingCollider& a, const MovingCollider& b) {
+  if (a.is_velocity_known != b.is_velocity_known) return false;
+  return !a.is_velocity_known || (a.velocity.linear == b.velocity.linear && a.velocity.angular == b.velocity.angular);
+}
+
 bool same_collider(const MovingCollider& a, const MovingCollider& b) {
   const bool same_place = a.center[0] == b.center[0] && a.center[1] == b.center[1] && a.center[2] == b.center[2];
   const bool same_shape = a.shape == b.shape && a.axis == b.axis && a.radius == b.radius &&
                           a.end_radius == b.end_radius && a.half_extents == b.half_extents;
-  return same_place && same_shape && a.rotation == b.rotation && a.is_velocity_known == b.is_velocity_known &&
-         a.velocity.linear == b.velocity.linear && a.velocity.angular == b.velocity.angular;
+  return same_place && same_shape && a.rotation == b.rotation && same_velocity(a, b);
 }
 
 /// Whether hair of the head could touch it where it is told to be.
@@ -114,6 +118,7 @@ Status Hair::set_colliders(std::uint32_t instance, std::span<const MovingCollide
     const auto i = std::uint32_t(std::countr_zero(changed));
     tell(Place(*crowd_, instance, first + i), colliders[i], false, false);
   }
+  if (character.places == 0) return Status::kOk;  // none may be there, and none is
   const auto next = first + std::uint32_t(colliders.size());
   for (std::uint64_t gone = character.there[instance] >> next << next; gone != 0; gone &= gone - 1) {
     take_away(Place(*crowd_, instance, std::uint32_t(std::countr_zero(gone))));

@@ -97,7 +97,7 @@ inline Quat renormalised(const Quat& q) {
 /// Its length is off one by no more than hosts may be; false for anything with a NaN or an infinity.
 [[nodiscard]] bool is_unit(const Quat& rotation);
 
-/// Copies `pose` to `unit` with its rotation normalised; kBadPose, with `unit` untouched, where coif/hair.h says so.
+/// Copies `pose` to `unit` with its rotation normalised; kBadPose or kBadScale, with `unit` untouched, where coif/hair.h says so.
 Status normalise_pose(const HeadPose& pose, HeadPose& unit);
 
 }  // namespace coif

@@ -169,7 +169,7 @@ export interface StepSettings {
   dt?: number; // seconds, 1/60
   substeps?: number; // 0: as many as the asset was tuned for
   iterations?: number;
-  gravity?: Vec3; // world, m/s^2
+  gravity?: Vec3; // world axes, m/s^2; it goes with each head's scale, so that hair hangs as it was modelled
   wind?: Vec3; // world, m/s
   airFollow?: number;
   stiffness?: number;
@@ -180,6 +180,7 @@ export interface StepSettings {
   teleportAngle?: number;
   sleepAfter?: number;
   sleepSpeed?: number;
+  trueGravity?: boolean; // gravity is that of the world on heads of every scale; false
 }
 export interface MovingCollider {
   shape?: 'sphere' | 'ellipsoid' | 'capsule' | 'plane' | 'tapered-capsule' | 'box';
@@ -201,9 +202,11 @@ export interface Hair {
   readonly instances: number;
   readonly boneCount: number;
 
-  /** Where a head is at the end of the coming step, with how fast it moves then where that is known: m/s, rad/s, world. */
+  /** Where a head is at the end of the coming step, with how fast it moves then where that is known: m/s, rad/s, world. The
+   *  first pose that a head is told puts it there; what comes after the next step is movement. */
   setHead(instance: number, pose: HeadPose, velocity?: { linear?: Vec3; angular?: Vec3 }): void;
-  /** The same for all heads at once: writeHead() those that moved, then setHeads(). Neither makes an object. */
+  /** The same for all heads at once: writeHead() those that moved, then setHeads(). Neither makes an object. A head that was never
+   *  written is told that it stands upright at the origin: write all of them before the first setHeads(). */
   writeHead(instance: number, position: Vec3, rotation: Quat, scale?: number): void;
   setHeads(): void;
   /** What setHeads() reads, to be written by hand: head i's position is positions[6 i] to [6 i + 2]; its rotation x, y, z, w and scale

@@ -11,7 +11,7 @@ const LEAST_BYTES = 2 << 20; // stack, constants and a small asset
 const SCRATCH_BYTES = 4096;  // descriptions, poses, settings, one at a time
 
 const STATUSES = ['COIF_OK', 'COIF_BAD_TIME_STEP', 'COIF_BAD_POSE', 'COIF_BAD_ARGUMENT', 'COIF_BAD_INDEX', 'COIF_MEMORY_TOO_SMALL',
-  'COIF_NOT_CREATED', 'COIF_ASSET_LACKS_DATA', 'COIF_SIZE_MISMATCH', 'COIF_DRIVER', 'COIF_FOREIGN_STATE', 'COIF_DAMAGED_STATE', 'COIF_NOT_ASKED'];
+  'COIF_NOT_CREATED', 'COIF_ASSET_LACKS_DATA', 'COIF_SIZE_MISMATCH', 'COIF_DRIVER', 'COIF_FOREIGN_STATE', 'COIF_DAMAGED_STATE', 'COIF_NOT_ASKED', 'COIF_BAD_SCALE'];
 
 // Not literally: bundlers for browsers would look for it and find none.
 const NODE_FILES = ['node:fs', 'promises'].join('/');

@@ -137,16 +137,18 @@ export class Hair {
     this.#check(this.coif.exports.coif_hair_set_colliders(this.#open, instance, this.room, colliders.length), 'setColliders');
   }
   setBody(instance, bones) {
-    if (bones.length !== this.asset.bodyBones.length) this.#check(8, 'setBody'); // COIF_SIZE_MISMATCH
-    bones.forEach((each, i) => this.coif.fill('BodyPose', each, undefined, this.room + i * BodyPose.size));
+    // Of any other number C looks at none and says why.
+    if (bones.length === this.asset.bodyBones.length) bones.forEach((each, i) => this.coif.fill('BodyPose', each, undefined, this.room + i * BodyPose.size));
     this.#check(this.coif.exports.coif_hair_set_body(this.#open, instance, this.room, bones.length), 'setBody');
   }
   setPose(instance, rotations = [], weights = []) {
-    if (rotations.length > 4 * this.boneCount || weights.length > this.boneCount) this.#check(8, 'setPose');
     const after = this.room + 16 * this.boneCount;
-    new Float32Array(this.coif.memory.buffer, this.room, rotations.length).set(rotations);
-    new Float32Array(this.coif.memory.buffer, after, weights.length).set(weights);
-    const count = rotations.length / 4;
+    const fits = rotations.length % 4 === 0 && rotations.length <= 4 * this.boneCount && weights.length <= this.boneCount;
+    if (fits) {
+      new Float32Array(this.coif.memory.buffer, this.room, rotations.length).set(rotations);
+      new Float32Array(this.coif.memory.buffer, after, weights.length).set(weights);
+    }
+    const count = fits ? rotations.length / 4 : this.boneCount + 1; // C refuses that unread, and says why
     this.#check(this.coif.exports.coif_hair_set_pose(this.#open, instance, this.room, count, after, weights.length), 'setPose');
   }
 

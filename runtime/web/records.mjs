@@ -32,7 +32,8 @@ record('HeadVelocity', 'f32 linear[3], f32 angular[3]');
 record('HairDesc', 'u32 instances, u32 solver, u32 longestInterval, u32 movingColliders, u32 followsBody, u32 followsPoses, ' +
   'u32 hasOwnAir, u32 feelsGusts, u32 dynamicsSets, u32 keepsLinks');
 record('StepSettings', 'f32 dt, u32 substeps, u32 iterations, f32 gravity[3], f32 wind[3], f32 airFollow, f32 stiffness, f32 damping, ' +
-  'f32 friction, f32 inertia, f32 teleportDistance, f32 teleportAngle, f32 sleepAfter, f32 sleepSpeed');
+  'f32 friction, f32 inertia, f32 teleportDistance, f32 teleportAngle, f32 sleepAfter, f32 sleepSpeed, ' +
+  'u32 trueGravity');
 record('Detail', 'u32 level, u32 interval, u32 simulated');
 
 record('HeadAir', 'f32 wind[3], f32 exposure');

@@ -1,5 +1,5 @@
-#include "animation/glb_reader.h"
 #include "animation/recording.h"
+#include "animation/glb_reader.h"
 
 #include <gtest/gtest.h>
 
@@ -38,6 +38,94 @@ TEST_F(Recorded, HasOneFrameMoreThanStepsAndTheirTimes) {
     EXPECT_DOUBLE_EQ(recording->frames[i].seconds, double(i) / 24);
     EXPECT_EQ(recording->frames[i].palette.size(), asset().bones().size());
     EXPECT_EQ(recording->frames[i].bone_ends.size(), asset().bones().size());
+  }
+}
+
+TEST(FrameEnds, GoByTurns) {
+  const RecordingSettings settings{.lengths = {.seconds = {0.25, 0.125, 0.5}}, .seconds = 1.25};
+  EXPECT_EQ(frame_ends(settings), (std::vector<double>{0, 0.25, 0.375, 0.875, 1.125, 1.25}));
+}
+
+TEST(FrameEnds, JitterIsBoundedAndTheSameForASeed) {
+  RecordingSettings settings{.fps = 50, .lengths = {.jitter = 0.4, .seed = 7}, .seconds = 100};
+  const auto ends = frame_ends(settings);
+  EXPECT_EQ(frame_ends(settings), ends);
+  double shortest = 1, longest = 0;
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    shortest = std::min(shortest, ends[i] - ends[i - 1]), longest = std::max(longest, ends[i] - ends[i - 1]);
+  }
+  EXPECT_NEAR(shortest, 0.02 * 0.6, 1e-4);
+  EXPECT_NEAR(longest, 0.02 * 1.4, 1e-4);
+  EXPECT_GE(shortest, 0.02 * 0.6 - 1e-9);
+  EXPECT_LE(longest, 0.02 * 1.4 + 1e-9);
+  EXPECT_NEAR(double(ends.size()), 5000, 100);
+  EXPECT_LE(ends.back(), 100);
+  settings.lengths.seed = 8;
+  EXPECT_NE(frame_ends(settings), ends);
+}
+
+TEST_F(Recorded, InUnevenFramesIsTheSameMotion) {
+  RecordingSettings settings{.motion = Motion::kNod, .fps = 200, .seconds = 1};
+  const auto even = record(asset(), settings);
+  settings.lengths = {.seconds = {0.004, 0.006, 0.003, 0.007}, .jitter = 0.2, .seed = 3};
+  const auto uneven = record(asset(), settings);
+  ASSERT_TRUE(even && uneven);
+  ASSERT_EQ(uneven->frames.size(), frame_ends(settings).size());
+  float moved = 0, apart = 0;
+  for (const RecordedFrame& frame : uneven->frames) {
+    const RecordedFrame& near = even->frames[std::size_t(std::lround(frame.seconds * 200))];
+    moved = std::max(moved, largest_move(frame, even->frames.front()));
+    apart = std::max(apart, largest_move(frame, near));  // up to half a frame of 5 ms
+  }
+  EXPECT_GT(moved, 2e-3f);
+  EXPECT_LT(apart, 0.15f * moved);
+}
+
+TEST_F(Recorded, SaysHowFarHairIsFromItsRestPoseAndHowFastAtTheEnd) {
+  RecordingSettings settings{.motion = Motion::kStill, .seconds = 0, .settle_seconds = 0};
+  const auto fresh = record(asset(), settings);
+  ASSERT_TRUE(fresh);
+  EXPECT_EQ(fresh->from_rest, 0);
+  settings.seconds = 4, settings.step.environment.wind = {20, 0, 0};
+  const auto blown = record(asset(), settings);
+  ASSERT_TRUE(blown);
+  float longest = 0, fastest = 0;
+  std::vector<float> reach(asset().bones().size());
+  for (std::size_t i = 0; i < reach.size(); ++i) {
+    if (asset().bones()[i].kind != BoneKind::kSimulated) continue;
+    reach[i] = asset().bones()[i].length + reach[asset().bones()[i].parent];
+    longest = std::max(longest, reach[i]);
+  }
+  for (std::size_t i = 181; i < blown->frames.size(); ++i) {
+    fastest = std::max(fastest, largest_move(blown->frames[i], blown->frames[i - 1]) * 60);
+  }
+  EXPECT_GT(blown->from_rest, 0.01f);
+  EXPECT_FLOAT_EQ(blown->from_rest, largest_move(blown->frames.back(), fresh->frames.front()) / longest);
+  EXPECT_NEAR(blown->last_speed, fastest, 1e-6f + 1e-4f * fastest);
+}
+
+TEST_F(Recorded, IsAlikeAtEveryScale) {
+  RecordingSettings settings{.clip = held_turn(Eigen::Vector3d::UnitX(), 1.5, 0.8), .seconds = 2};
+  const auto own = record(asset(), settings);
+  for (const float scale : {0.1f, 10.0f}) {
+    settings.company.scale = scale;
+    const auto scaled = record(asset(), settings);
+    ASSERT_TRUE(own && scaled);
+    EXPECT_EQ(largest_move(own->frames.back(), scaled->frames.back()), 0);
+  }
+  for (const float scale : {0.049f, 20.1f, std::nanf("")}) {
+    settings.company.scale = scale;
+    EXPECT_FALSE(record(asset(), settings)) << scale;
+  }
+}
+
+TEST_F(Recorded, RefusesFramesOfNoLength) {
+  for (const FrameLengths& lengths : {FrameLengths{.seconds = {0.02, 0}},
+                                      {.seconds = {1.1}},
+                                      {.seconds = {std::nan("")}},
+                                      {.jitter = -0.1},
+                                      {.jitter = 0.91}}) {
+    EXPECT_FALSE(record(asset(), {.lengths = lengths, .seconds = 0.1}));
   }
 }
 

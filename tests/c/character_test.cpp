@@ -33,6 +33,9 @@ class CCharacter : public testing::Test {
         std::vector<std::byte>(coif_hair_memory_need(asset, file_.bytes().size(), &desc)));
     ASSERT_EQ(coif_hair_create(asset, file_.bytes().size(), &desc, memory_->bytes().data(), memory_->bytes().size(), &hair_),
               COIF_OK);
+    coif_head_pose upright;
+    coif_head_pose_init(&upright);
+    for (std::uint32_t i = 0; i < 2; ++i) ASSERT_EQ(coif_hair_reset(hair_, i, &upright), COIF_OK);
     coif_step_settings_init(&settings_);
   }
 

@@ -43,6 +43,8 @@ TEST_F(CLinks, AreKeptAsInCppWhereTheyAreAskedFor) {
       TestHair same(rig_, {.solver = is_worn ? &kCharacterSolver : &kCoifSolver, .links = links});
       coif_hair* const hair = create(is_worn ? COIF_SOLVER_CHARACTER : COIF_SOLVER_COIF, keeps);
       ASSERT_NE(hair, nullptr);
+      const coif_head_pose upright = in_c({});
+      ASSERT_EQ(coif_hair_reset(hair, 0, &upright), COIF_OK);
       coif_step_settings settings;
       coif_step_settings_init(&settings);
       for (int frame = 1; frame < 40; ++frame) {

@@ -29,6 +29,12 @@ class CSimulation : public testing::Test {
     return create_in(memory(), memory_->bytes().size());
   }
 
+  /// As TestHair does it: from here on, poses are movement.
+  void stand_upright() {
+    const coif_head_pose upright = in_c({});
+    for (std::uint32_t i = 0; i < desc_.instances; ++i) ASSERT_EQ(coif_hair_reset(hair_, i, &upright), COIF_OK);
+  }
+
   coif_status create_in(void* memory, std::size_t bytes) {
     return coif_hair_create(asset(), asset_bytes(), &desc_, memory, bytes, &hair_);
   }
@@ -48,6 +54,7 @@ class CSimulation : public testing::Test {
 
 TEST_F(CSimulation, SetsAllHeadsAtOnce) {
   ASSERT_EQ(create(), COIF_OK);
+  stand_upright();
   TestHair same(nine_bone_rig(), {.instances = 2});
   for (int frame = 0; frame < 20; ++frame) {
     const HeadPose poses[] = {{{0.03 * frame, 0, 0}, {}}, {{5, 0, 0}, {}}};
@@ -92,11 +99,14 @@ TEST_F(CSimulation, MovesHairToTheSameBits) {
   for (const coif_solver solver : {COIF_SOLVER_COIF, COIF_SOLVER_THESIS, COIF_SOLVER_PASSIVE}) {
     desc_.solver = solver;
     ASSERT_EQ(create(), COIF_OK);
+    stand_upright();
     HairDesc desc{.instances = 2};
     if (solver == COIF_SOLVER_THESIS) desc.solver = &kThesisSolver;
     if (solver == COIF_SOLVER_PASSIVE) desc.solver = &kPassiveSolver;
     TestHair same(nine_bone_rig(), desc);
     ASSERT_EQ(coif_hair_bone_count(hair_), same.hair.bone_count());
+    StepSettings settings;
+    settings.environment.true_gravity = settings_.true_gravity = solver == COIF_SOLVER_PASSIVE ? 1 : 0;
     for (int frame = 1; frame <= 30; ++frame) {
       HeadPose pose = wander(frame / 60.0);
       pose.scale = 1.25f;
@@ -110,7 +120,7 @@ TEST_F(CSimulation, MovesHairToTheSameBits) {
         ASSERT_EQ(same.hair.set_head(1, pose), Status::kOk);
       }
       ASSERT_EQ(coif_hair_step(hair_, &settings_), COIF_OK);
-      ASSERT_EQ(same.hair.step({}), Status::kOk);
+      ASSERT_EQ(same.hair.step(settings), Status::kOk);
     }
     const auto palette = same.hair.palette(1);
     EXPECT_EQ(std::memcmp(coif_hair_palette(hair_, 1), palette.data(), palette.size_bytes()), 0);
@@ -143,6 +153,7 @@ TEST_F(CSimulation, DefaultsAreThoseOfTheOtherInterface) {
   EXPECT_EQ(settings_.stiffness, usual.dynamics.stiffness);
   EXPECT_EQ(settings_.teleport_angle, usual.teleport_angle);
   EXPECT_EQ(settings_.sleep_speed, usual.sleep_speed);
+  EXPECT_EQ(settings_.true_gravity, usual.environment.true_gravity);
   coif_head_pose pose;
   coif_head_pose_init(&pose);
   EXPECT_EQ(pose.rotation[3], HeadPose{}.rotation.w);
@@ -154,11 +165,80 @@ TEST_F(CSimulation, DefaultsAreThoseOfTheOtherInterface) {
 }
 
 TEST_F(CSimulation, StatusesAreTheSameNumbers) {
-  for (int code = COIF_OK; code <= COIF_NOT_ASKED; ++code) {
+  for (int code = COIF_OK; code <= COIF_BAD_SCALE; ++code) {
     EXPECT_STREQ(coif_describe(coif_status(code)), describe(Status(code)));
   }
+  EXPECT_EQ(int(COIF_BAD_SCALE), int(Status::kBadScale));
   EXPECT_STREQ(coif_describe(COIF_BAD_POSE), describe(Status::kBadPose));
   EXPECT_STREQ(coif_describe(COIF_SIZE_MISMATCH), describe(Status::kSizeMismatch));
+}
+
+TEST_F(CSimulation, AScaleThatNobodySetIsNamed) {
+  ASSERT_EQ(create(), COIF_OK);
+  coif_head_pose unset = in_c({});
+  unset.scale = 0;
+  const coif_head_velocity still{};
+  EXPECT_EQ(coif_hair_set_head(hair_, 0, &unset), COIF_BAD_SCALE);
+  EXPECT_EQ(coif_hair_set_moving_head(hair_, 0, &unset, &still), COIF_BAD_SCALE);
+  EXPECT_EQ(coif_hair_reset(hair_, 0, &unset), COIF_BAD_SCALE);
+  EXPECT_EQ(coif_hair_teleport(hair_, 0, &unset), COIF_BAD_SCALE);
+  const coif_head_pose both[] = {unset, unset};
+  EXPECT_EQ(coif_hair_set_heads(hair_, both, 2), COIF_BAD_SCALE);
+  EXPECT_NE(std::strstr(coif_describe(COIF_BAD_SCALE), "scale is outside of 0.05 to 20"), nullptr);
+}
+
+TEST_F(CSimulation, TheFirstPosePutsTheHeadThere) {
+  ASSERT_EQ(create(), COIF_OK);
+  settings_.gravity = {0, 0, 0};
+  const coif_head_pose far = in_c({{3, 1.6, -2.5}, {}});
+  std::vector<coif_vec3> before(coif_hair_bone_count(hair_)), after(before.size());
+  ASSERT_EQ(coif_hair_bone_ends(hair_, 1, before.data(), std::uint32_t(before.size())), COIF_OK);
+  ASSERT_EQ(coif_hair_set_head(hair_, 1, &far), COIF_OK);
+  for (int frame = 0; frame < 10; ++frame) ASSERT_EQ(coif_hair_step(hair_, &settings_), COIF_OK);
+  ASSERT_EQ(coif_hair_bone_ends(hair_, 1, after.data(), std::uint32_t(after.size())), COIF_OK);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_NEAR(after[i].x, before[i].x, 1e-5f);
+    EXPECT_NEAR(after[i].y, before[i].y, 1e-5f);
+  }
+}
+
+TEST_F(CSimulation, WhatHairWasNotCreatedForIsRefusedWithNothingWithNullAndWithTooMany) {
+  ASSERT_EQ(create(), COIF_OK);
+  coif_moving_collider ball;
+  coif_moving_collider_init(&ball);
+  const coif_body_pose bone{{0, 0, 0}, {0, 0, 0, 1}};
+  const coif_quat turn{0, 0, 0, 1};
+  const float weight = 1;
+  coif_head_air air;
+  coif_head_air_init(&air);
+  coif_gusts gusts;
+  coif_gusts_init(&gusts);
+  EXPECT_EQ(coif_hair_set_colliders(hair_, 0, nullptr, 0), COIF_OK);
+  EXPECT_EQ(coif_hair_set_colliders(hair_, 0, &ball, 0), COIF_OK);
+  EXPECT_EQ(coif_hair_set_colliders(hair_, 0, nullptr, 1), COIF_BAD_ARGUMENT);
+  EXPECT_EQ(coif_hair_set_colliders(hair_, 0, &ball, 1), COIF_NOT_ASKED);
+  EXPECT_EQ(coif_hair_set_body(hair_, 0, nullptr, 0), COIF_NOT_ASKED);
+  EXPECT_EQ(coif_hair_set_body(hair_, 0, nullptr, 1), COIF_BAD_ARGUMENT);
+  EXPECT_EQ(coif_hair_set_body(hair_, 0, &bone, 1), COIF_NOT_ASKED);
+  EXPECT_EQ(coif_hair_set_pose(hair_, 0, nullptr, 0, nullptr, 0), COIF_NOT_ASKED);
+  EXPECT_EQ(coif_hair_set_pose(hair_, 0, nullptr, 1, &weight, 1), COIF_BAD_ARGUMENT);
+  EXPECT_EQ(coif_hair_set_pose(hair_, 0, &turn, 1, nullptr, 1), COIF_BAD_ARGUMENT);
+  EXPECT_EQ(coif_hair_set_pose(hair_, 0, &turn, 1, &weight, 1), COIF_NOT_ASKED);
+  EXPECT_EQ(coif_hair_set_air(hair_, 0, nullptr), COIF_BAD_ARGUMENT);
+  EXPECT_EQ(coif_hair_set_air(hair_, 0, &air), COIF_NOT_ASKED);
+  EXPECT_EQ(coif_hair_set_gusts(hair_, nullptr), COIF_BAD_ARGUMENT);
+  EXPECT_EQ(coif_hair_set_gusts(hair_, &gusts), COIF_NOT_ASKED);
+  EXPECT_EQ(coif_hair_gusts_way(hair_), 0);
+  EXPECT_EQ(coif_hair_set_dynamics(hair_, 0, 1, 1, 1), COIF_NOT_ASKED);
+  EXPECT_EQ(coif_hair_choose_dynamics(hair_, 0, 0), COIF_OK);
+  EXPECT_EQ(coif_hair_choose_dynamics(hair_, 0, 1), COIF_NOT_ASKED);
+  const coif_detail rare{0, 2, 1};
+  EXPECT_EQ(coif_hair_set_detail(hair_, 0, &rare), COIF_BAD_ARGUMENT);
+  EXPECT_EQ(coif_hair_set_detail(hair_, 0, nullptr), COIF_BAD_ARGUMENT);
+  EXPECT_EQ(coif_hair_settle(hair_, nullptr, 0, 1, &settings_), COIF_OK);
+  EXPECT_EQ(coif_hair_settle(hair_, nullptr, 1, 1, &settings_), COIF_BAD_ARGUMENT);
+  EXPECT_EQ(coif_hair_push(hair_, 0, nullptr), COIF_BAD_ARGUMENT);
+  EXPECT_EQ(coif_hair_step(hair_, &settings_), COIF_OK);
 }
 
 TEST_F(CSimulation, RefusesMemoryThatDoesNotDo) {

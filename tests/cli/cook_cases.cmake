@@ -129,3 +129,6 @@ coif_cli_case(print_recipe_of_a_preset EXIT 0 STDOUT "\"preset\": \"curly\".*\"s
   ARGS cook --preset curly --print-recipe)
 coif_cli_case(cook_by_an_unknown_preset EXIT 1 STDERR "--preset.*frizzy.*realistic"
   ARGS cook ${sample} --preset frizzy -o out.coif)
+# Hair of 3 km is no hair: one number of the file is damaged.
+coif_cli_case(cook_hair_of_kilometres EXIT 3 STDERR "far.obj: the hair is 3[.]0 km from end to end, .*export it again, or set \"source.metres_per_unit\""
+  TEXT far.obj "o hair\nv 0 1.7 0\nv 0.1 1.7 0\nv 0 -3000 0\nv 0.1 1.4 0\nf 1 2 3\nf 2 4 3\n" ARGS cook far.obj -o far.coif)

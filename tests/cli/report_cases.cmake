@@ -32,7 +32,7 @@ coif_cli_case(report_accuracy_page EXIT 0 SAMPLE WRITES out.HTML
 coif_cli_case(report_accuracy_json EXIT 0 SAMPLE WRITES out.json TIMEOUT 300
   JSON asset bones chains chain_length_m,median machine seconds_taken rows,1,motion rows,1,solver rows,1,fps
        rows,1,substeps rows,1,ns_per_bone_frame rows,1,rms_error_pct rows,1,max_error_pct rows,1,stretch_max_pct
-       rows,1,penetration_max_pct rows,1,pareto spread,0,frame_rate_spread_pct reference,0,motion
+       rows,1,penetration_max_pct rows,1,pareto rows,1,cost_falls spread,0,frame_rate_spread_pct reference,0,motion
        reference,0,self_difference_pct settle,0,settle_error_pct chosen
   ARGS report ${COIF_COOKED_SAMPLE} ${short} -o out.json --format json)
 coif_cli_case(report_accuracy_of_told_velocities EXIT 0 SAMPLE TIMEOUT 300

@@ -16,6 +16,10 @@ coif_cli_case(info_json_shows_tuning EXIT 0 SAMPLE
        quality,0,frame_rate quality,0,substeps quality,0,rms_error_pct quality,0,max_error_pct quality,0,stretch_pct
        quality,0,penetration_pct quality,0,nominal_ns quality,0,worst_motion quality,2,frame_rate
   ARGS info ${COIF_COOKED_SAMPLE} --format json)
+coif_cli_case(info_of_an_older_asset EXIT 0 STDOUT "worst motion\n +[0-9]+ .*  (still|nod|turn|charge|run|jump|tumble|teleport|bow|lie)\n"
+  ARGS info ${PROJECT_SOURCE_DIR}/sample_assets/versions/1.0.coif)
+coif_cli_case(simulate_jog EXIT 0 SAMPLE WRITES jog.csv STDOUT "jog.csv: motion jog, 61 frames of [0-9]+ bones at 30 per second"
+  ARGS simulate ${COIF_COOKED_SAMPLE} --motion jog --fps 30 --seconds 2 -o jog.csv)
 coif_cli_case(info_text_file EXIT 3 STDERR "coif info: error: notes.coif: not a cooked hair asset; give a file written by"
   TEXT notes.coif "this text is long enough for a header" ARGS info notes.coif)
 
@@ -23,8 +27,13 @@ coif_cli_case(simulate_csv EXIT 0 SAMPLE WRITES turn.csv
   STDOUT "turn.csv: motion turn, 31 frames of [0-9]+ bones at 30 per second.*worst stretch"
   ARGS simulate ${COIF_COOKED_SAMPLE} --motion turn --fps 30 --seconds 1 -o turn.csv)
 coif_cli_case(simulate_glb EXIT 0 SAMPLE WRITES nod.GLB
-  JSON output motion fps frames bones stretch_max_pct penetration_max_pct
+  JSON output motion fps frames bones scale stretch_max_pct penetration_max_pct from_rest_pct last_speed_m_s
   ARGS simulate ${COIF_COOKED_SAMPLE} --motion nod --seconds 1 -o nod.GLB --format json)
+coif_cli_case(simulate_uneven_frames EXIT 0 SAMPLE WRITES uneven.csv
+  STDOUT "uneven.csv: motion attitude 1,0,-1, 5 frames of [0-9]+ bones at 0.3, 0.2 seconds by turns"
+  ARGS simulate ${COIF_COOKED_SAMPLE} --attitude 1,0,-1 --frame-lengths 0.3,0.2 --seconds 1 -o uneven.csv)
+coif_cli_case(simulate_jittered_frames EXIT 0 SAMPLE WRITES jitter.csv JSON pace scale
+  ARGS simulate ${COIF_COOKED_SAMPLE} --motion nod --jitter 0.3,7 --seconds 1 --scale 0.5 -o jitter.csv --format json)
 coif_cli_case(simulate_text_file EXIT 3 STDERR "coif simulate: error: notes.coif: not a cooked hair asset"
   TEXT notes.coif "this text is long enough for a header" ARGS simulate notes.coif --motion nod -o nod.csv)
 

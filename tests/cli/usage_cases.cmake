@@ -27,6 +27,42 @@ coif_cli_case(render_unknown_suffix EXIT 1 STDERR "coif render: error: out.jpg: 
   ARGS render a.coif -o out.jpg)
 coif_cli_case(simulate_slow_rate EXIT 1 STDERR "coif simulate: error: --fps"
   ARGS simulate a.coif --motion nod --fps 5 -o out.csv)
+coif_cli_case(simulate_no_motion EXIT 1 STDERR "coif simulate: error: needs --motion NAME or --attitude X,Y,Z"
+  ARGS simulate a.coif -o out.csv)
+coif_cli_case(simulate_two_motions EXIT 1 STDERR "coif simulate: error: --motion excludes --attitude"
+  ARGS simulate a.coif --motion nod --attitude 1,0,0 -o out.csv)
+foreach(attitude "0,0,0" "1,0" "1,0,0,0" "up" "1,0,2000" "1,,0" "nan,0,1")
+  string(MAKE_C_IDENTIFIER "simulate_attitude_${attitude}" name)
+  coif_cli_case(${name} EXIT 1 STDERR "coif simulate: error: --attitude: '${attitude}' is not X,Y,Z, a direction"
+    ARGS simulate a.coif --attitude ${attitude} -o out.csv)
+endforeach()
+foreach(scale 0.049 20.1 0 -1)
+  string(MAKE_C_IDENTIFIER "simulate_scale_${scale}" name)
+  coif_cli_case(${name} EXIT 1 STDERR "coif simulate: error: --scale"
+    ARGS simulate a.coif --motion nod --scale=${scale} -o out.csv)
+endforeach()
+coif_cli_case(simulate_half_a_wind EXIT 1 STDERR "coif simulate: error: --wind: '3,0' is not X,Y,Z in metres per second"
+  ARGS simulate a.coif --motion nod --wind 3,0 -o out.csv)
+coif_cli_case(simulate_gusts_of_four_numbers EXIT 1 STDERR "coif simulate: error: --gusts: '4,1,3,2' is not AMPLITUDE"
+  ARGS simulate a.coif --motion nod --gusts 4,1,3,2 -o out.csv)
+coif_cli_case(simulate_gusts_in_the_cascade EXIT 1 STDERR "coif simulate: error: --gusts: hair feels gusts with --solver coif alone"
+  SAMPLE ARGS simulate ${COIF_COOKED_SAMPLE} --motion nod --gusts 4 --solver cascade -o out.csv)
+foreach(lengths "0.016,0" "0.016,1.1" "0.016," "fast" "nan")
+  string(MAKE_C_IDENTIFIER "simulate_frame_lengths_${lengths}" name)
+  coif_cli_case(${name} EXIT 1
+    STDERR "coif simulate: error: --frame-lengths: '${lengths}' is not a list of seconds, 0.001 to 1 each"
+    ARGS simulate a.coif --motion nod --frame-lengths ${lengths} -o out.csv)
+endforeach()
+coif_cli_case(simulate_two_paces EXIT 1 STDERR "coif simulate: error: --fps excludes --frame-lengths"
+  ARGS simulate a.coif --motion nod --fps 30 --frame-lengths 0.02 -o out.csv)
+foreach(jitter "0.91" "-0.1" "nan" "0.1,x" "0.1,1,2")
+  string(MAKE_C_IDENTIFIER "simulate_jitter_${jitter}" name)
+  coif_cli_case(${name} EXIT 1 STDERR "coif simulate: error: --jitter: '${jitter}' is not SHARE.,SEED.: 0 to 0.9, and a whole number"
+    ARGS simulate a.coif --motion nod --jitter=${jitter} -o out.csv)
+endforeach()
+coif_cli_case(simulate_help EXIT 0
+  STDOUT "--attitude.*shortest way.*--scale.*--true-gravity.*--wind.*--gusts.*--frame-lengths.*--jitter.*Exit codes: 0 ok"
+  ARGS simulate --help)
 coif_cli_case(simulate_too_many_substeps EXIT 1 STDERR "coif simulate: error: --substeps"
   ARGS simulate a.coif --motion nod --substeps 65 -o out.csv)
 coif_cli_case(gallery_help EXIT 0 STDOUT "a page of live tiles.*exponents.*SHEET.png.SHEET.html.*--only.*1 to 7.*--size.*64 to 1024.*--format.*Exit codes: 0 ok"

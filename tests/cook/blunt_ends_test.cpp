@@ -1,4 +1,4 @@
-#include "cook/texture/hair_views.h"
+#include "cook/texture/patch_coverage.h"
 
 #include "cook/built_models.h"
 #include "cook/image_files.h"

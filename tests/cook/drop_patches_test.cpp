@@ -98,11 +98,11 @@ TEST(DropPatches, WhatIsTransparentHidesNothing) {
   EXPECT_FALSE(cards.drop(8)[1]) << "opaque, the others hide it";
 }
 
-TEST(HairViews, CountsWhatIsCoveredAloneAndByOthers) {
+TEST(PatchCoverage, CountsWhatIsCoveredAloneAndByOthers) {
   Cards cards;
   cards.add({0, 1.6f, 0});
   cards.add({0, 1.6f, 0.002f});
-  HairViews views(strips_from(hair_from(cards.source), cards.patches), {}, 1);
+  PatchCoverage views(strips_from(hair_from(cards.source), cards.patches), {}, 1);
   EXPECT_GT(views.covered(), 0u);
   EXPECT_GT(views.seen(0), 0u);
   EXPECT_LT(double(views.alone(0)), 0.1 * double(views.pixels(0)));
@@ -127,11 +127,11 @@ std::size_t pixels_of_sliver(float place, bool level) {
   rectangle(mesh, {0, 0}, {191, 191});
   const Eigen::Vector2f low(20.25f, place - 0.02f), high(120.25f, place + 0.02f);
   rectangle(mesh, level ? low : Eigen::Vector2f(low.y(), low.x()), level ? high : Eigen::Vector2f(high.y(), high.x()));
-  const HairViews views(strips_from(hair_from(mesh), {{0, 0, 1, 1}, 2}), {}, 1);
+  const PatchCoverage views(strips_from(hair_from(mesh), {{0, 0, 1, 1}, 2}), {}, 1);
   return views.pixels(1);
 }
 
-TEST(HairViews, APixelIsCoveredWhereItsMiddleIs) {
+TEST(PatchCoverage, APixelIsCoveredWhereItsMiddleIs) {
   for (const bool level : {false, true}) {
     for (const float beside : {-0.05f, 0.05f}) {
       EXPECT_GE(pixels_of_sliver(70.5f, level), pixels_of_sliver(70.5f + beside, level) + 90) << level << beside;

@@ -331,4 +331,40 @@ TEST(GuessHeadNode, AMeshCalledHeadIsNoBoneUnlessTheSkeletonGoesOn) {
   EXPECT_EQ(guess_head_node(model), head);
 }
 
+/// `copies` strips at one place, each of eight triangles.
+SourceModel strips_in_one_place(int copies) {
+  SourceModel model = make_wig();
+  const SourceMesh strip = model.meshes[0];
+  for (int i = 1; i < copies; ++i) append_piece(model.meshes[0], strip, 1);
+  return model;
+}
+
+TEST(SelectHair, AFileOfCopiesIsDamaged) {
+  const auto twice = selected(strips_in_one_place(2));
+  EXPECT_TRUE(twice.made) << (twice.made ? "" : twice.made.error().message);
+  const auto damaged = selected(strips_in_one_place(100));
+  ASSERT_FALSE(damaged.made);
+  EXPECT_EQ(damaged.made.error().kind, ToolError::Kind::kBadInput);
+  EXPECT_NE(damaged.made.error().message.find("lie where others lie"), std::string::npos) << damaged.made.error().message;
+  EXPECT_NE(damaged.made.error().message.find("export it again"), std::string::npos);
+}
+
+TEST(SelectHair, HairOfKilometresIsDamaged) {
+  SourceModel model = make_wig();
+  const auto scaled_to = [&](float metres) {
+    SourceModel scaled = model;
+    Eigen::AlignedBox3f box;
+    for (const Eigen::Vector3f& at : scaled.meshes[0].positions) box.extend(at);
+    for (Eigen::Vector3f& at : scaled.meshes[0].positions) at *= metres / box.sizes().norm();
+    return selected(scaled);
+  };
+  EXPECT_TRUE(scaled_to(900).made) << "a unit may be wrong by a thousand";
+  const auto damaged = scaled_to(2700);
+  ASSERT_FALSE(damaged.made);
+  EXPECT_EQ(damaged.made.error().kind, ToolError::Kind::kBadInput);
+  EXPECT_NE(damaged.made.error().message.find("the hair is 2.7 km from end to end"), std::string::npos)
+      << damaged.made.error().message;
+  EXPECT_NE(damaged.made.error().message.find("source.metres_per_unit"), std::string::npos);
+}
+
 }  // namespace coif::select_hair_test

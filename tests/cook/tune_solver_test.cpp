@@ -5,6 +5,7 @@
 #include "cook/dynamics/chain_groups.h"
 #include "cook/told.h"
 #include "cook/vrm_chain.h"
+#include "lab/reference_solver.h"
 #include "lab/rig.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,9 @@
 #include <cmath>
 #include <cstring>
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace coif::tune_solver_test {
 
@@ -220,6 +223,61 @@ TEST(TuneSolver, ThreadsAndRepetitionDoNotChangeTheResult) {
     ASSERT_EQ(one->quality.size(), other->quality.size());
     EXPECT_EQ(std::memcmp(one->quality.data(), other->quality.data(), one->quality.size() * sizeof(QualityRecord)), 0);
     EXPECT_EQ(first.notes, again.notes);
+  }
+}
+
+/// A passive chain whose joints are as stiff as no reference can follow in the work that a cook may take.
+AssetContents hopelessly_stiff_chain() {
+  AssetContents contents = rig_of_chain({.bones = 8, .length = kLength, .damping_ratio = 1}).contents();
+  for (ChainRecord& chain : contents.chains) chain.model = ChainModel::kPassive;
+  for (DynamicsRecord& bone : contents.dynamics) {
+    bone.stiffness = 1e12f;
+    bone.damping = 1e6f;
+    bone.torsion = kShortestArc;
+  }
+  return contents;
+}
+
+TEST(TuneSolver, TakesNoMoreWorkThanACookMay) {
+  std::vector<std::string> notes[2];
+  for (const unsigned threads : {1u, 2u}) {
+    const auto result = told([&](Findings& findings) {
+      return tune_solver(hopelessly_stiff_chain(), budget(0), threads, findings);
+    });
+    ASSERT_TRUE(result.made);
+    EXPECT_TRUE(result.made->tuning.empty()) << "nothing is known of it";
+    ASSERT_EQ(result.warnings.size(), 1u);
+    EXPECT_NE(result.warnings[0].find("not tuned: "), std::string::npos) << result.warnings[0];
+    ASSERT_EQ(result.notes.size(), 1u);
+    EXPECT_NE(result.notes[0].find("1 chain was not run"), std::string::npos) << result.notes[0];
+    notes[threads - 1] = result.notes;
+  }
+  EXPECT_EQ(notes[0], notes[1]);
+}
+
+TEST(TuneSolver, StoresTheNamesOfItsMotions) {
+  const auto result = tune_solver(calm_chain(), budget(1), 1, unheard());
+  ASSERT_TRUE(result);
+  ASSERT_EQ(result->motions.size(), 10u);
+  EXPECT_STREQ(result->motions[0].name, "still");
+  EXPECT_STREQ(result->motions[9].name, "lie");
+  for (const QualityRecord& row : result->quality) EXPECT_LT(row.worst_motion, result->motions.size());
+}
+
+TEST(ReferenceWork, IsBoundedByMultiplesOfAFirstRun) {
+  const OpenedAsset opened(calm_chain());
+  const Rig rig = rig_of(opened.asset());
+  ReferenceSettings settings{.sample_times = {0.5, 1.0}, .steps_per_second = 360, .most_steps_per_second = 1e6,
+                             .wanted_self_difference_pct = 0};
+  const double first = first_run_work(rig, {}, settings);
+  EXPECT_GE(first, 360.0 * double(rig.bones.size()));
+  for (const double most : {0.5, 2.0, 4.0, 40.0}) {
+    settings.most_work = most;
+    const ReferenceRun run = solve_reference(rig, {}, *path_of(Motion::kNod), settings);
+    EXPECT_LE(double(run.bone_steps), most * first + double(rig.bones.size())) << most;
+    EXPECT_TRUE(run.was_cut());
+    EXPECT_EQ(run.is_solved(), most > 3) << "two runs are three times the first";
+    EXPECT_EQ(std::isfinite(run.places.back().x()), most > 3);
   }
 }
 

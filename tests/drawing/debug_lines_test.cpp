@@ -310,14 +310,14 @@ TEST(DebugLines, AreRefusedForWhatDoesNotFitAndNoneIsDrawn) {
     EXPECT_EQ(draw(*asset, good, {}), Status::kBadArgument);
     EXPECT_EQ(draw(*asset, short_palette, found.sink()), Status::kSizeMismatch);
     EXPECT_EQ(draw(*asset, nowhere, found.sink()), Status::kBadPose);
-    EXPECT_EQ(draw(*asset, vast, found.sink()), Status::kBadPose);
+    EXPECT_EQ(draw(*asset, vast, found.sink()), Status::kBadScale);
   }
   const DebugCollider bad{.radii = {std::numeric_limits<float>::infinity(), 0, 0}};
-  EXPECT_EQ(draw_contact_lines(*asset, vast, found.sink()), Status::kBadPose);
+  EXPECT_EQ(draw_contact_lines(*asset, vast, found.sink()), Status::kBadScale);
   EXPECT_EQ(draw_contact_lines(*asset, good, found.sink(), {}, -1), Status::kBadArgument);
   EXPECT_EQ(draw_contact_lines(*asset, good, found.sink(), {&bad, 1}), Status::kBadArgument);
   EXPECT_EQ(draw_collider_lines({&bad, 1}, {}, found.sink()), Status::kBadArgument);
-  EXPECT_EQ(draw_collider_lines(std::span<const DebugCollider>(), vast.head, found.sink()), Status::kBadPose);
+  EXPECT_EQ(draw_collider_lines(std::span<const DebugCollider>(), vast.head, found.sink()), Status::kBadScale);
   EXPECT_EQ(draw_collider_lines(Asset(), {}, found.sink()), Status::kAssetLacksData);
   EXPECT_EQ(draw_collider_lines(*asset, {}, {}), Status::kBadArgument);
   EXPECT_TRUE(found.lines.empty());

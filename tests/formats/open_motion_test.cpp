@@ -127,9 +127,43 @@ TEST(OpenTuning, EveryFieldOfQualityHasItsLimits) {
   EXPECT_EQ(with_substeps(0), LoadCode::kNotFinite);
   EXPECT_EQ(with_substeps(1024), LoadCode::kOk);
   EXPECT_EQ(with_substeps(1025), LoadCode::kNotFinite);
+}
+
+TEST(OpenTuning, AWorstMotionIsOneOfTheAssetsOwn) {
   const auto with_motion = [](std::uint32_t n) { return refusal([n](auto& a) { a.quality[1].worst_motion = n; }); };
-  EXPECT_EQ(with_motion(9), LoadCode::kOk);
-  EXPECT_EQ(with_motion(10), LoadCode::kNotFinite) << "no such motion";
+  EXPECT_EQ(with_motion(6), LoadCode::kOk);
+  EXPECT_EQ(with_motion(7), LoadCode::kReference) << "it has seven";
+  const auto with_another = [](std::uint32_t n) {
+    return refusal([n](auto& a) {
+      a.motion_names.push_back({"a new one"});
+      a.quality[1].worst_motion = n;
+    });
+  };
+  EXPECT_EQ(with_another(7), LoadCode::kOk) << "the format has no list of its own";
+  EXPECT_EQ(with_another(8), LoadCode::kReference);
+}
+
+TEST(OpenTuning, AssetsFromBeforeMotionsHadNamesOpen) {
+  for (const std::uint32_t number : {0u, 9u, 10u, 0xFFFFFFFFu}) {
+    EXPECT_EQ(refusal([number](AssetContents& a) {
+                a.motion_names.clear();
+                a.quality[1].worst_motion = number;
+              }),
+              LoadCode::kOk);
+  }
+}
+
+TEST(OpenTuning, NamesOfMotionsEndWithinTheirRecord) {
+  const auto with_byte = [](std::size_t at, char c) {
+    return refusal([=](AssetContents& a) { a.motion_names[1].name[at] = c; });
+  };
+  EXPECT_EQ(with_byte(3, 's'), LoadCode::kOk);
+  EXPECT_EQ(with_byte(0, 0), LoadCode::kReference) << "empty, with bytes behind the end";
+  EXPECT_EQ(with_byte(4, 's'), LoadCode::kReference) << "a byte behind the end";
+  EXPECT_EQ(refusal([](auto& a) { a.motion_names[1] = {}; }), LoadCode::kReference);
+  EXPECT_EQ(refusal([](auto& a) { std::memset(a.motion_names[1].name, 'n', sizeof a.motion_names[1].name); }),
+            LoadCode::kReference)
+      << "no end";
 }
 
 TEST(OpenTuning, RefusalsNameTheRow) {

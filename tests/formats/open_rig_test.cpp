@@ -52,7 +52,39 @@ std::vector<std::uint32_t> comb_with_stem_last(std::uint32_t stem) {
 
 TEST(OpenChains, EachBeginsWhereTheOneBeforeItEnds) {
   for (const std::uint32_t first : {0u, 1u, 3u, 5u, 0x40000000u, kNone}) {
-    EXPECT_EQ(refusal([&](AssetContents& contents) { contents.chains[0].first_bone = first; }), LoadCode::kChainCover) << first;
+    EXPECT_EQ(refusal([&](AssetContents& contents) { contents.chains[0].first_bone = first; }), LoadCode::kChainCover)
+        << first;
+  }
+}
+
+/// Bone 3 starts at the particle of bone 2: a joint is off by what rounding may do and no more.
+TEST(OpenBones, StartAtTheirParentsParticleToATenthOfAMillimetre) {
+  const auto moved = [](float metres, int axis) {
+    return refusal([&](AssetContents& contents) { contents.bones[3].joint[axis] += metres; });
+  };
+  for (const int axis : {0, 1, 2}) {
+    for (const float sign : {-1.0f, 1.0f}) {
+      EXPECT_EQ(moved(sign * 0.5e-4f, axis), LoadCode::kOk) << axis;
+      EXPECT_EQ(moved(sign * 3e-4f, axis), LoadCode::kBoneJoint) << axis;
+    }
+  }
+}
+
+/// A set has a bit for each collider: all of them may be there, and no bit beyond, however many there are.
+TEST(OpenColliders, SetsNameThoseThatThereAre) {
+  for (std::size_t count = 0; count <= kMaxColliders; ++count) {
+    const auto with_set = [&](std::uint32_t set) {
+      AssetContents contents = small_asset();
+      contents.colliders.assign(count, contents.colliders[0]);
+      for (BoneRecord& bone : contents.bones) bone.colliders = 0;
+      contents.bones[2].colliders = set;
+      return open_written(contents).code;
+    };
+    const std::uint32_t all = count == 32 ? ~0u : (1u << count) - 1;
+    EXPECT_EQ(with_set(all), LoadCode::kOk) << count;
+    for (std::size_t bit = count; bit < 32; ++bit) {
+      EXPECT_EQ(with_set(1u << bit), LoadCode::kColliderSet) << count << " colliders, bit " << bit;
+    }
   }
 }
 

@@ -58,6 +58,7 @@ TEST(Versions, TheFirstHasEveryPartOfAnAsset) {
   EXPECT_NE(asset.texture(TextureRole::kBaseColor), nullptr);
   EXPECT_NE(asset.texture(TextureRole::kShiftMask), nullptr);
   EXPECT_FALSE(asset.colliders().empty() || asset.skin().empty() || asset.quality().empty());
+  EXPECT_TRUE(asset.motion_names().empty()) << "its numbers of motions are those of the specification's list";
   EXPECT_TRUE(asset.material() != nullptr && asset.tuning() != nullptr && asset.provenance() != nullptr);
 }
 

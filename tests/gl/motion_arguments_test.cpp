@@ -29,15 +29,15 @@ TEST_F(MotionArguments, AreRefusedForWhatDoesNotFitAndNothingIsDrawn) {
   ASSERT_EQ(model.upload(renderer_, *flat), Status::kOk);
   clear_vectors();
   calls_->forget();
-  HairInstance bad_pose = good, bad_palette = good;
-  bad_pose.head.scale = 0;
+  HairInstance bad_scale = good, bad_palette = good;
+  bad_scale.head.scale = 0;
   bad_palette.palette = {};
   const auto draw = [&](const HairInstance& now, const HairInstance& before, const MotionDesc& with) {
     return draw_motion_vectors(renderer_, model, {&now, 1}, {&before, 1}, with);
   };
   EXPECT_EQ(draw_motion_vectors(renderer_, model, {&good, 1}, {}, desc), Status::kSizeMismatch);
-  EXPECT_EQ(draw(good, bad_pose, desc), Status::kBadPose);
-  EXPECT_EQ(draw(bad_pose, good, desc), Status::kBadPose);
+  EXPECT_EQ(draw(good, bad_scale, desc), Status::kBadScale);
+  EXPECT_EQ(draw(bad_scale, good, desc), Status::kBadScale);
   EXPECT_EQ(draw(good, bad_palette, desc), Status::kSizeMismatch);
   for (const float alpha : {-0.1f, 1.1f, std::numeric_limits<float>::quiet_NaN()}) {
     MotionDesc bad = desc;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace coif::skinning_test {
+namespace coif::gl_skinning_test {
 
 constexpr Pixel kNothing{0, 0, 0, 0};
 constexpr Pixel kWhite{255, 255, 255, 255};
@@ -144,4 +144,4 @@ TEST_F(Skinning, HeadFarFromTheOriginLooksTheSame) {
   EXPECT_EQ(pixel(27, 16), kNothing);
 }
 
-}  // namespace coif::skinning_test
+}  // namespace coif::gl_skinning_test

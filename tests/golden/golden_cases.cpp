@@ -50,7 +50,7 @@ std::vector<GoldenCase> golden_cases() {
           golden("opaque", 20, 5, "opaque")};
 }
 
-LoadedAsset::LoadedAsset(const std::string& path) {
+GoldenAsset::GoldenAsset(const std::string& path) {
   constexpr std::size_t kAlignment = 64;  // what Asset::open() may ask for
   std::error_code failed;
   const std::uintmax_t size = std::filesystem::file_size(path, failed);

@@ -26,9 +26,9 @@ struct GoldenCase {
 [[nodiscard]] std::vector<GoldenCase> golden_cases();
 
 /// A file's asset and the memory that it lives in.
-class LoadedAsset {
+class GoldenAsset {
  public:
-  explicit LoadedAsset(const std::string& path);  ///< asset() stays closed where there is no such asset.
+  explicit GoldenAsset(const std::string& path);  ///< asset() stays closed where there is no such asset.
   [[nodiscard]] const Asset& asset() const { return asset_; }
 
  private:

@@ -58,12 +58,12 @@ class Golden : public testing::Test {
     return *std::ranges::find(cases, name, &GoldenCase::name);
   }
 
-  const LoadedAsset sample_{COIF_COOKED_SAMPLE};
+  const GoldenAsset sample_{COIF_COOKED_SAMPLE};
 };
 
 /// Without pictures, so also where none can be drawn.
 TEST(GoldenCook, ChunksAreAsTheyWere) {
-  const LoadedAsset sample(COIF_COOKED_SAMPLE);
+  const GoldenAsset sample(COIF_COOKED_SAMPLE);
   ASSERT_TRUE(sample.asset().is_open()) << COIF_COOKED_SAMPLE " is absent: ctest cooks it, test cli.cook_sample";
   EXPECT_TRUE(is_cooked_as_before("bob", sample.asset()));
 }

@@ -7,7 +7,7 @@
 
 int main(int argc, char** argv) {
   if (argc != 3) return std::fputs("usage: write_golden ASSET FOLDER\n", stderr), 1;
-  const coif::LoadedAsset sample(argv[1]);
+  const coif::GoldenAsset sample(argv[1]);
   for (const coif::GoldenCase& golden : coif::golden_cases()) {
     const auto picture = coif::render_picture(sample.asset(), golden.settings);
     if (!picture) {

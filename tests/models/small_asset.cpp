@@ -100,6 +100,7 @@ void add_limits(AssetContents& asset) {
 void add_tuning(AssetContents& asset) {
   asset.tuning = {{60.0f, 0.007f, 0.005f, 2000.0f, 1315.0f, 30.0f, 120.0f, 1}};
   asset.quality = {{30.0f, 2, 0.005f, 0.012f, 1.0e-6f, 0.0f, 1315.0f, 6}, {120.0f, 1, 0.001f, 0.003f, 0, 0, 875.0f, 4}};
+  asset.motion_names = {{"still"}, {"nod"}, {"turn"}, {"charge"}, {"run"}, {"jump"}, {"of fifteen byte"}};
 }
 
 void add_textures(AssetContents& asset) {
@@ -188,6 +189,7 @@ double touch_asset(const Asset& asset) {
   if (const TuningRecord* t = asset.tuning(); t != nullptr) sum += t->substep_rate + t->reached_error + t->cost;
   for (const QualityRecord& q : asset.quality()) {
     sum += q.frame_rate + q.rms_error + q.max_error + q.stretch + q.penetration + q.cost + float(q.worst_motion);
+    if (!asset.motion_names().empty()) sum += asset.motion_names()[q.worst_motion].name[0];
   }
   for (const LodRecord& lod : asset.stored_lods()) {
     sum += asset.patches()[lod.first_patch + lod.patch_count - 1].head_distance + lod.screen_size + lod.error;

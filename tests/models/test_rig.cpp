@@ -217,6 +217,9 @@ AlignedBytes hair_memory(Asset& asset, AlignedBytes& file, const HairDesc& desc)
 TestHair::TestHair(const TestRig& rig, const HairDesc& desc)
     : file_(write_asset(rig.contents())), memory_(hair_memory(asset, file_, desc)) {
   if (hair.create(asset, desc, memory_.bytes()) != Status::kOk) std::abort();
+  for (std::uint32_t i = 0; i < desc.instances; ++i) {
+    if (hair.reset(i, {}) != Status::kOk) std::abort();
+  }
 }
 
 std::vector<std::byte> TestHair::memory_copy() {

@@ -73,7 +73,7 @@ class TestRig {
 /// the tip, critically damped: hair whose motion does not depend on the last digit of anything.
 [[nodiscard]] TestRig calm_strand(int count, float length);
 
-/// A Hair with the asset and the memory it needs.
+/// A Hair with the asset and the memory it needs, whose heads stand at the identity pose: poses that they are told are movement.
 class TestHair {
  public:
   explicit TestHair(const TestRig& rig, std::uint32_t instances = 1)

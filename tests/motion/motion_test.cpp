@@ -30,8 +30,13 @@ double height(const HeadPose& pose) { return pose.position[1]; }
 double turned(const HeadPose& pose) { return angle(pose.rotation, Quat{}); }
 
 TEST(Motion, NamesFindTheirMotions) {
-  ASSERT_EQ(all_motions().size(), 10u);
-  for (const MotionInfo& info : all_motions()) EXPECT_EQ(find_motion(info.name), info.motion) << info.name;
+  ASSERT_EQ(all_motions().size(), 11u);
+  for (std::size_t i = 0; i < all_motions().size(); ++i) {
+    const MotionInfo& info = all_motions()[i];
+    EXPECT_EQ(find_motion(info.name), info.motion) << info.name;
+    EXPECT_EQ(std::size_t(info.motion), i) << "in the order of the enumerators";
+    EXPECT_STREQ(name_of(info.motion), info.name);
+  }
   EXPECT_FALSE(find_motion("stroll"));
   EXPECT_FALSE(find_motion(""));
 }
@@ -94,6 +99,18 @@ TEST(Motion, RunBobsAndSways) {
     return speed;
   });
   EXPECT_NEAR(fastest, 3, 0.4);
+}
+
+TEST(Motion, JogBobsWithEachStepAndLeansWithEveryOther) {
+  EXPECT_NEAR(highest(Motion::kJog, height), 0.045, 1e-4);
+  EXPECT_NEAR(highest(Motion::kJog, turned), 1 * kDegree, 0.01 * kDegree);
+  const HeadPose now = head_pose(Motion::kJog, 5.1), step = head_pose(Motion::kJog, 5.1 + 1 / 2.4);
+  EXPECT_LT(way(now, step), 1e-6) << "each step is as high";
+  EXPECT_LT(turned({.position = {}, .rotation = {0, 0, now.rotation.z + step.rotation.z, 1}}), 1e-5)
+      << "and leans to the other side";
+  EXPECT_GT(turned(now), 0.5 * kDegree);
+  EXPECT_EQ(now.position[0], 0);
+  EXPECT_EQ(now.position[2], 0);
 }
 
 TEST(Motion, JumpFliesFreelyAndComesBack) {

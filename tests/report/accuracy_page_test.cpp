@@ -69,6 +69,21 @@ TEST(AccuracyMeans, FrontHoldsWhatNothingBeats) {
   EXPECT_FALSE(mean_of(means, "slow", 4).pareto);
 }
 
+TEST(AccuracyMeans, ACostThatFallsWithMoreStepsIsMarked) {
+  AccuracyReport report = made_up_accuracy();
+  for (const AccuracyRow& mean : means_over_motions(report, 60)) EXPECT_FALSE(mean.cost_falls) << mean.solver;
+  for (AccuracyRow& row : report.rows) {
+    if (row.solver == "coif" && row.substeps == 4) row.ns_per_bone_frame = 20;  // one step takes 30
+  }
+  for (const AccuracyRow& mean : means_over_motions(report, 60)) {
+    EXPECT_EQ(mean.cost_falls, mean.solver == "coif" && mean.substeps == 4) << mean.solver << " x" << mean.substeps;
+  }
+  for (AccuracyRow& row : report.rows) {
+    if (row.solver == "coif" && row.substeps == 4) row.ns_per_bone_frame = 29;  // within what clocks are worth
+  }
+  EXPECT_FALSE(mean_of(means_over_motions(report, 60), "coif", 4).cost_falls);
+}
+
 TEST(AccuracyMeans, OneFailureIsNotAveragedAway) {
   AccuracyReport report = made_up_accuracy();
   report.rows.front().fps = 60;

@@ -12,12 +12,12 @@ namespace coif::cards_baselines_test {
 
 constexpr float kWidth = 0.002f;
 
-HairViews views_of(const Groom& groom) {
+GroomViews views_of(const Groom& groom) {
   const auto directions = spread_directions(8);
   return {groom, kWidth, frames_around(groom, Eigen::Matrix3f::Identity(), directions, 96), 2};
 }
 
-double mean_iou(const HairViews& views, const Cards& cards) {
+double mean_iou(const GroomViews& views, const Cards& cards) {
   double sum = 0;
   for (const HairLikeness& one : views.compare(surface_of(cards))) sum += one.coverage_iou;
   return sum / double(views.count());
@@ -95,7 +95,7 @@ TEST(FlatCards, AreTwoTrianglesEachAndLookLikeHairThatIsFlat) {
   ASSERT_TRUE(cards.has_value());
   ASSERT_EQ(cards->strips.size(), 5u);
   for (const CardStrip& strip : cards->strips) EXPECT_EQ(strip.triangles(), 2u);
-  const HairViews front(groom, kWidth, frames_around(groom, Eigen::Matrix3f::Identity(), {{{0, 0, -1}}}, 192), 2);
+  const GroomViews front(groom, kWidth, frames_around(groom, Eigen::Matrix3f::Identity(), {{{0, 0, -1}}}, 192), 2);
   EXPECT_GT(front.compare(surface_of(*cards))[0].coverage_iou, 0.88);
 }
 
@@ -116,7 +116,7 @@ TEST(EvenStrip, GoesFromRootToTipInEqualSteps) {
 TEST(EvenCards, HaveAsManySegmentsAsComeNearest) {
   const Groom groom = test::groom_of(test::strands_of_a_head(150));
   const GroomShape shape = shape_of(groom, kWidth);
-  const HairViews views = views_of(groom);
+  const GroomViews views = views_of(groom);
   const CardsBudget budget{120, std::size_t{1} << 16, 1, kWidth};
   const auto even = make_even_cards(groom, shape, budget, views, 2);
   ASSERT_TRUE(even.has_value());

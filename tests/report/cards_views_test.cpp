@@ -1,4 +1,4 @@
-#include "report/cards/hair_views.h"
+#include "report/cards/groom_views.h"
 
 #include "cards/card_picture.h"
 #include "cards/made_up_cards.h"

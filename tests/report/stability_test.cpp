@@ -120,10 +120,10 @@ TEST(MeasureStability, RefusesUnknownSolversAndBaldHeads) {
 TEST(StabilityTotals, CountOutcomesAndTakeTheWorstOfWhatEndedWell) {
   const auto totals = stability_totals(made_up_stability());
   ASSERT_EQ(totals.size(), 3u);
-  using Counts = std::array<unsigned, 4>;
-  EXPECT_EQ(totals[0].count, (Counts{2, 0, 0, 0}));
-  EXPECT_EQ(totals[1].count, (Counts{1, 1, 0, 0}));
-  EXPECT_EQ(totals[2].count, (Counts{0, 0, 1, 1}));
+  using Counts = std::array<unsigned, 5>;
+  EXPECT_EQ(totals[0].count, (Counts{2, 0, 0, 0, 0}));
+  EXPECT_EQ(totals[1].count, (Counts{1, 1, 0, 0, 0}));
+  EXPECT_EQ(totals[2].count, (Counts{0, 0, 0, 1, 1}));
   EXPECT_EQ(totals[0].stretch_max_pct, 0.25);
   EXPECT_EQ(totals[0].rest_speed, 0.02);
   EXPECT_EQ(totals[0].settle_error_pct, 0.75);
@@ -135,6 +135,13 @@ TEST(StabilityTotals, SummaryTellsSafeFromBroken) {
   const std::string text = stability_summary(made_up_stability());
   EXPECT_NE(text.find("2 cases of stress"), std::string::npos) << text;
   EXPECT_NE(text.find("refused the input: coif, thesis. Broke down: slow (in 2)."), std::string::npos) << text;
+}
+
+TEST(StabilityTotals, HairThatDoesNotRestIsAFailure) {
+  StabilityReport report = made_up_stability();
+  report.rows.front().outcome = Outcome::kRestless;
+  const std::string text = stability_summary(report);
+  EXPECT_NE(text.find("Broke down: " + report.rows.front().solver + " (in 1)"), std::string::npos) << text;
 }
 
 TEST(StabilityPage, HasARowForEachCaseAndAColumnForEachSolver) {
@@ -164,8 +171,8 @@ TEST(StabilityPage, ShowsADashForWhatDoesNotExist) {
 
 TEST(StabilityText, HasALineForEachSolver) {
   const std::string text = stability_text(made_up_heading(), made_up_stability());
-  EXPECT_TRUE(std::regex_search(text, std::regex("\n  coif +2 +0 +0 +0 +0.250 +0 +<0.0001 +10.0 +0.02[0-9]* +0.750\n"))) << text;
-  EXPECT_TRUE(std::regex_search(text, std::regex("\n  slow +0 +0 +1 +1 +- +- +- +- +- +-\n"))) << text;
+  EXPECT_TRUE(std::regex_search(text, std::regex("\n  coif +2 +0 +0 +0 +0 +0.250 +0 +<0.0001 +10.0 +0.02[0-9]* +0.750\n"))) << text;
+  EXPECT_TRUE(std::regex_search(text, std::regex("\n  slow +0 +0 +0 +1 +1 +- +- +- +- +- +-\n"))) << text;
 }
 
 }  // namespace coif::stability_test

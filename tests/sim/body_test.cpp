@@ -33,11 +33,11 @@ TestRig rig_with_arm(ChainModel model) {
 /// The same collider, told by the game: `way` metres from its rest.
 MovingCollider told(const TestRig& rig, const Vec3& way, float scale) {
   const ColliderRecord& record = rig.body_colliders[0];
-  MovingCollider collider{.shape = ColliderShape::kCapsule,
-                          .center = {double(scale * (record.center[0] + way.x)),
-                                     double(scale * (record.center[1] + way.y)),
-                                     double(scale * (record.center[2] + way.z))},
-                          .axis = {0, 0, 0.2f * scale}};
+  MovingCollider collider{
+      .shape = ColliderShape::kCapsule,
+      .center = {double(scale * (record.center[0] + way.x)), double(scale * (record.center[1] + way.y)),
+                 double(scale * (record.center[2] + way.z))},
+      .axis = {0, 0, 0.2f * scale}};
   collider.radius = 0.04f * scale;
   return collider;
 }
@@ -72,6 +72,35 @@ TEST(Body, ItsCollidersGoWhereItsBonesGo) {
       }
       EXPECT_GT(pushed, 0.02f) << "it was at work";
     }
+  }
+}
+
+/// A head twice as large has its bones' colliders twice as far from the bones, to all sides.
+TEST(Body, CollidersOfAScaledHeadAreAsFarFromTheirBonesAsItIsLarge) {
+  TestRig rig = rig_with_arm(ChainModel::kCascade);
+  rig.body_bones[0] = {0, {0.2f, 0.1f, -0.25f}, {0, 0, 0, 1}};
+  ColliderRecord& sphere = rig.body_colliders[0];
+  sphere = {};
+  sphere.shape = ColliderShape::kSphere;
+  sphere.rotation[3] = 1;
+  sphere.center[0] = 0.03f, sphere.center[1] = -0.1f, sphere.center[2] = -0.12f;
+  for (float& radius : sphere.radii) radius = 0.05f;
+  for (const float scale : {0.5f, 1.0f, 3.0f}) {
+    TestHair body(rig, HairDesc{.solver = &kCharacterSolver, .follows_body = true});
+    TestHair game(rig, HairDesc{.solver = &kCharacterSolver, .moving_colliders = 1});
+    HeadPose head;
+    head.scale = scale;
+    MovingCollider ball{.shape = ColliderShape::kSphere,
+                        .center = {0.03 * double(scale), -0.1 * double(scale), -0.12 * double(scale)}};
+    ball.radius = 0.05f * scale;
+    for (int frame = 0; frame < 20; ++frame) {
+      for (TestHair* const test : {&body, &game}) ASSERT_EQ(test->hair.set_head(0, head), Status::kOk);
+      ASSERT_EQ(body.hair.set_body(0, std::vector{arm_at(rig, {}, scale)}), Status::kOk);
+      ASSERT_EQ(game.hair.set_colliders(0, std::vector{ball}), Status::kOk);
+      for (TestHair* const test : {&body, &game}) ASSERT_EQ(test->hair.step({}), Status::kOk);
+      EXPECT_LT(largest_distance(body.ends(), game.ends()), 2e-4f) << scale << ", frame " << frame;
+    }
+    EXPECT_GT(largest_distance(body.ends(), rig.rest_ends()), 0.01f) << "it is at work";
   }
 }
 

@@ -1,5 +1,8 @@
 // Gusts as a field: coif/air.h says what it is.
 
+#include "sim/lanes/gust_waves.h"
+#include "sim/vector_math.h"
+
 #include <coif/air.h>
 
 #include <gtest/gtest.h>
@@ -73,6 +76,40 @@ TEST(GustField, AreSmoothFarFromTheOrigin) {
       last = air.z;
     }
   }
+}
+
+/// coif/air.h: wavelengths of length / 1.6^i, amplitudes by their third roots, which add up to the whole.
+TEST(GustField, WavesAreAsStrongAsTheirLengthsSay) {
+  const Gusts gusts = strong();
+  const GustWaves waves = waves_of(gusts);
+  double sum = 0, length_of_one = 0;
+  for (std::uint32_t i = 0; i < kGustWaves; ++i) {
+    const double strength = length(waves.air[i]),
+                 per_metre = std::hypot(waves.turns[i][0], waves.turns[i][1], waves.turns[i][2]);
+    sum += strength;
+    if (i == 0) length_of_one = strength;
+    EXPECT_NEAR(per_metre, std::pow(1.6, i) / double(gusts.length), 1e-6) << i;
+    EXPECT_NEAR(strength / length_of_one, std::pow(1.6, -double(i) / 3), 1e-5) << i;
+  }
+  EXPECT_NEAR(sum, double(gusts.amplitude), 1e-5);
+}
+
+/// To both sides, and up as often as down.
+TEST(GustField, WavesRunUpAndDown) {
+  double sum = 0, most = 0, least = 0;
+  constexpr std::uint32_t kSeeds = 100;
+  for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+    Gusts gusts = strong();
+    gusts.seed = seed;
+    const GustWaves waves = waves_of(gusts);
+    for (std::uint32_t i = 0; i < kGustWaves; ++i) {
+      const double up = waves.turns[i][1] * double(gusts.length) / std::pow(1.6, i);
+      sum += up, most = std::max(most, up), least = std::min(least, up);
+    }
+  }
+  EXPECT_NEAR(sum / (kSeeds * kGustWaves), 0, 0.02);
+  EXPECT_NEAR(most, std::sin(0.3), 0.01);
+  EXPECT_NEAR(least, -std::sin(0.3), 0.01);
 }
 
 TEST(GustField, OtherSeedsAreOtherGusts) {

@@ -255,7 +255,7 @@ TEST_F(HairRejects, Poses) {
 }
 
 TEST_F(HairRejects, SettingsOutOfRange) {
-  StepSettings bad[8];
+  StepSettings bad[9];
   bad[0].environment.gravity.y = NAN;
   bad[1].environment.gravity.x = INFINITY;
   bad[2].environment.wind.z = -INFINITY;
@@ -264,6 +264,7 @@ TEST_F(HairRejects, SettingsOutOfRange) {
   bad[5].iterations = 0;
   bad[6].iterations = kMaxIterations + 1;
   bad[7].substeps = kMaxSubsteps + 1;
+  bad[8].environment.true_gravity = 2;
   for (const StepSettings& settings : bad) EXPECT_EQ(test_.hair.step(settings), Status::kBadArgument);
   expect_untouched();
 }

@@ -288,10 +288,9 @@ TEST(MovingColliders, ScaleWithTheHeadTheyAreSeenFrom) {
                                   &large.half_extents.x, &large.half_extents.y, &large.half_extents.z}) {
         *metres *= 2;
       }
-      StepSettings settings;
+      const StepSettings settings;
       ASSERT_EQ(own.hair.set_head(0, pose), Status::kOk);
       own.step({hand}, settings);
-      settings.environment.gravity.y *= 2;
       ASSERT_EQ(twice.hair.set_head(0, larger), Status::kOk);
       twice.step({large}, settings);
     }

@@ -29,6 +29,8 @@ TestRig loose() {
   return rig;
 }
 
+float length_of(const Vec3& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
 StepSettings weightless(float dt = 1e-3f) {
   StepSettings settings{.dt = dt, .substeps = 1};
   settings.environment.gravity = {};
@@ -69,6 +71,59 @@ TEST(Impulse, BeyondItsRadiusIsNothing) {
               Status::kOk);
     for (int i = 0; i < 10; ++i) ASSERT_TRUE(test.hair.step({}) == Status::kOk && same.hair.step({}) == Status::kOk);
     EXPECT_TRUE(same_bits(test.hair, 0, same.hair, 0));
+  }
+}
+
+TEST(Impulse, ACapsuleEndsAtBothOfItsEnds) {
+  for (const Solver* const solver : kSolvers) {
+    for (const float side : {-1.0f, 1.0f}) {  // the hair is 0.5 m beyond the one end, or beyond the other
+      const double near = side < 0 ? -1 : 0.5;
+      const Impulse beside{
+          .center = {near, -0.2, 0}, .axis = {0.5f, 0, 0}, .radius = 0.45f, .speed = 4, .velocity = {1, 1, 1}};
+      TestHair test(loose(), {.solver = solver});
+      for (const Vec3& speed : speeds_after(test, beside)) EXPECT_LT(length_of(speed), 0.05f);
+      Impulse through = beside;
+      through.radius = 0.6f;
+      float most = 0;
+      for (const Vec3& speed : speeds_after(test, through)) most = std::max(most, length_of(speed));
+      EXPECT_GT(most, 0.1f) << "or it reaches nothing at all";
+    }
+  }
+}
+
+/// A hand that stands still in the world holds what it is around, though the head turns under it and takes the joints along.
+TEST(Impulse, AStrokeHoldsHairOfAHeadThatTurns) {
+  TestRig rig;
+  TestBone bone{.joint = {0.2f, 0, 0}, .length = 0.1f};
+  bone.stiffness = 1;
+  bone.damping = 0;
+  rig.add(bone);
+  for (const Solver* const solver : {&kCascadeSolver, &kPassiveSolver}) {
+    TestHair test(rig, {.solver = solver});
+    const auto turn_to = [&](int frame) {
+      const HeadVelocity turning{{}, {0, 5, 0}};
+      const HeadPose pose{{}, turned_about({0, 1, 0}, 5e-3 * frame)};
+      if (frame == 1) {  // the hair goes along from the start
+        ASSERT_EQ(test.hair.teleport(0, pose), Status::kOk);
+      }
+      ASSERT_EQ(test.hair.set_head(0, pose, turning), Status::kOk);
+      ASSERT_EQ(test.hair.step(weightless()), Status::kOk);
+    };
+    const auto place = [&](int frame) {  // of the tail, in the world
+      const Vec3 end = test.ends()[0];
+      const double c = std::cos(5e-3 * frame), s = std::sin(5e-3 * frame);
+      return Vec3{float(c * double(end.x) + s * double(end.z)), end.y, float(c * double(end.z) - s * double(end.x))};
+    };
+    for (int frame = 1; frame <= 4; ++frame) turn_to(frame);
+    Vec3 before = place(4);
+    turn_to(5);
+    Vec3 after = place(5);
+    EXPECT_GT(length_of({after.x - before.x, after.y - before.y, after.z - before.z}), 4e-4f) << "it went along";
+    ASSERT_EQ(test.hair.push(0, {.center = {0.2, -0.1, 0}, .radius = 100, .strokes = true}), Status::kOk);
+    before = after;
+    turn_to(6);
+    after = place(6);
+    EXPECT_LT(length_of({after.x - before.x, after.y - before.y, after.z - before.z}), 1.5e-4f);
   }
 }
 

@@ -204,6 +204,37 @@ TEST(LiveSettings, ScalesMultiplyWhatTheAssetSays) {
   EXPECT_GT(rms_tip_difference(a, play(soft, wander, even_frames(60, 2))), 1e-3);
 }
 
+/// Ends of two seconds of wandering with these numbers of every bone.
+Playback played_with(ChainModel model, float stiffness, float damping, float friction, const DynamicsScale& factors) {
+  TestRig rigged = rig();
+  rigged.model = model;
+  for (DynamicsRecord& bone : rigged.dynamics) {
+    bone.stiffness = stiffness, bone.damping = damping, bone.friction = friction;
+    if (model == ChainModel::kPassive) bone.torsion = kShortestArc;
+  }
+  return play(rigged, wander, even_frames(60, 2), {.dynamics = factors});
+}
+
+TEST(LiveSettings, NoFactorLeadsBeyondWhatACookBakes) {
+  for (const ChainModel model : {ChainModel::kCascade, ChainModel::kPassive}) {
+    const auto difference = [model](const Playback& a, float stiffness, float damping, float friction) {
+      return rms_tip_difference(a, played_with(model, stiffness, damping, friction, {}));
+    };
+    const Playback stiff = played_with(model, 100, 5, 2, {.stiffness = kMostScale});
+    EXPECT_EQ(difference(stiff, kMostStiffness, 5, 2), 0.0);
+    EXPECT_EQ(difference(stiff, 1e12f, 5, 2), 0.0);  // what an asset says ends there too
+    EXPECT_GT(difference(stiff, 0.25f * kMostStiffness, 5, 2), 0.0);
+    const Playback damped = played_with(model, 100, 5, 2, {.damping = kMostScale});
+    EXPECT_EQ(difference(damped, 100, kMostDamping, 2), 0.0);
+    EXPECT_GT(difference(damped, 100, 0.5f * kMostDamping, 2), 0.0);
+    const Playback slow = played_with(model, 100, 5, 2, {.friction = kMostScale});
+    EXPECT_EQ(difference(slow, 100, 5, kMostDamping), 0.0);
+    EXPECT_GT(difference(slow, 100, 5, 0.5f * kMostDamping), 0.0);
+    const Playback all = played_with(model, 100, 5, 2, {kMostScale, kMostScale, kMostScale});
+    EXPECT_EQ(difference(all, kMostStiffness, kMostDamping, kMostDamping), 0.0);
+  }
+}
+
 TEST(LiveSettings, DefaultsAfterAChangeAreTheDefaultsAgain) {
   TestHair changed(rig()), calm(rig());
   (void)play(changed, wander, even_frames(60, 2), {.dynamics = {.stiffness = 0.1f}, .inertia = 0.5f});

@@ -194,4 +194,15 @@ TEST(Settle, BadArgumentsChangeNothing) {
   EXPECT_EQ(Hair().settle(0, 1, {}), Status::kNotCreated);
 }
 
+TEST(Settle, OfAFewPercentMoreThanAStepTakesOneMore) {
+  const auto after = [](double steps) {
+    TestHair test(swinging());
+    EXPECT_EQ(test.hair.settle(0, float(steps / 60), breeze()), Status::kOk);
+    return test.ends();
+  };
+  EXPECT_EQ(largest_distance(after(1.05), after(2)), 0.0f);
+  EXPECT_EQ(largest_distance(after(1.0004), after(1)), 0.0f) << "rounding is no step";
+  EXPECT_GT(largest_distance(after(1), after(2)), 0.0f);
+}
+
 }  // namespace coif::settle_test

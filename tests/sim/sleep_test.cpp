@@ -187,6 +187,45 @@ TEST(Sleep, GivesAChangeTooSlowToBeSeenItsWholeTime) {
   }
 }
 
+TEST(Sleep, EndsWhereWhatItTakesToSleepIsAnother) {
+  for (const Solver* const solver : kSolvers) {
+    const auto wakes_under = [&](float after, float speed) {
+      TestHair test(rig(), {.solver = solver});
+      put_to_sleep(test);
+      StepSettings settings;
+      settings.sleep_after = after;
+      settings.sleep_speed = speed;
+      step(test, settings);
+      return !test.hair.is_asleep(0);
+    };
+    const StepSettings usual;
+    EXPECT_FALSE(wakes_under(usual.sleep_after, usual.sleep_speed));
+    EXPECT_TRUE(wakes_under(usual.sleep_after * 2, usual.sleep_speed));
+    EXPECT_TRUE(wakes_under(kNever, usual.sleep_speed));
+    EXPECT_TRUE(wakes_under(usual.sleep_after, usual.sleep_speed / 2));
+  }
+}
+
+/// A head that only turns is still where a decimetre from its axis goes slower than sleep_speed.
+TEST(Sleep, OfAHeadThatTurnsIsMeasuredADecimetreFromItsAxis) {
+  const auto sleeps_at = [](double radians_per_second) {
+    TestRig stiff;  // on the axis: it moves as little as may be
+    stiff.add({.joint = {0, 0, -0.01f}, .length = 0.05f, .stiffness = 2000, .damping = 100, .torsion = 20});
+    TestHair test(stiff);
+    StepSettings settings = weightless(0.2f);
+    settings.sleep_speed = 0.01f;
+    for (int frame = 1; frame <= 120; ++frame) {
+      const HeadPose pose{{}, turned_about({0, 1, 0}, radians_per_second * frame / 60)};
+      EXPECT_EQ(test.hair.set_head(0, pose), Status::kOk);
+      step(test, settings);
+      if (test.hair.is_asleep(0)) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(sleeps_at(0.098));
+  EXPECT_FALSE(sleeps_at(0.102));
+}
+
 TEST(Sleep, EndsWithAReset) {
   TestHair test(rig());
   put_to_sleep(test);

@@ -118,6 +118,40 @@ TEST(TunedSubsteps, AreTakenWhereNoneAreAskedFor) {
   }
 }
 
+/// A step that is longer by rounding has no part more, one that is longer by a few percent has.
+TEST(TunedSubsteps, OfAPartThatIsBegunAreOneMore) {
+  TestRig rig = calm_strand(2, kLength);
+  rig.substep_rate = 240;
+  TestHair test(rig);
+  EXPECT_EQ(tuned_substeps(test.asset, 4.0f / 240), 4u);
+  EXPECT_EQ(tuned_substeps(test.asset, 4.0008f / 240), 4u);
+  EXPECT_EQ(tuned_substeps(test.asset, 4.005f / 240), 5u);
+  EXPECT_EQ(tuned_substeps(test.asset, 4.05f / 240), 5u);
+}
+
+std::vector<Vec3> after_one_step(float dt, std::uint32_t substeps) {
+  TestHair test(calm_strand(3, kLength));
+  EXPECT_EQ(test.hair.step({.dt = dt, .substeps = substeps}), Status::kOk);
+  return test.ends();
+}
+
+TEST(LongSteps, HaveNoPartLongerThanMayBeComputedAtOnce) {
+  EXPECT_EQ(largest_distance(after_one_step(0.205f, 1), after_one_step(0.205f, 3)), 0.0f);
+  EXPECT_EQ(largest_distance(after_one_step(0.2001f, 1), after_one_step(0.2001f, 2)), 0.0f);
+  EXPECT_GT(largest_distance(after_one_step(0.205f, 3), after_one_step(0.205f, 2 * 3)), 0.0f);
+}
+
+/// Two frames of unlike length together have as many parts as the asked-for length of one goes into them, begun ones included.
+TEST(LongSteps, OfSeveralFramesHaveThePartsOfTheLast) {
+  TestHair together(calm_strand(3, kLength), {.longest_interval = 2}), at_once(calm_strand(3, kLength));
+  ASSERT_EQ(together.hair.set_detail(0, {.interval = 2}), Status::kOk);
+  const float first = 0.0105f, last = 0.01f;
+  for (const float dt : {first, last}) ASSERT_EQ(together.hair.step({.dt = dt, .substeps = 1}), Status::kOk);
+  ASSERT_EQ(at_once.hair.step({.dt = last + first, .substeps = 3}), Status::kOk);
+  EXPECT_EQ(largest_distance(together.ends(), at_once.ends()), 0.0f);
+  EXPECT_GT(largest_distance(at_once.ends(), calm_strand(3, kLength).rest_ends()), 0.0f);
+}
+
 TEST(TunedSubsteps, AreNoMoreThanAStepMayHave) {
   TestRig tuned = calm_strand(2, kLength);
   tuned.substep_rate = 1.0e5f;

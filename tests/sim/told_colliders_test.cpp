@@ -72,4 +72,66 @@ TEST(ToldColliders, WakeHairThatTheyReachAndNoOther) {
   EXPECT_FALSE(test.hair.is_asleep(0)) << "it has gone";
 }
 
+/// World metres in front of a sleeping head within which something has to be told so that it wakes, to a millimetre; `tell` says it there.
+template <typename Tell>
+double waking_distance(TestHair& test, const Tell& tell) {
+  double near = 0, far = 100;
+  while (far - near > 1e-3) {
+    const double middle = 0.5 * (near + far);
+    tell(1e4);
+    for (int frame = 0; frame < 900 && !test.hair.is_asleep(0); ++frame) EXPECT_EQ(test.hair.step({}), Status::kOk);
+    EXPECT_TRUE(test.hair.is_asleep(0));
+    tell(middle);
+    (test.hair.is_asleep(0) ? far : near) = middle;
+  }
+  return near;
+}
+
+/// The hair reaches so many times as far, what the game tells is as large as it says, and what hangs on a body grows with it.
+TEST(ToldColliders, WakeAScaledHeadWithinItsScaledReach) {
+  TestRig rig = nine_bone_rig();
+  rig.body_bones.push_back({0, {0, 0, 0}, {0, 0, 0, 1}});
+  ColliderRecord sphere{};
+  sphere.shape = ColliderShape::kSphere;
+  sphere.rotation[3] = 1;
+  for (float& radius : sphere.radii) radius = 0.25f;
+  rig.body_colliders.push_back(sphere);
+  const HairDesc desc{.solver = &kCharacterSolver, .moving_colliders = 1, .follows_body = true};
+  double reach = 0;
+  for (const double scale : {1.0, 4.0, 0.25}) {
+    TestHair game(rig, desc), body(rig, desc);
+    HeadPose head;
+    head.scale = float(scale);
+    for (TestHair* const test : {&game, &body}) ASSERT_EQ(test->hair.reset(0, head), Status::kOk);
+    const double of_game = waking_distance(
+        game, [&](double z) { ASSERT_EQ(game.hair.set_colliders(0, std::vector{ball(0, 0, z, 0.5f)}), Status::kOk); });
+    const double of_body = waking_distance(body, [&](double z) {
+      ASSERT_EQ(body.hair.set_body(0, std::vector{BodyPose{{0, 0, z}, {}}}), Status::kOk);
+    });
+    if (scale == 1.0) reach = of_game - 0.5;
+    EXPECT_NEAR(of_game, scale * reach + 0.5, 6e-3) << scale;
+    EXPECT_NEAR(of_body, scale * (reach + 0.25), 6e-3) << scale;
+  }
+  EXPECT_GT(reach, 0.1);
+}
+
+/// The same place in the list, another shape: it is another thing, which appears at rest.
+TEST(ToldColliders, OfAnotherShapeThanBeforeHaveNoWayAndNoVelocity) {
+  MovingCollider capsule{.shape = ColliderShape::kCapsule, .center = {0.02, -0.1, -0.1}, .axis = {0.02f, 0, 0}};
+  capsule.radius = 0.04f;
+  Character changes, appears;
+  for (int frame = 0; frame < 3; ++frame) {
+    changes.step({ball(0.62, -0.1, -0.1, 0.04f)}, {});
+    appears.step({}, {});
+    ASSERT_EQ(largest_distance(changes.ends(), appears.ends()), 0.0f) << "it touches nothing";
+  }
+  const auto before = appears.ends();
+  for (int frame = 0; frame < 10; ++frame) {
+    changes.step({capsule}, {});
+    appears.step({capsule}, {});
+    EXPECT_EQ(largest_distance(changes.ends(), appears.ends()), 0.0f) << frame;
+  }
+  EXPECT_GT(largest_distance(appears.ends(), before), 1e-3f) << "it pushes hair away";
+}
+
 }  // namespace coif::told_colliders_test

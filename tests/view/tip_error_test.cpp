@@ -32,23 +32,23 @@ const Asset& some_asset() {
   return *asset;
 }
 
-TEST(TipError, IsTheRowOfThisRateWithTheseSubsteps) {
+TEST(RecordedTipError, IsTheRowOfThisRateWithTheseSubsteps) {
   for (const QualityRecord& known : some_asset().quality()) {
-    const TipError error = tip_error_of(some_asset(), {known.frame_rate, known.substeps});
+    const RecordedTipError error = tip_error_of(some_asset(), {known.frame_rate, known.substeps});
     EXPECT_EQ(error.source, Source::kMeasured) << known.frame_rate << " Hz, " << known.substeps;
     EXPECT_EQ(error.rms, known.rms_error);
     EXPECT_EQ(error.max, known.max_error);
   }
 }
 
-TEST(TipError, OfARateFromItsStepIsThatRates) {
+TEST(RecordedTipError, OfARateFromItsStepIsThatRates) {
   EXPECT_EQ(tip_error_of(some_asset(), {1 / (1 / 60.0f), 2}).source, Source::kMeasured);
   EXPECT_EQ(tip_error_of(some_asset(), {1 / float(1 / 30.0), 1}).source, Source::kMeasured);
 }
 
-TEST(TipError, BetweenRatesIsThatOfTheNextSlowerOneWithSubstepsNoShorter) {
+TEST(RecordedTipError, BetweenRatesIsThatOfTheNextSlowerOneWithSubstepsNoShorter) {
   const auto expect = [](SimulatedSo so, float rms) {
-    const TipError error = tip_error_of(some_asset(), so);
+    const RecordedTipError error = tip_error_of(some_asset(), so);
     EXPECT_EQ(error.source, Source::kCoarser) << so.rate << " Hz, " << so.substeps;
     EXPECT_TRUE(is_known(error));
     EXPECT_EQ(error.rms, rms) << so.rate << " Hz, " << so.substeps;
@@ -60,7 +60,7 @@ TEST(TipError, BetweenRatesIsThatOfTheNextSlowerOneWithSubstepsNoShorter) {
   expect({59, 4}, 0.04f);  // the next slower one has sub-steps of 1/120 s
 }
 
-TEST(TipError, IsNotKnownWhereAllThatWasMeasuredIsFiner) {
+TEST(RecordedTipError, IsNotKnownWhereAllThatWasMeasuredIsFiner) {
   EXPECT_EQ(tip_error_of(some_asset(), {15, 1}).source, Source::kTooCoarse);
   const DrawnAsset fine(measured({row(60, 4, 0.01f)}));
   EXPECT_EQ(tip_error_of(*fine, {60, 2}).source, Source::kTooCoarse);
@@ -68,14 +68,14 @@ TEST(TipError, IsNotKnownWhereAllThatWasMeasuredIsFiner) {
   EXPECT_EQ(tip_error_of(*fine, {60, 2}).rms, 0);
 }
 
-TEST(TipError, IsNotThatOfAnotherSolverOrOtherDynamics) {
+TEST(RecordedTipError, IsNotThatOfAnotherSolverOrOtherDynamics) {
   for (const Solver* solver : {&kThesisSolver, &kPassiveSolver, &kCascadeSolver}) {
     EXPECT_EQ(tip_error_of(some_asset(), {60, 2, solver}).source, Source::kOtherSolver);
   }
   EXPECT_EQ(tip_error_of(some_asset(), {60, 2, &kCoifSolver, true}).source, Source::kOtherDynamics);
 }
 
-TEST(TipError, IsNotKnownOfDraftsAndOfWhatWasNotMeasured) {
+TEST(RecordedTipError, IsNotKnownOfDraftsAndOfWhatWasNotMeasured) {
   AssetContents contents = measured({});
   ASSERT_FALSE(contents.provenance.empty());
   contents.provenance[0].flags = 0;

@@ -7,7 +7,7 @@ const FRAMES = 150;
 const DELAY = 30;
 const POSE_BYTES = 48;
 const SOLVERS = ['coif', 'thesis', 'passive', 'cascade', 'character'];
-const MOTIONS = ['still', 'nod', 'turn', 'charge', 'run', 'jump', 'tumble', 'teleport', 'bow', 'lie'];
+const MOTIONS = ['still', 'nod', 'turn', 'charge', 'run', 'jump', 'tumble', 'teleport', 'bow', 'lie', 'jog'];
 
 class Hash {
   first = 2166136261;

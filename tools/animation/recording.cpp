@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <random>
 #include <string_view>
 
 namespace coif {
@@ -22,14 +23,15 @@ tl::unexpected<ToolError> refused(Status status) {
   return failure(ToolError::Kind::kBadInput, fmt::format("the runtime refuses this simulation: {}", describe(status)));
 }
 
-std::size_t frame_count(const RecordingSettings& settings) {
-  return static_cast<std::size_t>(std::llround(settings.seconds * settings.fps)) + 1;
+bool fit(const FrameLengths& lengths) {
+  const auto is_length = [](double s) { return s >= kShortestFrame && s <= kLongestFrame; };
+  return std::ranges::all_of(lengths.seconds, is_length) && lengths.jitter >= 0 && lengths.jitter <= kMostJitter;
 }
 
 // Written so that a NaN fails every check.
 tl::expected<void, ToolError> check(const Asset& asset, const RecordingSettings& settings) {
   // dt is rounded to float; 1 / 0.1f is a little below 10, so exactly 10 frames per second must pass.
-  if (!(static_cast<float>(1.0 / settings.fps) <= kMaxTimeStep && settings.fps <= kMaxFps)) {
+  if (!(settings.fps > 0 && static_cast<float>(1.0 / settings.fps) <= kMaxTimeStep && settings.fps <= kMaxFps)) {
     return usage(fmt::format("{} frames per second are outside {} .. {}", settings.fps,
                              std::lround(1.0f / kMaxTimeStep), kMaxFps));
   }
@@ -39,10 +41,18 @@ tl::expected<void, ToolError> check(const Asset& asset, const RecordingSettings&
   if (!(settings.settle_seconds >= 0 && settings.settle_seconds <= kMaxSeconds)) {
     return usage(fmt::format("{} seconds to settle are outside 0 .. {}", settings.settle_seconds, kMaxSeconds));
   }
+  if (const float scale = settings.company.scale; !(scale >= kSmallestScale && scale <= kLargestScale)) {
+    return usage(fmt::format("{} is not the scale of a head, {} .. {}", scale, kSmallestScale, kLargestScale));
+  }
+  if (!fit(settings.lengths)) {
+    return usage(fmt::format("frames take {} .. {} seconds each, and their lengths change by up to 0 .. {}",
+                             kShortestFrame, kLongestFrame, kMostJitter));
+  }
+  const std::size_t frames = frame_ends(settings).size();
   const double frame_bytes = static_cast<double>(asset.bones().size()) * double(sizeof(Mat34) + sizeof(Vec3));
-  if (frame_bytes * static_cast<double>(frame_count(settings)) > kMaxRecordingBytes) {
-    return usage(fmt::format("{} frames of {} bones need more than 1 GiB; record fewer seconds", frame_count(settings),
-                             asset.bones().size()));
+  if (frame_bytes * static_cast<double>(frames) > kMaxRecordingBytes) {
+    return usage(
+        fmt::format("{} frames of {} bones need more than 1 GiB; record fewer seconds", frames, asset.bones().size()));
   }
   return {};
 }
@@ -54,14 +64,45 @@ RecordedFrame snapshot(const Hair& hair, const HeadPose& head, double seconds) {
   return {seconds, head, {palette.begin(), palette.end()}, std::move(ends)};
 }
 
-Status settle(Hair& hair, const HeadPose& pose, const RecordingSettings& settings, const StepSettings& step) {
-  if (const Status status = hair.reset(0, pose); status != Status::kOk) return status;
+Status settle(Hair& hair, const RecordingSettings& settings, const StepSettings& step) {
   const auto steps = std::llround(settings.settle_seconds * settings.fps);
   if (const Status status = settings.company.tell(hair, 0); status != Status::kOk) return status;
   for (long long i = 0; i < steps; ++i) {
     if (const Status status = hair.step(step); status != Status::kOk) return status;
   }
   return Status::kOk;
+}
+
+/// Metres between the bone ends of two frames: the largest.
+float farthest(const RecordedFrame& a, const RecordedFrame& b) {
+  float most = 0;
+  for (std::size_t i = 0; i < a.bone_ends.size(); ++i) {
+    most = std::max(most, (to_eigen(a.bone_ends[i]) - to_eigen(b.bone_ends[i])).norm());
+  }
+  return most;
+}
+
+/// Metres from where a chain leaves the head to its farthest tip, along the bones.
+float longest_chain(const Asset& asset) {
+  std::vector<float> reach(asset.bones().size());
+  float most = 0;
+  for (std::size_t i = 0; i < reach.size(); ++i) {
+    const BoneRecord& bone = asset.bones()[i];
+    if (bone.kind != BoneKind::kSimulated) continue;
+    reach[i] = bone.length + reach[bone.parent];
+    most = std::max(most, reach[i]);
+  }
+  return most;
+}
+
+float fastest_in_last_second(const Recording& recording) {
+  float most = 0;
+  const std::vector<RecordedFrame>& frames = recording.frames;
+  for (std::size_t i = frames.size(); i-- > 1;) {
+    if (frames[i].seconds <= frames.back().seconds - 1) break;
+    most = std::max(most, farthest(frames[i], frames[i - 1]) / float(frames[i].seconds - frames[i - 1].seconds));
+  }
+  return most;
 }
 
 Status advance(Hair& hair, const HeadPose& pose, const StepSettings& step) {
@@ -90,15 +131,18 @@ tl::expected<Recording, ToolError> record(const Asset& asset, const RecordingSet
     pose.scale = settings.company.scale;
     return pose;
   };
-  if (const Status status = settle(hair, pose_at(0), settings, step); status != Status::kOk) return refused(status);
+  if (const Status status = hair.reset(0, pose_at(0)); status != Status::kOk) return refused(status);
+  const RecordedFrame rest = snapshot(hair, pose_at(0), 0);
+  if (const Status status = settle(hair, settings, step); status != Status::kOk) return refused(status);
 
   Recording recording;
   recording.frames.push_back(snapshot(hair, pose_at(0), 0));
-  const std::size_t count = frame_count(settings);
-  recording.frames.reserve(count);
-  for (std::size_t i = 1; i < count; ++i) {
-    const double seconds = static_cast<double>(i) / settings.fps;
+  const std::vector<double> ends = frame_ends(settings);
+  recording.frames.reserve(ends.size());
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    const double seconds = ends[i];
     const HeadPose pose = pose_at(seconds);
+    if (!settings.lengths.is_even()) step.dt = static_cast<float>(seconds - ends[i - 1]);
     if (const Status status = settings.company.tell(hair, seconds); status != Status::kOk) return refused(status);
     if (const Status status = advance(hair, pose, step); status != Status::kOk) return refused(status);
     recording.frames.push_back(snapshot(hair, pose, seconds));
@@ -107,7 +151,27 @@ tl::expected<Recording, ToolError> record(const Asset& asset, const RecordingSet
     recording.stretch_max = std::max(recording.stretch_max, worst_stretch(asset, frame.bone_ends));
     recording.penetration_max = std::max(recording.penetration_max, worst_penetration(asset, frame.bone_ends));
   }
+  recording.from_rest = farthest(recording.frames.back(), rest) / std::max(longest_chain(asset), 1e-6f);
+  recording.last_speed = fastest_in_last_second(recording);
   return recording;
+}
+
+std::vector<double> frame_ends(const RecordingSettings& settings) {
+  std::vector<double> ends = {0};
+  const FrameLengths& lengths = settings.lengths;
+  if (lengths.is_even()) {
+    const auto steps = std::llround(settings.seconds * settings.fps);
+    for (long long i = 1; i <= steps; ++i) ends.push_back(static_cast<double>(i) / settings.fps);
+    return ends;
+  }
+  std::mt19937 lot(lengths.seed);  // whose numbers are the same everywhere
+  constexpr double kRounding = 1e-9;
+  for (std::size_t i = 0;; ++i) {
+    const double usual = lengths.seconds.empty() ? 1 / settings.fps : lengths.seconds[i % lengths.seconds.size()];
+    const double end = ends.back() + usual * (1 + lengths.jitter * (2 * double(lot()) / double(lot.max()) - 1));
+    if (end > settings.seconds + kRounding) return ends;
+    ends.push_back(end);
+  }
 }
 
 namespace {

@@ -33,13 +33,26 @@ namespace coif {
 
 // Runs the runtime over a motion and keeps what it did.
 
+inline constexpr double kShortestFrame = 0.001, kLongestFrame = 1;  ///< Seconds, of FrameLengths.
+inline constexpr double kMostJitter = 0.9;                          ///< Of FrameLengths.
+
+/// Frames that do not all take as long, as those of a game.
+struct FrameLengths {
+  std::vector<double> seconds{};  ///< By turns, kShortestFrame..kLongestFrame each. Empty: all take 1 / fps.
+  double jitter = 0;              ///< Each is longer or shorter by up to this share of its length, 0..kMostJitter.
+  std::uint32_t seed = 1;         ///< Of the jitter.
+
+  [[nodiscard]] bool is_even() const { return seconds.empty() && jitter == 0; }
+};
+
 struct RecordingSettings {
   Motion motion = Motion::kTurn;
   std::shared_ptr<const HeadPath> clip{};  ///< Instead of `motion`, unless null.
   double fps = 60;                         ///< Steps and frames per second, 1 / kMaxTimeStep .. 1000.
+  FrameLengths lengths{};                  ///< Of the recording's frames; hair settles at `fps` whatever they are.
   double seconds = 4;                      ///< Length of the recording, 0..3600.
   double settle_seconds =
-      2;                ///< Steps at the first pose before the recording starts, so that gravity has sagged the hair.
+      2;  ///< Steps at the first pose before the recording starts, so that gravity has sagged the hair.
   const Solver* solver = &kCoifSolver;
   StepSettings step{};    ///< dt comes from fps.
   HairCompany company{};  ///< With kCoifSolver alone, but for a scale. At its first moment while hair settles.
@@ -56,7 +69,13 @@ struct Recording {
   std::vector<RecordedFrame> frames;  ///< frames[0] is t = 0.
   float stretch_max = 0;              ///< Worst |length / rest - 1| of a simulated bone.
   float penetration_max = 0;          ///< Worst depth of a particle inside the head, as a share of the head's radius.
+  float from_rest =
+      0;  ///< In the last frame: farthest bone end from the rest pose, share of the longest chain's length.
+  float last_speed = 0;  ///< Fastest bone end against the head in the last second, metres of the hair a second.
 };
+
+/// Seconds at which the recording has frames: 0, then the end of each step, up to settings.seconds.
+[[nodiscard]] std::vector<double> frame_ends(const RecordingSettings& settings);
 
 /// Simulates one head. Errors: kUsage for settings outside their ranges or a recording above 1 GiB, kBadInput for an
 /// asset that the runtime refuses. Deterministic.

@@ -17,6 +17,13 @@ enum class TimingClock {
   kWall,    ///< For work that other threads or devices do.
 };
 
+/// Seconds since some moment of the clock's own.
+[[nodiscard]] inline double seconds_on(TimingClock clock) {
+  timespec time{};
+  clock_gettime(clock == TimingClock::kThread ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &time);
+  return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
+
 struct TimingLimits {
   TimingClock clock = TimingClock::kThread;
   double seconds = 1;         ///< Of wall time; afterwards no further round begins.
@@ -69,11 +76,7 @@ class SideBySideTiming {
   }
 
  private:
-  [[nodiscard]] double now() const {
-    timespec time{};
-    clock_gettime(limits_.clock == TimingClock::kThread ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &time);
-    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
-  }
+  [[nodiscard]] double now() const { return seconds_on(limits_.clock); }
 
   [[nodiscard]] double batch(const std::function<void()>& work, unsigned repeats) const {
     const double begin = now();

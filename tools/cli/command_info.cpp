@@ -1,9 +1,9 @@
+#include "base/text.h"
 #include "cli/asset_summary.h"
 #include "cli/command.h"
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
-#include "motion/head_path.h"
 
 #include <fmt/format.h>
 
@@ -41,8 +41,16 @@ using nlohmann::ordered_json;
 
 double percent(float share) { return 100 * double(share); }
 
-/// open() has refused indices that name no motion.
-const char* worst_motion(const QualityRecord& row) { return all_motions()[row.worst_motion].name; }
+/// What the numbers stood for before assets had names of motions (formats/SPECIFICATION.md, MOTN).
+constexpr const char* kMotionsBeforeNames[] = {"still", "nod",    "turn",     "charge", "run",
+                                               "jump",  "tumble", "teleport", "bow",    "lie"};
+
+/// open() has refused a number that none of the asset's names belongs to.
+std::string worst_motion(const Asset& asset, const QualityRecord& row) {
+  const std::uint32_t number = row.worst_motion;
+  if (!asset.motion_names().empty()) return printable_text(asset.motion_names()[number].name);
+  return number < std::size(kMotionsBeforeNames) ? kMotionsBeforeNames[number] : fmt::format("motion {}", number);
+}
 
 std::string tuning_lines(const TuningRecord& tuning) {
   const std::string error_asked =
@@ -58,10 +66,10 @@ std::string tuning_lines(const TuningRecord& tuning) {
   return text;
 }
 
-std::string quality_line(const QualityRecord& row) {
+std::string quality_line(const Asset& asset, const QualityRecord& row) {
   return fmt::format("  {:>6g} {:>6} {:>10.3g} {:>10.3g} {:>10.2g} {:>10.2g} {:>10.0f}  {}\n", row.frame_rate,
                      row.substeps, percent(row.rms_error), percent(row.max_error), percent(row.stretch),
-                     percent(row.penetration), row.cost, worst_motion(row));
+                     percent(row.penetration), row.cost, worst_motion(asset, row));
 }
 
 }  // namespace
@@ -89,7 +97,7 @@ ordered_json quality_json(const Asset& asset) {
                     {"stretch_pct", percent(row.stretch)},
                     {"penetration_pct", percent(row.penetration)},
                     {"nominal_ns", row.cost},
-                    {"worst_motion", worst_motion(row)}});
+                    {"worst_motion", worst_motion(asset, row)}});
   }
   return rows;
 }
@@ -101,7 +109,7 @@ std::string tuning_text(const Asset& asset) {
   text += "quality (tips against the converged motion, % of the chain's length; depth in % of the collider's radius)\n";
   text += fmt::format("  {:>6} {:>6} {:>10} {:>10} {:>10} {:>10} {:>10}  {}\n", "fps", "parts", "RMS %", "max %",
                       "stretch %", "depth %", "ns", "worst motion");
-  for (const QualityRecord& row : asset.quality()) text += quality_line(row);
+  for (const QualityRecord& row : asset.quality()) text += quality_line(asset, row);
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
+#include "cli/simulate_options.h"
 #include "import/pose_clip.h"
 #include "render/picture.h"
 
@@ -27,6 +28,9 @@ struct SimulateOptions {
   std::string file;
   std::string output;
   HeadMotion motion;
+  std::optional<Eigen::Vector3d> attitude;  ///< Instead of the motion.
+  bool true_gravity = false;
+  GustOptions gusts;
   std::optional<PoseChoice> pose;
   RecordingSettings recording;  ///< But for the motion.
   OutputFormat format = OutputFormat::kText;
@@ -58,14 +62,27 @@ tl::expected<std::vector<std::byte>, ToolError> encode(const SimulateOptions& op
 }
 
 /// The movement of the head in `recording`; returns its name.
-tl::expected<std::string, ToolError> choose_motion(const HeadMotion& chosen, RecordingSettings& recording,
+tl::expected<std::string, ToolError> choose_motion(const SimulateOptions& options, RecordingSettings& recording,
                                                    const Messages& messages) {
+  if (options.attitude) {
+    recording.clip = attitude_path(*options.attitude);
+    const Eigen::Vector3d& up = *options.attitude;
+    return fmt::format("attitude {:g},{:g},{:g}", up.x(), up.y(), up.z());
+  }
+  const HeadMotion& chosen = options.motion;
   recording.motion = chosen.motion;
   if (!chosen.clip) return all_motions()[std::size_t(chosen.motion)].name;
   auto clip = open_clip(*chosen.clip, messages);
   if (!clip) return tl::unexpected(clip.error());
   recording.clip = std::move(clip->path);
   return std::move(clip->name);
+}
+
+tl::expected<void, ToolError> choose_gusts(const GustOptions& chosen, RecordingSettings& recording) {
+  if (chosen.amplitude <= 0) return {};
+  if (recording.solver != &kCoifSolver) return usage("--gusts: hair feels gusts with --solver coif alone");
+  recording.company.gusts = gusts_in(recording.step.environment.wind, chosen);
+  return {};
 }
 
 std::vector<Quat> to_quats(const std::vector<Eigen::Quaterniond>& rotations) {
@@ -130,8 +147,12 @@ std::string result_text(const SimulateOptions& options, const Played& played, co
                                    {"fps", options.recording.fps},
                                    {"frames", recording.frames.size()},
                                    {"bones", asset.bones().size()},
+                                   {"scale", options.recording.company.scale},
                                    {"stretch_max_pct", 100 * recording.stretch_max},
-                                   {"penetration_max_pct", 100 * recording.penetration_max}};
+                                   {"penetration_max_pct", 100 * recording.penetration_max},
+                                   {"from_rest_pct", 100 * recording.from_rest},
+                                   {"last_speed_m_s", recording.last_speed}};
+    if (!options.recording.lengths.is_even()) json["pace"] = pace_text(options.recording);
     if (options.pose) {
       json["pose"] = printable_text(options.pose->file.string());
       json["pose_weight"] = options.pose->weight;
@@ -144,11 +165,14 @@ std::string result_text(const SimulateOptions& options, const Played& played, co
                     : fmt::format("  {} of the bones follow {} at weight {:g}\n", played.posed_bones,
                                   printable_text(options.pose->file.filename().string()), options.pose->weight);
   return fmt::format(
-      "{}: motion {}, {} of {} at {} per second\n{}"
-      "  worst stretch {:.2f} % of a bone's length, worst penetration {:.2f} % of the head's radius\n",
+      "{}: motion {}, {} of {} at {}\n{}"
+      "  worst stretch {:.2f} % of a bone's length, worst penetration {:.2f} % of the head's radius\n"
+      "  at the end no bone is further than {:.4f} % of the longest chain from its rest pose; in the last second the "
+      "fastest "
+      "moved at {:.4f} m/s\n",
       options.output, motion, counted(recording.frames.size(), "frame", "frames"),
-      counted(asset.bones().size(), "bone", "bones"), options.recording.fps, pose, 100 * recording.stretch_max,
-      100 * recording.penetration_max);
+      counted(asset.bones().size(), "bone", "bones"), pace_text(options.recording), pose, 100 * recording.stretch_max,
+      100 * recording.penetration_max, 100 * recording.from_rest, recording.last_speed);
 }
 
 tl::expected<Exit, ToolError> run_simulate(const SimulateOptions& options, const Messages& messages) {
@@ -160,8 +184,10 @@ tl::expected<Exit, ToolError> run_simulate(const SimulateOptions& options, const
   if (auto checked = check_output(options.output, {options.file}); !checked) return tl::unexpected(checked.error());
 
   RecordingSettings settings = options.recording;
-  const auto motion = choose_motion(options.motion, settings, messages);
+  settings.step.environment.true_gravity = options.true_gravity ? 1 : 0;
+  const auto motion = choose_motion(options, settings, messages);
   if (!motion) return tl::unexpected(motion.error());
+  if (const auto gusts = choose_gusts(options.gusts, settings); !gusts) return tl::unexpected(gusts.error());
   Played played{*motion};
   if (options.pose) {
     const auto posed = choose_pose(*options.pose, asset, settings, messages);
@@ -190,9 +216,18 @@ Command add_simulate(CLI::App& program) {
   app->add_option("-o,--output", options->output, "CSV: bone ends; GLB: skinned animation for any glTF viewer")
       ->required()
       ->type_name("OUT.csv|OUT.glb");
-  add_motion(*app, options->motion, "How the head moves")->required();
+  CLI::Option* const motion = add_motion(*app, options->motion, "How the head moves");
+  CLI::Option* const attitude = add_attitude(*app, options->attitude)->excludes(motion);
+  add_scale(*app, recording.company.scale);
+  app->add_flag(
+      "--true-gravity", options->true_gravity,
+      "Gravity is that of the world at every scale, instead of going with the head's so that hair hangs as it was "
+      "modelled");
+  add_wind(*app, recording.step.environment.wind);
+  add_gusts(*app, options->gusts);
   add_pose(*app, options->pose);
   add_recording(*app, recording, "the recording");
+  add_frame_lengths(*app, recording.lengths);
   add_number(*app, "--settle", recording.settle_seconds, 0.0, 60.0,
              "Seconds of rest before it, so that gravity has sagged the hair");
   add_solver(*app, recording.solver);
@@ -200,7 +235,10 @@ Command add_simulate(CLI::App& program) {
   add_number(*app, "--iterations", recording.step.iterations, 1u, 64u,
              "thesis: passes over the length and head constraints");
   add_format(*app, options->format);
-  return {app, [options](const Messages& messages) { return run_simulate(*options, messages); }};
+  return {app, [options, motion, attitude](const Messages& messages) -> tl::expected<Exit, ToolError> {
+            if (motion->count() + attitude->count() == 0) return usage("needs --motion NAME or --attitude X,Y,Z");
+            return run_simulate(*options, messages);
+          }};
 }
 
 }  // namespace coif

@@ -4,6 +4,7 @@
 #include "import/clip_file.h"
 #include "motion/head_path.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -55,16 +56,13 @@ CLI::Option* add_solver(CLI::App& app, const Solver*& solver) {
 CLI::Option* add_wind(CLI::App& app, Vec3& wind) {
   const auto parse = [&wind](const std::string& text) {
     constexpr float kStrongest = 1000;
-    const std::size_t comma = text.find(',');
-    const auto x = parse_number<float>(std::string_view(text).substr(0, comma));
-    const auto yz =
-        comma == std::string::npos ? std::nullopt : parse_pair<float>(std::string_view(text).substr(comma + 1), ',');
+    const auto numbers = parse_numbers<float>(text);
     const auto is_wind = [](float v) { return std::abs(v) <= kStrongest; };
-    if (!x || !yz || !is_wind(*x) || !is_wind(yz->first) || !is_wind(yz->second)) {
+    if (!numbers || numbers->size() != 3 || !std::ranges::all_of(*numbers, is_wind)) {
       throw CLI::ValidationError("--wind",
                                  fmt::format("'{}' is not X,Y,Z in metres per second, each -1000 to 1000", text));
     }
-    wind = {*x, yz->first, yz->second};
+    wind = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
   };
   return app
       .add_option_function<std::string>("--wind", parse,
@@ -74,22 +72,17 @@ CLI::Option* add_wind(CLI::App& app, Vec3& wind) {
 
 CLI::Option* add_gusts(CLI::App& app, GustOptions& gusts) {
   const auto parse = [&gusts](const std::string& text) {
-    std::vector<std::optional<float>> numbers;
-    for (std::size_t begin = 0; begin <= text.size();) {
-      const std::size_t end = std::min(text.find(',', begin), text.size());
-      numbers.push_back(parse_number<float>(std::string_view(text).substr(begin, end - begin)));
-      begin = end + 1;
-    }
+    const std::vector<float> numbers = parse_numbers<float>(text).value_or(std::vector<float>{});
     const auto is_within = [&](std::size_t i, float least, float most) {
-      return i >= numbers.size() || (numbers[i] && *numbers[i] >= least && *numbers[i] <= most);
+      return i >= numbers.size() || (numbers[i] >= least && numbers[i] <= most);
     };
-    if (numbers.size() > 3 || !is_within(0, 0, kMostGust) || !is_within(1, kShortestGust, kLongestGust) ||
-        !is_within(2, 0, kMostGust)) {
+    if (numbers.empty() || numbers.size() > 3 || !is_within(0, 0, kMostGust) ||
+        !is_within(1, kShortestGust, kLongestGust) || !is_within(2, 0, kMostGust)) {
       throw CLI::ValidationError(
           "--gusts", fmt::format("'{}' is not AMPLITUDE[,LENGTH[,SPEED]]: 0 to {} m/s, {} to {} m, 0 to {} m/s", text,
                                  kMostGust, kShortestGust, kLongestGust, kMostGust));
     }
-    gusts.amplitude = *numbers[0];
+    gusts.amplitude = numbers[0];
     if (numbers.size() > 1) gusts.length = numbers[1];
     if (numbers.size() > 2) gusts.speed = numbers[2];
   };

@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <tl/expected.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <filesystem>
@@ -90,6 +91,20 @@ std::optional<std::pair<Number, Number>> parse_pair(std::string_view text, char 
   const auto second = parse_number<Number>(text.substr(split + 1));
   if (!first || !second) return std::nullopt;
   return std::pair{*first, *second};
+}
+
+/// Numbers with commas between them and nothing else; none where one of them is not a number.
+template <typename Number>
+std::optional<std::vector<Number>> parse_numbers(std::string_view text) {
+  std::vector<Number> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto number = parse_number<Number>(text.substr(begin, end - begin));
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+    begin = end + 1;
+  }
+  return numbers;
 }
 
 struct PixelSize {

@@ -6,6 +6,7 @@
 #include "cook/dynamics/bake_limits.h"
 #include "cook/dynamics/bake_links.h"
 #include "cook/dynamics/settle_model.h"
+#include "cook/dynamics/tied_chains.h"
 #include "cook/lods/card_levels.h"
 #include "cook/lods/make_lods.h"
 #include "cook/rig/fit_chains.h"
@@ -14,7 +15,7 @@
 #include "cook/size/settle_size.h"
 #include "cook/strands/strand_direction.h"
 #include "cook/texture/alpha.h"
-#include "cook/texture/hair_views.h"
+#include "cook/texture/patch_coverage.h"
 #include "cook/texture/strand_lines.h"
 
 #include <algorithm>
@@ -144,6 +145,8 @@ const Pass kPasses[] = {
      [](Cooking& c) -> Done {
        const auto of_chain = chain_overrides(c.hair, c.rig, c.recipe, c.report);
        c.said = bake_dynamics(c.source, c.rig.skeleton, c.recipe, of_chain, c.report);
+       const std::vector<bool> tied = find_tied_chains(c.hair, c.rig);
+       loosen_tied_chains(c.rig.skeleton, tied, c.recipe, of_chain, c.said, c.report);
        c.contents.dynamics = c.said.records;
        pack_skeleton(c.rig.skeleton, c.colliders, c.contents);
        pack_body(c.rig.skeleton, c.body, c.contents);

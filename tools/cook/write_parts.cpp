@@ -13,6 +13,7 @@ void pack_parts(Cooking& c) {
   pack_mesh(c.hair, c.rig, c.levels, c.order, contents);
   contents.tuning = c.tuned.tuning;
   contents.quality = c.tuned.quality;
+  contents.motion_names = c.tuned.motions;
   contents.material = {pack_material(c.color, c.textures, c.hair.mesh, c.recipe)};
   contents.textures = c.textures.stored.records;
   contents.texels = std::move(c.textures.stored.texels);

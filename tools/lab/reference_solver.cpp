@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <thread>
+#include <utility>
 
 namespace coif {
 namespace {
@@ -63,9 +64,11 @@ class TreeRun {
       : tree_(tree), path_(path), stops_(stops), ends_(tree.members().size()) {}
 
   /// `fineness`: how many times shorter the steps are than those of the first run, cut ones included; else two runs
-  /// could agree because they took the same steps.
-  TipPaths run(const TreeTips& tips, std::size_t samples, double coarse_rate, double fineness) {
+  /// could agree because they took the same steps. Ends where steps() would exceed `most_steps`: then is_over() is true.
+  TipPaths run(const TreeTips& tips, std::size_t samples, double coarse_rate, double fineness,
+               std::uint64_t most_steps) {
     fineness_ = fineness;
+    most_steps_ = most_steps;
     TipPaths paths(tips.members.size() * samples);
     tree_.reset(path_.at(0));
     double now = 0;
@@ -73,6 +76,7 @@ class TreeRun {
     for (const Stop& stop : stops_) {
       WorkLimit::check();
       go(now, stop, coarse_rate);
+      if (is_over()) return {};
       now = stop.seconds;
       if (!stop.is_sample) continue;
       tree_.bone_ends(path_.at(now).rotation, ends_);
@@ -82,16 +86,25 @@ class TreeRun {
     return paths;
   }
 
+  [[nodiscard]] std::uint64_t steps() const { return steps_; }  ///< Of all runs.
+  [[nodiscard]] bool is_over() const { return steps_ > most_steps_; }
+
  private:
   void go(double from, const Stop& stop, double coarse_rate) {
     const double span = stop.seconds - from, inside = from + span / 2;
     const double coarse_count = span > 0 ? std::max(1.0, std::ceil(span * coarse_rate - 1.0e-6)) : 0.0;
-    const long count = std::lround(coarse_count * fineness_);
-    for (long i = 0; i < count; ++i) {
+    const double wanted = coarse_count * fineness_;
+    if (double(steps_) + wanted > double(most_steps_)) {
+      steps_ = most_steps_ + 1;
+      return;
+    }
+    const long count = std::lround(wanted);
+    for (long i = 0; i < count && !is_over(); ++i) {
       const double begin = from + span * double(i) / double(count), end = from + span * double(i + 1) / double(count);
       const double turn = tree_.fastest_turning() * (end - begin) * fineness_;
       const long parts =
           turn > kLargestStepTurn ? std::lround(std::ceil(std::min(turn / kLargestStepTurn, kMostParts))) : 1L;
+      steps_ += std::uint64_t(parts);
       for (long part = 0; part < parts; ++part) {
         const double dt = (end - begin) / double(parts);
         const double start = begin + double(part) * dt;
@@ -107,6 +120,7 @@ class TreeRun {
   ReferenceTree& tree_;
   const HeadPath& path_;
   double fineness_ = 1;
+  std::uint64_t steps_ = 0, most_steps_ = 0;
   std::span<const Stop> stops_;
   std::vector<Vector3d> ends_;
 };
@@ -119,7 +133,7 @@ TipAgreement agreement_of(std::span<const Vector3d> fine, std::span<const Vector
     if (!(apart <= most)) most = apart;  // a NaN wins
   }
   const double percent = 100 / length;
-  return {percent * std::sqrt(sum / double(fine.size())), percent * std::sqrt(most), 0};
+  return {percent * std::sqrt(sum / double(fine.size())), percent * std::sqrt(most)};
 }
 
 double root_mean_square(std::span<const TipAgreement> tips) {
@@ -128,31 +142,65 @@ double root_mean_square(std::span<const TipAgreement> tips) {
   return tips.empty() ? 0.0 : std::sqrt(sum / double(tips.size()));
 }
 
-/// Solves one tree with shorter and shorter steps until two runs agree, and writes its part of `result`.
-void solve_tree(ReferenceTree tree, const TreeTips& tips, const HeadPath& path, std::span<const Stop> stops,
-                const ReferenceSettings& settings, ReferenceRun& result) {
+double first_rate(const ReferenceTree& tree, const ReferenceSettings& settings) {
+  double rate = settings.steps_per_second;
+  while (rate < tree.least_steps_per_second()) rate *= kFiner;
+  return rate;
+}
+
+double seconds_of(const ReferenceSettings& settings) {
+  return settings.sample_times.empty() ? 0 : settings.sample_times.back();
+}
+
+std::uint64_t most_steps_of(const ReferenceSettings& settings, double first_rate) {
+  constexpr double kNoBound = 1e18;
+  const double most = settings.most_work > 0 ? settings.most_work * first_rate * seconds_of(settings) : kNoBound;
+  return std::uint64_t(std::min(most, kNoBound));
+}
+
+/// Writes the part of `result` that belongs to the tree. Empty `fine`: there is none.
+void write_tree(const TreeTips& tips, std::span<const TipAgreement> agreement, const TipPaths& fine, ReferenceRun& result) {
+  const std::size_t samples = result.times.size();
+  for (std::size_t i = 0; i < agreement.size(); ++i) {
+    result.agreement[tips.entries[i]] = agreement[i];
+    const auto to = result.places.begin() + std::ptrdiff_t(tips.entries[i] * samples);
+    if (fine.empty()) {
+      std::fill_n(to, samples, Vector3d::Constant(kNever));
+    } else {
+      std::copy_n(fine.begin() + std::ptrdiff_t(i * samples), samples, to);
+    }
+  }
+}
+
+/// Solves one tree with shorter and shorter steps until two runs agree, and writes its part of `result`. Returns how many steps that took.
+std::uint64_t solve_tree(ReferenceTree tree, const TreeTips& tips, const HeadPath& path, std::span<const Stop> stops,
+                         const ReferenceSettings& settings, ReferenceRun& result) {
   const std::size_t samples = result.times.size();
   TreeRun runner(tree, path, stops);
-  double coarse_rate = settings.steps_per_second, fineness = 1;
-  while (coarse_rate < tree.least_steps_per_second()) coarse_rate *= kFiner;
-  TipPaths coarse, fine = runner.run(tips, samples, coarse_rate, fineness);
-  std::vector<TipAgreement> agreement(tips.entries.size());
-  do {
+  const double coarse_rate = first_rate(tree, settings);
+  double fineness = 1;
+  const std::uint64_t most_steps = most_steps_of(settings, coarse_rate);
+  TipPaths coarse, fine = runner.run(tips, samples, coarse_rate, fineness, most_steps);
+  std::vector<TipAgreement> agreement(tips.entries.size(), {kNever, kNever, kNever, true, false});
+  while (!runner.is_over()) {
     fineness *= 2;
-    coarse = std::move(fine);
-    fine = runner.run(tips, samples, coarse_rate, fineness);
+    TipPaths finer = runner.run(tips, samples, coarse_rate, fineness, most_steps);
+    if (runner.is_over()) {
+      for (TipAgreement& tip : agreement) tip.was_cut = true;
+      break;
+    }
+    coarse = std::exchange(fine, std::move(finer));
     for (std::size_t i = 0; i < agreement.size(); ++i) {
       const auto part = [&](const TipPaths& paths) { return std::span(paths).subspan(i * samples, samples); };
       agreement[i] = agreement_of(part(fine), part(coarse), tips.lengths[i]);
       agreement[i].steps_per_second = coarse_rate * fineness;
     }
-  } while (!(root_mean_square(agreement) <= settings.wanted_self_difference_pct) &&
-           2 * coarse_rate * fineness <= settings.most_steps_per_second);
-  for (std::size_t i = 0; i < agreement.size(); ++i) {
-    result.agreement[tips.entries[i]] = agreement[i];
-    std::copy_n(fine.begin() + std::ptrdiff_t(i * samples), samples,
-                result.places.begin() + std::ptrdiff_t(tips.entries[i] * samples));
+    if (root_mean_square(agreement) <= settings.wanted_self_difference_pct) break;
+    if (2 * coarse_rate * fineness > settings.most_steps_per_second) break;
   }
+  const bool is_solved = std::ranges::all_of(agreement, &TipAgreement::is_solved);
+  write_tree(tips, agreement, is_solved ? fine : TipPaths(), result);
+  return runner.steps();
 }
 
 TreeTips tips_of(const Rig& rig, std::span<const std::uint32_t> members) {
@@ -180,10 +228,23 @@ double ReferenceRun::worst_difference_pct() const {
   return worst;
 }
 
+bool ReferenceRun::is_solved() const { return std::ranges::all_of(agreement, &TipAgreement::is_solved); }
+
+bool ReferenceRun::was_cut() const { return std::ranges::any_of(agreement, &TipAgreement::was_cut); }
+
 double ReferenceRun::steps_per_second() const {
   double least = agreement.empty() ? kNever : agreement.front().steps_per_second;
   for (const TipAgreement& tip : agreement) least = std::min(least, tip.steps_per_second);
   return least;
+}
+
+double first_run_work(const Rig& rig, const SolverScene& scene, const ReferenceSettings& settings) {
+  double work = 0;
+  for (const auto& members : trees_of(rig)) {
+    const double rate = first_rate(ReferenceTree(rig, members, scene), settings);
+    work += rate * seconds_of(settings) * double(members.size());
+  }
+  return work;
 }
 
 ReferenceRun solve_reference(const Rig& rig, const SolverScene& scene, const HeadPath& path,
@@ -197,16 +258,18 @@ ReferenceRun solve_reference(const Rig& rig, const SolverScene& scene, const Hea
   result.agreement.resize(rig.tips.size());
   result.places.resize(rig.tips.size() * result.times.size());
 
+  std::vector<std::uint64_t> steps(trees.size(), 0);
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i = next++; i < trees.size(); i = next++) {
-      solve_tree(ReferenceTree(rig, trees[i], scene), tips[i], path, stops, settings, result);
+      steps[i] = solve_tree(ReferenceTree(rig, trees[i], scene), tips[i], path, stops, settings, result);
     }
   };
   std::vector<std::jthread> others;
   for (unsigned i = 1; i < settings.threads && i < trees.size(); ++i) others.emplace_back(work);
   work();
   others.clear();
+  for (std::size_t i = 0; i < trees.size(); ++i) result.bone_steps += steps[i] * trees[i].size();
   return result;
 }
 

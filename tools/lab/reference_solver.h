@@ -16,6 +16,10 @@ struct ReferenceSettings {
   double most_steps_per_second = 11520;      ///< Of the finer of the two runs that are compared, if not more is needed.
   double wanted_self_difference_pct = 0.05;  ///< RMS over a tree of bones; finer steps are taken until it is met.
   unsigned threads = 1;
+  /// So many times the steps of its first run (first_run_work()) may one tree of bones take, over all its runs: a bound of the work that is
+  /// the same on every machine. Finer steps that would need more are not taken; a tree whose first two runs need more is not solved. The second
+  /// has twice as many steps as the first, and hair that whips round needs up to 16 times as many. 0: no bound.
+  double most_work = 0;
 };
 
 /// How well a tip's path is known: the finest run against the one with steps of twice the length.
@@ -23,6 +27,8 @@ struct TipAgreement {
   double rms_pct = 0;  ///< Distance in % of the chain's length, over the samples. NaN where a run exploded.
   double max_pct = 0;
   double steps_per_second = 0;  ///< Of the finest run.
+  bool was_cut = false;         ///< ReferenceSettings::most_work ended the search for better agreement.
+  bool is_solved = true;        ///< False where it ended it before there was a result: places and agreement are NaN.
 };
 
 /// Tips of the converged solution along one path.
@@ -38,7 +44,13 @@ struct ReferenceRun {
   [[nodiscard]] double self_difference_pct() const;
   [[nodiscard]] double worst_difference_pct() const;
   [[nodiscard]] double steps_per_second() const;  ///< Of the coarsest tree's finest run.
+  [[nodiscard]] bool is_solved() const;           ///< Every tip is.
+  [[nodiscard]] bool was_cut() const;             ///< Some tip was.
+  std::uint64_t bone_steps = 0;                   ///< What it took.
 };
+
+/// How many steps times bones the first runs of all trees take, those apart that are cut since hair whips round.
+[[nodiscard]] double first_run_work(const Rig& rig, const SolverScene& scene, const ReferenceSettings& settings);
 
 /// Solves the continuous model along `path` from the rest pose at time 0. Never fails: where the model is chaotic or
 /// stiff beyond the steps allowed, the agreement says so.

@@ -100,6 +100,7 @@ constexpr MotionInfo kMotions[] = {
     {Motion::kTeleport, "teleport", "still, but for a jump of 10 m (+X) at 1 s and a turn of 180 deg about Y at 2 s"},
     {Motion::kBow, "bow", "bends 120 deg forward and down in 0.8 s: hair falls over the face; repeats every 2.8 s"},
     {Motion::kLie, "lie", "lies down on the back in 0.8 s, and stays there"},
+    {Motion::kJog, "jog", "bobs 4.5 cm up and down at 2.4 steps a second and leans 1 deg to the side of each foot"},
 };
 
 }  // namespace
@@ -112,6 +113,8 @@ std::optional<Motion> find_motion(std::string_view name) {
   }
   return std::nullopt;
 }
+
+const char* name_of(Motion motion) { return kMotions[std::size_t(motion)].name; }
 
 HeadPose head_pose(Motion motion, double seconds) { return path_of(motion)->pose(seconds); }
 

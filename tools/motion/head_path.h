@@ -20,7 +20,7 @@
 namespace coif {
 
 /// A head's built-in movement, defined for every time; starts at rest at the origin (y = 0) at t = 0.
-enum class Motion { kStill, kNod, kTurn, kCharge, kRun, kJump, kTumble, kTeleport, kBow, kLie };
+enum class Motion { kStill, kNod, kTurn, kCharge, kRun, kJump, kTumble, kTeleport, kBow, kLie, kJog };
 
 struct MotionInfo {
   Motion motion;
@@ -28,8 +28,10 @@ struct MotionInfo {
   const char* description;  ///< One line with the figures: angles, rates, speeds.
 };
 
+/// Every motion that a user may ask for, in the order of Motion. The cook tries motions of its own choice.
 [[nodiscard]] std::span<const MotionInfo> all_motions();
 [[nodiscard]] std::optional<Motion> find_motion(std::string_view name);
+[[nodiscard]] const char* name_of(Motion motion);
 
 /// The pose of the head at `seconds`, world; before 0 as at 0. Position and rotation are continuous, and so is their
 /// velocity, except where kTeleport jumps.

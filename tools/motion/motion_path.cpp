@@ -45,6 +45,13 @@ HeadMovement run(const Jet& t) {
   return moved;
 }
 
+HeadMovement jog(const Jet& t) {
+  constexpr double kSteps = 2.4, kBob = 0.045, kLean = std::numbers::pi / 180;  // Hz, metres, radians
+  HeadMovement moved = turning(Vector3d::UnitZ(), kLean * wave(kSteps / 2, t));
+  moved.y = kBob * wave(kSteps, t);
+  return moved;
+}
+
 /// A point of a path in time. Between two points the path is the cubic that meets both heights and speeds, which
 /// for constant acceleration (pushing off, flying, landing) is the exact parabola.
 struct JumpKnot {
@@ -159,6 +166,7 @@ HeadMovement movement(Motion motion, double seconds, double inside) {
     case Motion::kTeleport: return teleport(inside);
     case Motion::kBow: return bow(t, inside);
     case Motion::kLie: return lie(t, inside);
+    case Motion::kJog: return jog(t);
   }
   return {};
 }

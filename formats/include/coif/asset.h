@@ -118,6 +118,8 @@ class COIF_API Asset {
   /// Null where absent.
   [[nodiscard]] const TuningRecord* tuning() const { return record<chunk::kTuning>(); }
   [[nodiscard]] std::span<const QualityRecord> quality() const { return records<chunk::kQuality>(); }
+  /// What QualityRecord::worst_motion is an index into. Empty in assets that were cooked before names were stored.
+  [[nodiscard]] std::span<const MotionNameRecord> motion_names() const { return records<chunk::kMotionNames>(); }
 
  private:
   LoadStatus read_chunk_into_view(const std::byte* file, const ChunkEntry& entry);

@@ -271,8 +271,14 @@ struct QualityRecord {
   float stretch;            ///< Worst |length / rest - 1|.
   float penetration;        ///< Worst depth over the collider's radius.
   float cost;               ///< Nominal nanoseconds per head and frame: a fixed figure per bone, so that bytes repeat.
-  std::uint32_t worst_motion;  ///< Index in the suite: still nod turn charge run jump tumble teleport bow lie.
+  std::uint32_t worst_motion;  ///< Index into the names of motions that the asset has.
 };
 static_assert(sizeof(QualityRecord) == 32);
+
+/// A motion that the cook tried, by its name.
+struct MotionNameRecord {
+  char name[16];  ///< UTF-8, not empty; the bytes behind it are zero, the last one always.
+};
+static_assert(sizeof(MotionNameRecord) == 16);
 
 }  // namespace coif

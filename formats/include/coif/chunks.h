@@ -98,6 +98,8 @@ static_assert(sizeof(ChunkEntry) == 32);
       "tuning motion", "sub-steps asked for")                                                                            \
   ROW(kQuality, "QUAL", QualityRecord, kMany, quality, 16, kTools, idle_without(chunk::kDynamics),                       \
       "quality tuning motion", "what they were chosen from")                                                             \
+  ROW(kMotionNames, "MOTN", MotionNameRecord, kMany, motion_names, 16, kTools, idle_without(chunk::kQuality),            \
+      "quality tuning motion", "names of the motions that were tried")                                                   \
   ROW(kTextures, "TEXR", TextureRecord, kMany, textures, 16, kDrawing, idle_without(chunk::kTexels),                     \
       "textures mesh", "sizes of textures")                                                                              \
   ROW(kTexels, "TEXD", std::byte, kMany, texels, 64, kDrawData, idle_without(chunk::kTextures),                          \

@@ -63,7 +63,7 @@ struct DebugCollider {
 
 /// A line for each bone but the head. `instance.lod` is not looked at. All four: kAssetLacksData where the asset
 /// is not open, kBadArgument without a function, kSizeMismatch unless the palette has one matrix per bone,
-/// kBadPose as check_instance(); then no line was drawn.
+/// kBadPose and kBadScale as check_instance(); then no line was drawn.
 COIF_API Status draw_bone_lines(const Asset& asset, const HairInstance& instance, const DebugLines& lines);
 
 /// For each bone with a limit the border of where its particle may be, with lines to it from the bone's start: a
@@ -71,7 +71,7 @@ COIF_API Status draw_bone_lines(const Asset& asset, const HairInstance& instance
 COIF_API Status draw_limit_lines(const Asset& asset, const HairInstance& instance, const DebugLines& lines);
 
 /// Outlines; a plane is a square of 0.6 m with its normal. `first` is the index of the first. kBadArgument without
-/// a function or for a size or place that is not finite, kBadPose.
+/// a function or for a size or place that is not finite, kBadPose, kBadScale.
 COIF_API Status draw_collider_lines(std::span<const DebugCollider> colliders, const HeadPose& head,
                                     const DebugLines& lines, std::uint32_t first = 0);
 

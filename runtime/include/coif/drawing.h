@@ -102,7 +102,7 @@ struct DrawnHair {
 COIF_API void write_draw_orders(const Asset& asset, const DrawnHair& hair, std::span<std::byte> out);
 
 /// kSizeMismatch when the palette has not one matrix per bone (rigid hair may also have none), kBadArgument for no such
-/// level, kBadPose for a NaN, an infinity, a rotation that is no unit quaternion or a scale outside of
+/// level, kBadPose for a NaN, an infinity or a rotation that is no unit quaternion, kBadScale for a scale outside of
 /// kSmallestScale..kLargestScale.
 [[nodiscard]] COIF_API Status check_instance(const DrawnHair& hair, const HairInstance& instance);
 

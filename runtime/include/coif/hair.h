@@ -7,22 +7,16 @@
 #include <coif/instruction_set.h>
 #include <coif/math.h>
 #include <coif/status.h>
+#include <coif/step_settings.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 
 namespace coif {
 
 inline constexpr std::uint32_t kMaxInstances = 1'000'000;
-inline constexpr std::uint32_t kMaxSubsteps = 64;
-inline constexpr std::uint32_t kMaxIterations = 64;
 inline constexpr std::uint32_t kMaxInterval = 4;
-inline constexpr float kMaxTimeStep = 0.1f;  ///< Seconds that are computed at once; the thesis's own bound (5.2).
-/// Seconds that one step simulates. Of more the hair is carried along with its head through what is over, keeping its
-/// shape, before the rest is simulated.
-inline constexpr float kLongestStep = 0.5f;
 inline constexpr float kLongestSettling = 600.0f;  ///< Seconds, of Hair::settle().
 
 /// How bones are moved. A program links only those that it names.
@@ -59,62 +53,6 @@ struct HairDesc {
   bool feels_gusts = false;            ///< set_gusts() will be called; 36 bytes for each head.
 };
 
-/// What acts on all instances during a step.
-struct Environment {
-  Vec3 gravity{0.0f, -9.81f, 0.0f};  ///< World, m/s^2.
-  Vec3 wind{};                       ///< Velocity of the air, world, m/s.
-  /// Of what the asset says that the air around a head takes on of its velocity (SkeletonRecord::air_lag), this share, 0..1. At 0 the
-  /// air stands still in the world, as for a head in the open, and friction pulls the hair back at speed.
-  float air_follow = 1.0f;
-};
-
-/// So large that hair is rigid or stands still in its air; beyond it are only mistakes.
-inline constexpr float kMostScale = 1e6f;
-
-/// Factors on what the asset's dynamics say; for parameters that a game changes while it runs.
-struct DynamicsScale {
-  float stiffness = 1;  ///< 0..kMostScale
-  float damping = 1;    ///< 0..kMostScale
-  float friction = 1;   ///< 0..kMostScale
-};
-
-struct StepSettings {
-  /// Seconds in which the heads went from the last poses to these: the game's own time, so what it clamps is clamped here
-  /// too. Any finite number from 0 on: a frame that took long is simulated over all of its time (see kLongestStep), in
-  /// parts of at most kMaxTimeStep, and costs no more than a step of kMaxTimeStep or five parts. At 0 nothing moves but heads, with
-  /// their hair as it is: those of a paused game that are moved have been put there.
-  float dt = 1.0f / 60.0f;
-  /// Not kThesisSolver: equal parts that the step is made of, 1..kMaxSubsteps; 0: as many as the asset was tuned for at this dt.
-  /// A step above kMaxTimeStep has as many as one of kMaxTimeStep, or more where they would be longer than that.
-  std::uint32_t substeps = 0;
-  std::uint32_t iterations = 1;  ///< kThesisSolver: passes over the length and collision constraints, 1..kMaxIterations.
-  Environment environment{};
-  DynamicsScale dynamics{};  ///< Not kThesisSolver: may change from step to step; the hair goes on from where it is.
-  /// Share of the head's motion that the hair feels, 0..1. At 0 hair is carried along rigidly and only gravity, wind and
-  /// contacts move it; for acrobatics, vehicles and cut scenes.
-  float inertia = 1.0f;
-  /// A head that moves further than this in one step has been put there: the hair keeps its shape instead of being
-  /// thrown. Metres and radians; infinity to believe in every movement.
-  float teleport_distance = 5.0f;
-  float teleport_angle = 2.8f;
-  /// Hair whose tips have not moved faster than sleep_speed (m/s, against the head) for sleep_after seconds, under a head
-  /// that stood still, falls asleep: it costs nothing and keeps its pose until its head moves or the settings change.
-  /// Infinity: never.
-  float sleep_after = 0.5f;
-  float sleep_speed = 1e-4f;
-};
-
-/// What kThesisSolver needs to be the bare published step: still air, every movement believed in, nothing asleep. `dt` up to
-/// kMaxTimeStep.
-[[nodiscard]] inline StepSettings published_step(float dt) {
-  constexpr float kNever = std::numeric_limits<float>::infinity();
-  StepSettings settings;
-  settings.dt = dt;
-  settings.environment.air_follow = 0;
-  settings.teleport_distance = settings.teleport_angle = settings.sleep_after = kNever;
-  return settings;
-}
-
 /// How much of the hair on one head is simulated. May change between any two steps. A finer level begins where the coarser
 /// one left its bones; bones that a coarser level makes rigid take their rest pose at once, so choose levels by sizes at
 /// which that is not seen.
@@ -138,12 +76,11 @@ struct MemoryNeed {
 
 struct CrowdState;
 
-/// A crowd of instances of one asset: state, simulation, bone matrices. Allocates nothing: the caller gives memory
-/// once, create() carves it up. Not thread safe but for run_job(); different Hair objects are independent.
+/// A crowd of instances of one asset: state, simulation, bone matrices. Allocates nothing: the caller gives memory once, create() carves
+/// it up. Not thread safe but for run_job(); different Hair objects are independent.
 ///
-/// Results do not depend on the instruction set, on how many instances there are and in which order they were touched,
-/// nor on which thread runs which job, and how that thread rounds: the same bits everywhere. Where the host lets
-/// floating-point exceptions trap, nothing here does.
+/// Results do not depend on the instruction set, on how many instances there are and in which order they were touched, nor on which
+/// thread runs which job, and how that thread rounds: the same bits everywhere. Where floating-point exceptions trap, nothing here does.
 class COIF_API Hair {
  public:
   Hair() = default;
@@ -159,32 +96,36 @@ class COIF_API Hair {
   /// Exact need of create() for this asset; zero bytes for arguments that create() refuses.
   [[nodiscard]] static MemoryNeed memory_need(const Asset& asset, const HairDesc& desc);
 
-  /// Every instance starts in its rest pose with the head at the identity pose; call reset() to start elsewhere. The
-  /// asset's bytes and `memory` must outlive this object; the Asset itself need not. Errors: kAssetLacksData (not
+  /// Every instance starts in its rest pose with the head at the identity pose, until its first pose puts it elsewhere, see
+  /// set_head(). The asset's bytes and `memory` must outlive this object; the Asset itself need not. Errors: kAssetLacksData (not
   /// open), kBadArgument (desc), kMemoryTooSmall (or not aligned).
   Status create(const Asset& asset, const HairDesc& desc, std::span<std::byte> memory);
 
   [[nodiscard]] std::uint32_t instance_count() const;
   [[nodiscard]] std::uint32_t bone_count() const;
 
-  /// Where the head is at the end of the next step. The step moves it there from where it was, and the hair feels
-  /// that: call teleport() or reset() for a head that jumps. kBadPose for a NaN, an infinity, a scale out of its
-  /// range or a rotation whose length is off one by more than 1e-3; smaller errors are normalised away.
+  /// Where the head is at the end of the next step. The step moves it there from where it was, and the hair feels that: call teleport() or
+  /// reset() for a head that jumps. The first pose that an instance is told after create() puts the head there, as teleport() does, and so
+  /// do all others before the next step. kBadPose for a NaN, an infinity or a rotation whose length is off one by more than 1e-3 (smaller
+  /// errors are normalised away), kBadScale for a scale out of its range.
   ///
   /// Scale: all that is in the asset, lengths and colliders, and all that comes out, matrices and bone ends, is in metres of the
-  /// hair itself, of which a metre is `scale` of the world's. What comes from the world (the head's way, gravity, wind, moving
-  /// colliders) is divided by the scale that the head has at the end of the step; time constants stay. So a head twice as large under
-  /// twice the gravity, on twice as long ways, moves alike to the bit, and one that grows takes its hair's shape and
-  /// motion along. Of the settings, teleport_distance is the world's, sleep_speed the hair's.
+  /// hair itself, of which a metre is `scale` of the world's. Places and ways in the world (the head's way, wind, gusts, moving
+  /// colliders, pushes) are divided by the scale that the head has at the end of the step. Gravity is not, unless
+  /// Environment::true_gravity says so, and time constants stay. So hair of every scale hangs as it was modelled: a head that stands or
+  /// turns in place in still air moves its hair alike, to the bit, whatever its scale; and a head twice as large on ways twice as
+  /// long, in wind twice as fast, does so too. One that grows takes its hair's shape and motion along. Of the settings,
+  /// teleport_distance is the world's, sleep_speed the hair's.
   Status set_head(std::uint32_t instance, const HeadPose& pose);
 
-  /// The same for a host that knows how fast the head moves when it arrives, which otherwise is taken from its last three
-  /// poses: the head's path is then exact to one order more, at sharp turns above all. kBadPose for what is not finite, too.
+  /// The same for a host that knows how fast the head moves when it arrives, which otherwise is taken from its last three poses: the path
+  /// is then exact to one order more, at sharp turns above all. A head that is put somewhere, by its first pose or by teleport(), has this
+  /// velocity from the step's start on, and its hair with it. kBadPose for what is not finite, too.
   Status set_head(std::uint32_t instance, const HeadPose& pose, const HeadVelocity& velocity);
 
   /// The first set_head() of every instance at once, instance_count() poses: for crowds of which most stand. A pose with the same
-  /// bits as the last one costs a comparison. kSizeMismatch, and nothing is set; kBadPose where one or more are bad: those heads
-  /// stay where they were told to be, the others are set.
+  /// bits as the last one costs a comparison. kSizeMismatch, and nothing is set; kBadPose or kBadScale where one or more are bad: those
+  /// heads stay where they were told to be, the others are set.
   Status set_heads(std::span<const HeadPose> poses);
 
   /// Puts the head at `pose` and the hair into its rest pose there, at rest, and renews its matrices.
@@ -204,11 +145,10 @@ class COIF_API Hair {
   /// moves by light years, gravity of 1e30) is put back into its rest pose, at rest; the others are not affected.
   Status step(const StepSettings& settings);
 
-  /// The same in parts, for a host's own scheduler: begin_step(), then run_job() once for each of job_count() jobs, in any
-  /// order, on any threads, at the same time; then finish_step(). Nothing else may be called in between, and begin_step()
-  /// leaves no jobs where it returns an error.
-  /// A job is sixteen heads. One that stays on its thread from step to step finds its numbers in that core's cache: give
-  /// each thread its own share first, and let it take from the others' only then.
+  /// The same in parts, for a host's own scheduler: begin_step(), then run_job() once for each of job_count() jobs, in any order, on any
+  /// threads, at the same time; then finish_step(). Nothing else may be called in between. After an error there are no jobs.
+  /// A job is sixteen heads. One that stays on its thread from step to step finds its numbers in that core's cache: give each thread
+  /// its own share first, and let it take from the others' only then.
   Status begin_step(const StepSettings& settings);
   [[nodiscard]] std::uint32_t job_count() const;
   void run_job(std::uint32_t job);
@@ -279,7 +219,7 @@ class COIF_API Hair {
   [[nodiscard]] std::size_t saved_bytes() const;
   /// kSizeMismatch unless there is room for exactly saved_bytes().
   Status save(std::span<std::byte> bytes) const;
-  /// kForeignState or kDamagedState for what this crowd did not or could not have saved: then it stays as it is.
+  /// kForeignState or kDamagedState for what this crowd could not have saved, in every number and part: then it stays as it is.
   Status restore(std::span<const std::byte> bytes);
 
   /// Skinning matrices, bone_count() of them: rest pose in head space -> current pose in head space. Draw them under

@@ -76,7 +76,8 @@ class COIF_API HairWorld {
   Status add_asset(const Asset& asset, WorldAsset& added);
   /// kBadArgument while heads of it are there; kBadIndex.
   Status remove_asset(WorldAsset asset);
-  /// A head at `pose`, with its hair in the rest pose there, at rest. kBadIndex, kBadPose, kMemoryTooSmall.
+  /// A head at `pose`, with its hair in the rest pose there, at rest. kBadIndex, kBadPose, kBadScale,
+  /// kMemoryTooSmall.
   Status add_head(WorldAsset asset, const HeadPose& pose, WorldHead& added);
   Status remove_head(WorldHead head);  ///< kBadIndex.
 

@@ -99,7 +99,7 @@ class COIF_API HairRenderer {
   /// matrices: the stream's buffer is then bound as GL_ELEMENT_ARRAY_BUFFER too, which WebGL 2 refuses: kBadArgument with RendererDesc::webgl.
   ///
   /// kNotCreated without a created renderer and an uploaded model of it; kSizeMismatch when a palette has not one
-  /// matrix per bone (hair without SKIN may also have none); kBadPose, for a scale out of range too; kBadArgument for too many
+  /// matrix per bone (hair without SKIN may also have none); kBadPose and kBadScale as check_instance(); kBadArgument for too many
   /// lights, no such level or a number out of its range, an order that was not made of such an asset or whose indices the
   /// stream has no room for. After these no OpenGL function has been called. kDriver when a program was missing,
   /// see prepare(), and is refused; nothing is drawn then.

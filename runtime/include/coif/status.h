@@ -10,7 +10,7 @@ namespace coif {
 enum class [[nodiscard]] Status : std::uint8_t{
     kOk = 0,
     kBadTimeStep,     ///< dt is not a number, below zero or infinite.
-    kBadPose,         ///< A pose has a NaN, an infinity, a rotation that is not a unit quaternion or a scale out of range.
+    kBadPose,         ///< A pose has a NaN, an infinity or a rotation that is not a unit quaternion.
     kBadArgument,     ///< Another argument is not finite or outside its documented range.
     kBadIndex,        ///< No such instance or bone.
     kMemoryTooSmall,  ///< The memory given is smaller than memory_need() says, or not aligned.
@@ -21,6 +21,7 @@ enum class [[nodiscard]] Status : std::uint8_t{
     kForeignState,    ///< The saved state is that of another asset, solver or number of heads, or of another version.
     kDamagedState,    ///< The saved state is none, or was changed or cut after it was saved.
     kNotAsked,        ///< The hair was created without what this call needs: see HairDesc.
+    kBadScale,        ///< HeadPose::scale is outside of kSmallestScale..kLargestScale; 0 is a scale that nobody set.
 };
 
 /// One sentence, static storage, never null.

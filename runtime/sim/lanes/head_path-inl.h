@@ -252,7 +252,8 @@ HWY_INLINE void complete_move(D d, const StepParts& parts, V<D> per_scale, std::
   const auto follow = hn::Set(d, parts.air_follow / parts.part_dt());
   const V3<D> wind = scale(d, same(d, parts.wind), per_scale);
   store(d, add_scaled(d, wind, load(d, move.way, lane), follow), move.air, lane);
-  store(d, scale(d, same(d, parts.gravity), per_scale), move.gravity, lane);
+  const V3<D> gravity = same(d, parts.gravity);
+  store(d, parts.has_true_gravity ? scale(d, gravity, per_scale) : gravity, move.gravity, lane);
   // While the head turns by less than 8 degrees, a bone seen from it turned by at most that more than in the world.
   const auto half_turn = hn::Abs(hn::Add(dot(d, axis_of(before), axis_of(now)), hn::Mul(before.w, now.w)));
   const auto is_slow = hn::Gt(half_turn, hn::Set(d, 0.99757f));

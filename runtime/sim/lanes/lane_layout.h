@@ -116,12 +116,15 @@ struct CoifState {
 };
 
 /// What one simulated bone remembers under `passive`, world axes.
+inline constexpr float kNotBent = -1.0f;
+
 struct PassiveState {
   Lanes3 direction;     ///< Unit.
   Lanes3 velocity;      ///< Of the particle relative to the bone's start, m/s.
   Lanes3 acceleration;  ///< Of the particle, as the forces on it say, m/s^2.
   Lanes3 lagged;        ///< The same as the method has it, which lags behind.
   Lanes tension;        ///< Along the bone, newtons for bones of a kilogram a metre; >= 0.
+  Lanes bent;           ///< Energy of its bending, over its stiffness and what it carries; kNotBent: it was put there.
   /// 1: it lies on a collider of its head, 0: it does not. A chain's first bone has 2 more if any bone of it came to one in the last step.
   Lanes contact;
 };

@@ -194,6 +194,24 @@ struct PassiveLinks {
   }
 };
 
+/// Of kFoldStiffness stiffness (tan^2(fold / 2) - 1)^3 what is to be multiplied by the stiffness: the energy of a bone that is folded by more
+/// than a right angle.
+template <class D>
+HWY_INLINE V<D> fold_energy(D d, const V3<D>& direction, const V3<D>& arc) {
+  const auto one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f);
+  const auto unfolded = hn::Max(hn::Add(one, dot(d, arc, direction)), hn::Set(d, kLeastUnfolded));
+  const auto fold = hn::Max(hn::Sub(hn::Div(two, unfolded), two), hn::Zero(d));
+  return hn::Mul(hn::Mul(fold, hn::Set(d, kFoldStiffness)), hn::Mul(fold, fold));
+}
+
+/// What the book of a chain's energy needs of a bone (passive_energy-inl.h), world axes, against the head.
+template <class D>
+struct PassiveBook {
+  V3<D> before;  ///< Its direction before the step.
+  V3<D> drift;   ///< Velocity of its end, m/s: before the step, then after.
+  V3<D> gone;    ///< Where its end went, metres.
+};
+
 /// Where the bone touches a collider of its head.
 template <class D>
 struct PassiveTouch {
@@ -253,6 +271,7 @@ struct PassiveBone {
   V<D> inverse[3];  ///< 1 / H: 11, 12, 22.
   V3<D> shift;      ///< Of its end: against the first guess; then of what held it, against where it would freely be.
   V3<D> turn;       ///< Of its frame.
+  PassiveBook<D> book;
   V3<D> free;       ///< As `moved`, without the contacts that it comes to; then the way of its end.
   PassiveTouch<D> touch;
   PassiveHold<D> hold;

@@ -22,6 +22,10 @@ namespace HWY_NAMESPACE {
 
 constexpr int kMostRounds = 8;  ///< After the first.
 
+/// Under a faster head a chain's energy is not booked: what the head gives is more than what a step could make.
+constexpr float kSlowHead = 0.1f;  ///< m/s
+constexpr float kSlowTurn = 1.0f;  ///< rad/s
+
 /// Radians that Newton's method may leave undone in a step of `dt` seconds: as a force that is always the same, but no less than what
 /// single precision sees.
 constexpr float may_leave(float dt) {
@@ -44,7 +48,12 @@ class PassiveChain {
         turn_(load(d, row.move->from_head, lane)),
         motion_(hn::Zero(d)),
         fastest2_(hn::Zero(d)),
-        most_twisting_(hn::Zero(d)) {
+        most_twisting_(hn::Zero(d)),
+        had_(hn::Zero(d)),
+        has_(hn::Zero(d)),
+        gained_(hn::Zero(d)),
+        unsure_(hn::Zero(d)) {
+    look_at_head();
     for (std::size_t i = 0; i < count_; ++i) collides_ = collides_ || (row.bones[i].features & kRowCollides) != 0;
   }
 
@@ -58,6 +67,7 @@ class PassiveChain {
     for (std::size_t i = 0; i < count_; ++i) settle(i);
     for (std::size_t i = count_; i-- > 0;) gather_momentum(i);
     for (std::size_t i = 0; i < count_; ++i) keep_links(i);
+    if (keeps_book_) balance();
     calm_what_is_wild();
     store(d_, hn::Add(load(d_, *row_.motion, lane_), motion_), *row_.motion, lane_);
   }
@@ -135,7 +145,18 @@ class PassiveChain {
   HWY_INLINE void settle(std::size_t i);
   HWY_INLINE void gather_momentum(std::size_t i);
   HWY_INLINE void keep_links(std::size_t i);
+  HWY_INLINE void look_at_head();
   HWY_INLINE void calm_what_is_wild();
+  HWY_INLINE void slow_down(hn::Mask<D> where, V<D> kept);
+
+  // The book of the chain's energy: passive_energy-inl.h.
+  [[nodiscard]] HWY_INLINE V<D> mass_of(std::size_t i) const;
+  [[nodiscard]] HWY_INLINE V<D> bent_to(std::size_t i, const V3<D>& direction, const V3<D>& arc, const V3<D>& pull) const;
+  HWY_INLINE void open_book(std::size_t i, const V3<D>& before, const V3<D>& relative);
+  HWY_INLINE void enter_way(std::size_t i, const Carrier<D>& from, const V3<D>& arc, const V3<D>& direction);
+  HWY_INLINE void enter_motion(std::size_t i, const V3<D>& turning);
+  HWY_INLINE void balance();
+  COIF_RARE void stay(hn::Mask<D> where);
 
   /// How a direction turns that is rigid to the head, 1/s.
   [[nodiscard]] HWY_INLINE V3<D> with_head(const V3<D>& direction) const {
@@ -153,6 +174,15 @@ class PassiveChain {
   const M3<D> turn_;  ///< World from head space, at the end of the step.
   V<D> motion_, fastest2_;
   V<D> most_twisting_;                      ///< Of what the bones are held by.
+  M3<D> carried_;                        ///< What the head's turn does to directions, world axes.
+  V3<D> speeding_up_, spinning_up_;      ///< The head's accelerations, m/s^2 and 1/s^2,
+  V3<D> steadily_, turning_;             ///< and mean velocities.
+  hn::Mask<D> is_still_;                 ///< The head's.
+  bool keeps_book_;                      ///< Some lane is watched.
+  hn::Mask<D> was_watched_;              ///< Where the energy is booked,
+  hn::Mask<D> watched_;                  ///< and nothing adds to it that the book does not know.
+  V<D> had_, has_;                       ///< Twice the energy of the motion against the head, joules: before the step, and after.
+  V<D> gained_, unsure_;                 ///< What bending and all other forces gave in between, and how much of that is unsure.
   V<D> farthest2_;                          ///< Square of the last round's largest turn.
   bool collides_ = false, touches_ = false, holds_contacts_ = false, hits_ = false, starts_fresh_ = false;
   hn::Mask<D> fresh_;  ///< If starts_fresh_: where there was a blow in the last step.
@@ -162,6 +192,37 @@ class PassiveChain {
   Carrier<D> posed_;
   [[no_unique_address]] PathsOf<D> paths_;
 };
+
+template <class D>
+HWY_INLINE void PassiveChain<D>::look_at_head() {
+  const MoveLanes& move = *row_.move;
+  const auto half = hn::Set(d_, 0.5f), one = hn::Set(d_, 1.0f), zero = hn::Zero(d_);
+  const M3<D> before = load(d_, move.from_head_before, lane_);
+  const V3<D> velocity = load(d_, move.velocity, lane_), velocity_before = load(d_, move.velocity_before, lane_);
+  const V3<D> spin = load(d_, move.angular_velocity, lane_), spin_before = load(d_, move.angular_velocity_before, lane_);
+  speeding_up_ = scale(d_, sub(d_, velocity, velocity_before), method_.per_dt);
+  spinning_up_ = scale(d_, sub(d_, spin, spin_before), method_.per_dt);
+  steadily_ = scale(d_, add(d_, velocity, velocity_before), half);
+  turning_ = scale(d_, add(d_, spin, spin_before), half);
+  const auto is_none = [&](const V3<D>& v) { return hn::Eq(hn::Add(hn::Add(hn::Abs(v.x), hn::Abs(v.y)), hn::Abs(v.z)), zero); };
+  const auto same = [&](const V3<D>& a, const V3<D>& b) { return is_none(sub(d_, a, b)); };
+  const auto has_turned = hn::Not(hn::And(hn::And(same(turn_.x, before.x), same(turn_.y, before.y)), same(turn_.z, before.z)));
+  const auto goes = hn::Not(hn::And(hn::And(is_none(velocity), is_none(velocity_before)), hn::And(is_none(spin), is_none(spin_before))));
+  is_still_ = hn::Not(hn::Or(has_turned, goes));
+  carried_ = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+  const auto column = [&](V<D> x, V<D> y, V<D> z) { return rotate(d_, turn_, V3<D>{x, y, z}); };
+  set_where(d_, has_turned, column(before.x.x, before.y.x, before.z.x), carried_.x);
+  set_where(d_, has_turned, column(before.x.y, before.y.y, before.z.y), carried_.y);
+  set_where(d_, has_turned, column(before.x.z, before.y.z, before.z.z), carried_.z);
+  const auto fastest = [&](const V3<D>& a, const V3<D>& b) { return hn::Max(dot(d_, a, a), dot(d_, b, b)); };
+  const auto is_slow = hn::And(hn::Lt(fastest(velocity, velocity_before), hn::Set(d_, kSlowHead * kSlowHead)),
+                               hn::Lt(fastest(spin, spin_before), hn::Set(d_, kSlowTurn * kSlowTurn)));
+  bool may_be = !row_.is_linked;
+  if constexpr (kOnCharacter<D>) may_be = may_be && row_.character->poses == nullptr;
+  watched_ = hn::And(is_slow, may_be ? hn::Eq(one, one) : hn::Eq(one, zero));
+  was_watched_ = watched_;
+  keeps_book_ = !hn::AllFalse(d_, watched_);
+}
 
 /// A first guess of the step's end, in which no direction turns by more than about 55 degrees.
 template <class D>
@@ -182,6 +243,7 @@ HWY_INLINE void PassiveChain<D>::guess(std::size_t i) {
   bone.moved = {zero, zero, zero};
   bone.turn_by(d_, scale(d_, turn, hn::Sqrt(hn::Div(one, hn::Add(one, hn::Add(turn2, turn2))))), hn::Eq(one, one));
   bone.tail.velocity_before = add(d_, from.velocity_before, relative);
+  if (keeps_book_) open_book(i, before, relative);
 }
 
 /// The forces where the bone is thought to be at the end of the step.

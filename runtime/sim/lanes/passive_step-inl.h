@@ -3,8 +3,8 @@
 
 #include "moving_contact-inl.h"
 #include "palette-inl.h"
-#include "passive_chain-inl.h"
 #include "passive_contact-inl.h"
+#include "passive_energy-inl.h"
 #include "row.h"
 
 #if defined(COIF_SIM_LANES_PASSIVE_STEP_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -90,8 +90,10 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   }
   if constexpr (kOnCharacter<D>) {
     if (row_.character->collider_count != 0) {
-      held = hn::Or(held, keep_clear_of_moving(d_, row_, lane_, turn_, i, from, before, paths_.from(shape),
-                                               paths_.own(shape), limited, now, in_head));
+      const auto pushed = keep_clear_of_moving(d_, row_, lane_, turn_, i, from, before, paths_.from(shape),
+                                               paths_.own(shape), limited, now, in_head);
+      watched_ = hn::And(watched_, hn::Not(pushed));
+      held = hn::Or(held, pushed);
     }
   }
   if (any_rigid(i)) {
@@ -135,6 +137,11 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   bone.tail.velocity = end_velocity;
   bone.tail.angular_velocity = add_scaled(d_, swing, now.direction, spin);
   bone.tail.position = add_scaled(d_, from.position, in_head, length);
+  if (keeps_book_) {
+    enter_way(i, from, arm, now.direction);
+  } else {
+    store(d_, hn::Set(d_, kNotBent), state.bent, lane_);
+  }
   copy(d_, bent.frame, bone.tail.frame);
 }
 
@@ -185,6 +192,7 @@ HWY_INLINE void PassiveChain<D>::keep_links(std::size_t i) {
   store(d_, without_trace(d_, relative), state_[i].velocity, lane_);
   const auto per_length = load(d_, row_.constants[i].per_length, lane_);
   const V3<D> turning = sub(d_, scale(d_, relative, per_length), with_head(bone.direction));
+  if (keeps_book_) enter_motion(i, turning);
   auto turning2 = dot(d_, turning, turning);
   if (HWY_UNLIKELY(ends(i))) turning2 = hn::IfThenElseZero(has_bone(d_, row_, i, lane_), turning2);
   fastest2_ = hn::Max(fastest2_, turning2);
@@ -200,14 +208,11 @@ HWY_INLINE void PassiveChain<D>::calm_what_is_wild() {
   const auto limit = hn::Set(d_, kMostTurn / row_.dt);
   const auto is_wild = hn::Gt(fastest2_, hn::Mul(limit, limit));
   if (HWY_LIKELY(hn::AllFalse(d_, is_wild))) return;
-  const auto kept = hn::Div(limit, hn::Sqrt(fastest2_)), zero = hn::Zero(d_);
+  slow_down(is_wild, hn::Div(limit, hn::Sqrt(fastest2_)));
+  const auto zero = hn::Zero(d_);
   const V3<D> none{zero, zero, zero};
   for (std::size_t i = 0; i < count_; ++i) {
     PassiveState& state = state_[i];
-    const V3<D> velocity = load(d_, state.velocity, lane_);
-    const V3<D> rigid = scale(d_, with_head(bones_[i].direction), load(d_, row_.constants[i].length, lane_));
-    const V3<D> calmer = add_scaled(d_, rigid, sub(d_, velocity, rigid), kept);
-    store(d_, choose<D>(is_wild, calmer, velocity), state.velocity, lane_);
     store(d_, choose<D>(is_wild, none, load(d_, state.acceleration, lane_)), state.acceleration, lane_);
     store(d_, choose<D>(is_wild, none, load(d_, state.lagged, lane_)), state.lagged, lane_);
   }

@@ -53,6 +53,7 @@ struct RowStep {
   TwistState* twist = nullptr;  ///< Null unless some bone twists.
   void* scratch = nullptr;      ///< Solver::scratch_bytes for each bone.
   std::uint32_t lanes = 0;      ///< In use: 0..lanes-1.
+  bool is_linked = false;       ///< Links move the bones once the step is done.
   const MoveLanes* move = nullptr;
   float dt = 0;
   std::uint32_t iterations = 1;                ///< thesis

@@ -229,6 +229,8 @@ void fall_asleep(WorldState& world, std::uint32_t head);
 void wake(WorldState& world, std::uint32_t head);
 /// The hair turned by `by` as if it were rigid.
 void turn_hair(WorldState& world, WornHead& head, const Quat& by);
+/// As the jump() of a crowd.
+void jump(WorldState& world, WornHead& head, float dt);
 
 /// Calls visit(shape, ChainLane) for each chain of a head that is awake.
 template <typename Visit>

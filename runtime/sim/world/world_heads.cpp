@@ -1,5 +1,6 @@
 #include "world.h"
 
+#include "../chain_motion.h"
 #include "../head_lanes.h"
 #include "../memory_carver.h"
 
@@ -180,6 +181,17 @@ void put_to_rest(WorldState& world, WornHead& head) {
 
 void turn_hair(WorldState& world, WornHead& head, const Quat& by) {
   for_each_chain(world, head, [&](const ChainShape& shape, const ChainLane& chain) { shape.solver->turn(chain, by); });
+}
+
+void jump(WorldState& world, WornHead& head, float dt) {
+  HeadLanes& heads = head.place.part->heads;
+  const HairJump by = jump_head(heads, head.place.lane, dt);
+  turn_hair(world, head, by.turn);
+  if (by.velocity == Vec3{} && by.turning == Vec3{}) return;
+  const Vec3 velocity = by.velocity * heads.per_scale.v[head.place.lane];
+  for_each_chain(world, head, [&](const ChainShape& shape, const ChainLane& chain) {
+    add_motion(*shape.solver, chain, velocity, by.turning);
+  });
 }
 
 void fall_asleep(WorldState& world, std::uint32_t head) {

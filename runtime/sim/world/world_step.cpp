@@ -40,9 +40,12 @@ void look_ahead(WorldState& world, const HeadPace& pace, WorldBlock& block) {
   for (std::uint32_t i = 0; i < block.count; ++i) {
     const bool is_put = ((block.teleports >> i) & 1u) != 0 || block.step.is_far.v[i] != 0.0f;
     if (!(is_put || parts.carried > 0.0f) || ((block.is_lost >> i) & 1u) != 0) continue;
-    const Quat by = is_put ? jump_head(block.heads, i, parts.dt)
-                           : carry_head(block.heads, i, parts.carried, lane(block.step.turn, i));
-    turn_hair(world, world.heads[block.head[i]], by);
+    WornHead& head = world.heads[block.head[i]];
+    if (is_put) {
+      jump(world, head, parts.dt);
+    } else {
+      turn_hair(world, head, carry_head(block.heads, i, parts.carried, lane(block.step.turn, i)));
+    }
     moved = true;
   }
   block.teleports = 0;

@@ -65,6 +65,10 @@ struct SaidMotion {
   std::vector<const HairPreset*> presets;  ///< That it has, or would have if a preset moved it; not null.
   /// What the bones that a preset moves are damped by, of what would keep them from swinging past their rest.
   std::vector<double> damping_ratios;
+  /// NaturalMotion::is_tied of bones that a preset moves; empty: none is.
+  std::vector<bool> tied{};
+
+  [[nodiscard]] bool is_tied(std::size_t bone) const { return bone < tied.size() && tied[bone]; }
 };
 
 /// The asset's SkeletonRecord::air_lag: what the recipe says, else what is usual for where most of the hair's numbers come from. VRM

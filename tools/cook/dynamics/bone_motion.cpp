@@ -27,9 +27,9 @@ double damping_for(double ratio, double length, const DynamicsRecord& record) {
 
 void bake_oscillator(std::optional<double> ratio, double length, DynamicsRecord& record) {
   const PoseOscillator oscillator = oscillator_of(record.resistance, record.authoring_rate);
-  record.stiffness = float(std::min(oscillator.stiffness, kMostStiffness));
+  record.stiffness = float(std::min(oscillator.stiffness, double(kMostStiffness)));
   const double damping = ratio ? damping_for(*ratio, length, record) : oscillator.damping;
-  record.damping = float(std::min(damping, kMostDamping));
+  record.damping = float(std::min(damping, double(kMostDamping)));
 }
 
 double natural_stiffness(const Rig& rig, std::span<const Carried> carried, std::size_t i, double bending_length) {
@@ -45,12 +45,18 @@ double swing_rate(const Rig& rig, std::span<const Carried> carried, std::size_t 
   return std::sqrt(stiffness + weight);
 }
 
-void bake_natural(const Rig& rig, std::span<const Carried> carried, std::size_t i, double bending_length, double ratio,
+void bake_natural(const Rig& rig, std::span<const Carried> carried, std::size_t i, const NaturalMotion& motion,
                   DynamicsRecord& record) {
-  record.stiffness = float(std::min(natural_stiffness(rig, carried, i, bending_length), kMostStiffness));
-  const double swing = swing_rate(rig, carried, i, double(record.stiffness));
-  record.damping = float(std::min(2 * ratio * swing, kMostDamping));
-  record.resistance = float(resistance_for(double(record.stiffness), double(record.authoring_rate)));
+  record.stiffness = float(std::min(natural_stiffness(rig, carried, i, motion.bending_length), double(kMostStiffness)));
+  const double stiffness = double(record.stiffness), swing = swing_rate(rig, carried, i, stiffness);
+  const double damped = motion.is_tied ? stiffness / swing : swing;
+  record.damping = float(std::min(2 * motion.damping_ratio * damped, double(kMostDamping)));
+  record.resistance = float(resistance_for(stiffness, double(record.authoring_rate)));
+}
+
+double friction_of(const HairPreset& preset, bool is_tied) {
+  constexpr double kTied = 0.4;
+  return is_tied ? kTied * preset.friction : preset.friction;
 }
 
 }  // namespace coif

@@ -7,6 +7,7 @@
 #include "lab/rig.h"
 
 #include <coif/asset_records.h>
+#include <coif/step_settings.h>
 
 #include <cstddef>
 #include <optional>
@@ -17,10 +18,6 @@ namespace coif {
 
 inline constexpr double kGravity = 9.81;  ///< m/s^2
 
-/// Baked stiffness (1/s^2) and damping or friction (1/s) end here: such a bone sags by 3 micrometres under its own weight
-/// and looks rigid at every frame rate, and the reference has to resolve it: with more, tuning would take minutes.
-inline constexpr double kMostStiffness = 4.0e6, kMostDamping = 1.0e4;
-
 /// What damping is measured by: the square root of the stiffness of a bone of `length` metres, 1/s. Gravity stiffens a
 /// hanging bone as a pendulum, and so does the head's own acceleration, taken to be as large.
 [[nodiscard]] double natural_rate(const DynamicsRecord& record, double length);
@@ -29,7 +26,7 @@ inline constexpr double kMostStiffness = 4.0e6, kMostDamping = 1.0e4;
 /// alone does more.
 [[nodiscard]] double damping_for(double ratio, double length, const DynamicsRecord& record);
 
-/// Stiffness and damping of `record` from its resistance, authoring rate, friction and gravity. `ratio`: share of critical
+/// Stiffness and damping of `record` from its resistance, authoring rate, friction and gravity, up to kMostStiffness and kMostDamping. `ratio`: share of critical
 /// damping; none: what the resistance brings.
 void bake_oscillator(std::optional<double> ratio, double length, DynamicsRecord& record);
 
@@ -40,10 +37,22 @@ void bake_oscillator(std::optional<double> ratio, double length, DynamicsRecord&
 /// 1/s: how fast bone `i` swings with this stiffness and what hangs from it, in the passive model.
 [[nodiscard]] double swing_rate(const Rig& rig, std::span<const Carried> carried, std::size_t i, double stiffness);
 
-/// Stiffness, damping (this share of what keeps the joint from swinging past) and, for Algorithm 1, resistance of `record`, which is bone
-/// `i` of the rig.
-void bake_natural(const Rig& rig, std::span<const Carried> carried, std::size_t i, double bending_length, double ratio,
+/// How hair moves that nobody gave numbers to.
+struct NaturalMotion {
+  double bending_length = 0;  ///< Metres.
+  double damping_ratio = 0;   ///< Share of what keeps a joint from swinging past its rest.
+  /// Only the bending is damped, not the swinging: a tied bundle has no neighbours along which it rubs as it swings. The ratio is then
+  /// that of the joint's stiffness alone, as seen at the rate at which it swings: half of the bending's loss factor.
+  bool is_tied = false;
+};
+
+/// Stiffness, damping and, for Algorithm 1, resistance of `record`, which is bone `i` of the rig.
+void bake_natural(const Rig& rig, std::span<const Carried> carried, std::size_t i, const NaturalMotion& motion,
                   DynamicsRecord& record);
+
+/// 1/s: the preset's for loose locks. A tied bundle is thicker, and has as much less surface for its mass that air pulls at, and
+/// no neighbours.
+[[nodiscard]] double friction_of(const HairPreset& preset, bool is_tied);
 
 /// Leans the pull of each bone of the rig for which `takes` is true against the weight that it carries, so that it rests as modelled
 /// under an upright head. A bone too soft for that is made as stiff as it takes, its damping with it. `bones`, `records` and

@@ -38,13 +38,6 @@ ChainFinding examine_motion(const OpenedAsset& opened, const Rig& rig, const Kno
   return finding;
 }
 
-const char* name_of(Motion motion) {
-  for (const MotionInfo& info : all_motions()) {
-    if (info.motion == motion) return info.name;
-  }
-  return "";
-}
-
 }  // namespace
 
 std::vector<double> trial_times() {

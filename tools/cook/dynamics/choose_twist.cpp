@@ -1,5 +1,6 @@
 #include "base/parallel_for.h"
 #include "cook/dynamics/chain_groups.h"
+#include "cook/dynamics/cook_suite.h"
 #include "cook/dynamics/settle_dynamics.h"
 #include "lab/rig.h"
 #include "lab/runtime_solver.h"
@@ -78,9 +79,9 @@ std::vector<double> largest_folds(const AssetContents& contents, unsigned thread
   const auto may = [&](const ChainRecord& chain) { return may_fold(contents, chain); };
   if (std::ranges::none_of(contents.chains, may)) return largest;
   const OpenedAsset opened(contents);
-  std::vector<std::vector<double>> during(all_motions().size());
+  std::vector<std::vector<double>> during(std::size(kCookSuite));
   parallel_for(during.size(), threads,
-               [&](std::size_t m) { during[m] = folds_during(contents, opened.asset(), all_motions()[m].motion); });
+               [&](std::size_t m) { during[m] = folds_during(contents, opened.asset(), kCookSuite[m]); });
   for (std::size_t c = 0; c < largest.size(); ++c) {
     if (!may(contents.chains[c])) continue;
     for (const std::vector<double>& folds : during) largest[c] = std::max(largest[c], folds[c]);

@@ -44,8 +44,8 @@ struct Outcome {
 
 void apply(const Conditioning& rung, const BoneRecord& bone, DynamicsRecord& dynamics) {
   const double root = natural_rate(dynamics, bone.length);
-  dynamics.damping = std::max(dynamics.damping, float(std::min(rung.damping * root, kMostDamping)));
-  dynamics.friction = std::max(dynamics.friction, float(std::min(rung.friction * root, kMostDamping)));
+  dynamics.damping = std::max(dynamics.damping, float(std::min(rung.damping * root, double(kMostDamping))));
+  dynamics.friction = std::max(dynamics.friction, float(std::min(rung.friction * root, double(kMostDamping))));
   dynamics.parent_share = std::min(dynamics.parent_share, float(rung.parent_share));
 }
 

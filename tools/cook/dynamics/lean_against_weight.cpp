@@ -92,8 +92,8 @@ std::size_t lean_against_weight(const Rig& rig, std::span<const BoneRecord> bone
     const double least = std::max(burden.side.norm() / kMostLean, kSteady * burden.topple);
     if (double(record.stiffness) < least) {
       record.damping *= float(std::sqrt(least / std::max(double(record.stiffness), 1.0e-9)));
-      record.damping = std::min(record.damping, float(kMostDamping));
-      record.stiffness = float(std::min(least, kMostStiffness));
+      record.damping = std::min(record.damping, kMostDamping);
+      record.stiffness = float(std::min(least, double(kMostStiffness)));
       ++stiffened;
     }
     if (record.stiffness > 0) lean(burden.side / double(record.stiffness), bones[i], record);

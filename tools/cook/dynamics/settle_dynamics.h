@@ -43,6 +43,7 @@ namespace coif {
 struct TunedSolver {
   std::vector<TuningRecord> tuning;    ///< None or one.
   std::vector<QualityRecord> quality;  ///< One for each frame rate and number of sub-steps that was measured.
+  std::vector<MotionNameRecord> motions;  ///< What their worst_motion is an index into.
 };
 
 /// Finds the fewest sub-steps with which the runtime keeps the recipe's "budget" at all its frame rates, by running it

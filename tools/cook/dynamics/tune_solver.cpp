@@ -1,28 +1,21 @@
-#include "base/parallel_for.h"
-#include "cook/dynamics/chain_groups.h"
-#include "cook/dynamics/chain_trial.h"
+#include "cook/dynamics/cook_suite.h"
 #include "cook/dynamics/settle_dynamics.h"
-#include "lab/measure_runtime.h"
-#include "lab/rig.h"
+#include "cook/dynamics/tuning_bench.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
-#include <utility>
+#include <string_view>
 
 namespace coif {
 namespace {
 
-constexpr double kSeconds = 2;
-constexpr double kMostError = 1000;    ///< That an asset may hold.
 constexpr double kUsualError = 0.007;  ///< Where the recipe asks for nothing, this is wanted and nothing less refused.
 /// In slower frames nobody knows what the head does: there the error grows with their square, and up to this much is let be.
 constexpr double kUsualRate = 60, kMostUsualError = 0.02;
 constexpr double kWorthwhile = 0.9;    ///< Of an error that is too large: dearer settings leave no more of it.
-constexpr std::size_t kFewBones = 24;  ///< Up to here every chain is run.
 constexpr std::uint32_t kParts[] = {1, 2, 3, 4, 6, 8, 12, 16};
 
 std::vector<std::uint32_t> frame_rates(const Recipe& recipe) {
@@ -33,100 +26,6 @@ std::vector<std::uint32_t> frame_rates(const Recipe& recipe) {
   if (fastest > slowest) rates.push_back(fastest);
   return rates;
 }
-
-std::vector<std::uint32_t> chains_to_run(const AssetContents& contents) {
-  std::size_t bones = 0;
-  for (const ChainRecord& chain : contents.chains) bones += chain.bone_count;
-  std::vector<std::uint32_t> chains;
-  if (bones <= kFewBones) {
-    chains.resize(contents.chains.size());
-    std::iota(chains.begin(), chains.end(), 0u);
-    return chains;
-  }
-  for (const ChainGroup& group : group_chains(contents)) {
-    chains.insert(chains.end(), group.telling.begin(), group.telling.end());
-  }
-  return chains;
-}
-
-std::size_t twisting_bones(const AssetContents& contents, const ChainRecord& chain) {
-  const auto bones = std::span(contents.dynamics).subspan(chain.first_bone, chain.bone_count);
-  return std::size_t(
-      std::ranges::count_if(bones, [](const DynamicsRecord& bone) { return bone.torsion < kShortestArc; }));
-}
-
-/// What the runtime does at one frame rate, over all motions.
-struct MeasuredRate {
-  QualityRecord quality;
-  double worst_second = 0;
-};
-
-/// The runtime beside the reference, for any frame rate of the recipe's and number of parts; each is measured once.
-class Bench {
- public:
-  Bench(const AssetContents& contents, std::span<const std::uint32_t> rates, unsigned threads)
-      : opened_(chains_alone(contents, chains_to_run(contents))), rig_(rig_of(opened_.asset())), threads_(threads) {
-    for (const ChainRecord& chain : contents.chains) {
-      bones_ += chain.bone_count;
-      if (chain.model == ChainModel::kPassive) passive_ += chain.bone_count;
-      if (chain.model == ChainModel::kCascade) twisting_ += twisting_bones(contents, chain);
-    }
-    ReferenceSettings settings;
-    settings.sample_times = frame_times(rates, kSeconds);
-    settings.steps_per_second = kCoarsestSteps;
-    settings.most_steps_per_second = 5760;
-    settings.wanted_self_difference_pct = 0.1;  // a seventh of the smallest error that is usually asked for
-    known_.resize(all_motions().size());
-    parallel_for(known_.size(), threads_, [&](std::size_t m) {
-      const Motion motion = all_motions()[m].motion;
-      known_[m] = {motion, solve_reference(rig_, {}, *path_of(motion), settings)};
-    });
-  }
-
-  const MeasuredRate& at(std::uint32_t rate, std::uint32_t parts) {
-    const auto [found, is_new] = measured_.try_emplace({rate, parts});
-    if (is_new) found->second = measure(rate, parts);
-    return found->second;
-  }
-
-  [[nodiscard]] double longest() const { return *std::ranges::max_element(rig_.tip_length); }
-  [[nodiscard]] std::vector<QualityRecord> table() const {
-    std::vector<QualityRecord> rows;
-    for (const auto& [key, measured] : measured_) rows.push_back(measured.quality);
-    return rows;
-  }
-
- private:
-  MeasuredRate measure(std::uint32_t rate, std::uint32_t parts) const {
-    std::vector<RuntimeError> errors(known_.size());
-    parallel_for(known_.size(), threads_,
-                 [&](std::size_t m) { errors[m] = measure_runtime(opened_.asset(), rig_, known_[m], rate, parts); });
-    MeasuredRate measured{};
-    QualityRecord& row = measured.quality;
-    row.frame_rate = float(rate);
-    row.substeps = parts;
-    const double model_cost = nominal_passive_cost(passive_, parts) + nominal_twist_cost(twisting_, parts);
-    row.cost = float(nominal_cost(bones_, parts) + model_cost);
-    // What did not stay finite is as wrong as can be written down, and not right for comparing false.
-    const auto worse = [](float a, double b) { return std::max(a, float(b <= kMostError ? b : kMostError)); };
-    for (std::size_t m = 0; m < errors.size(); ++m) {
-      if (!(errors[m].rms <= double(row.rms_error))) row.worst_motion = std::uint32_t(m);
-      row.rms_error = worse(row.rms_error, errors[m].rms);
-      row.max_error = worse(row.max_error, errors[m].max);
-      row.stretch = worse(row.stretch, errors[m].stretch);
-      row.penetration = worse(row.penetration, errors[m].penetration);
-      measured.worst_second = double(worse(float(measured.worst_second), errors[m].worst_second));
-    }
-    return measured;
-  }
-
-  OpenedAsset opened_;
-  Rig rig_;
-  unsigned threads_;
-  std::size_t bones_ = 0, passive_ = 0, twisting_ = 0;
-  std::vector<KnownMotion> known_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, MeasuredRate> measured_;
-};
 
 /// What the recipe asks for, as shares and nanoseconds; 0: nothing.
 struct Budget {
@@ -176,7 +75,7 @@ struct TriedRate {
   std::uint32_t worst_motion = 0;
 };
 
-TriedRate try_rate(Bench& bench, std::span<const std::uint32_t> rates, std::uint32_t substep_rate,
+TriedRate try_rate(TuningBench& bench, std::span<const std::uint32_t> rates, std::uint32_t substep_rate,
                    const Budget& budget) {
   TriedRate trial;
   trial.tuning.substep_rate = float(substep_rate);
@@ -229,8 +128,18 @@ std::string describe(const TriedRate& trial) {
       tuning.substep_rate > tuning.slowest_rate ? fmt::format("sub-steps of {:g} Hz", tuning.substep_rate)
                                                 : std::string("one step a frame"),
       tuning.slowest_rate, tuning.fastest_rate, 100 * tuning.reached_error, 100 * trial.worst_second,
-      100 * trial.max_error, all_motions()[trial.worst_motion].name, tuning.met == 1 ? "" : ", the least to be had",
+      100 * trial.max_error, name_of(kCookSuite[trial.worst_motion]), tuning.met == 1 ? "" : ", the least to be had",
       tuning.cost / 1000);
+}
+
+std::vector<MotionNameRecord> suite_names() {
+  std::vector<MotionNameRecord> names;
+  for (const Motion motion : kCookSuite) {
+    const std::string_view name = name_of(motion);
+    MotionNameRecord& record = names.emplace_back();
+    std::copy_n(name.begin(), std::min(name.size(), sizeof record.name - 1), record.name);
+  }
+  return names;
 }
 
 }  // namespace
@@ -239,11 +148,22 @@ tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, 
                                                  Findings& findings) {
   if (contents.chains.empty()) return TunedSolver{};
   const std::vector<std::uint32_t> rates = frame_rates(recipe);
-  Bench bench(contents, rates, threads);
+  TuningBench bench(contents, rates, threads);
+  for (const std::string& note : bench.left_out()) findings.note(note);
+  if (bench.is_empty()) {
+    findings.warn("not tuned: no motion of this hair could be computed within the work that a cook may take; it is simulated with one step "
+                  "a frame; make it softer (dynamics.preset), or its bones fewer (chains.max_bones)");
+    return TunedSolver{};
+  }
   const Budget budget = budget_of(recipe, bench.longest());
 
   TriedRate best, least;
   for (const std::uint32_t parts : kParts) {
+    if (parts != kParts[0] && !bench.has_work_left(rates, parts * rates.front())) {
+      findings.note(fmt::format("tuning: sub-steps of {} Hz and more were not tried: they need more work than a cook may take",
+                                parts * rates.front()));
+      break;
+    }
     const TriedRate tried = try_rate(bench, rates, parts * rates.front(), budget);
     const bool affordable = budget.cost <= 0 || double(tried.tuning.cost) <= budget.cost;
     const bool is_first = parts == kParts[0];
@@ -256,7 +176,7 @@ tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, 
   }
   if (best.tuning.met == 0 && (!budget.is_usual || budget.cost > 0)) return tl::unexpected(over_budget(budget, least));
   findings.note(describe(best));
-  return TunedSolver{{best.tuning}, bench.table()};
+  return TunedSolver{{best.tuning}, bench.table(), suite_names()};
 }
 
 }  // namespace coif

@@ -5,7 +5,7 @@
 #include "cook/rig/skeleton.h"
 #include "cook/select/head.h"
 #include "cook/select/triangle_distance.h"
-#include "cook/texture/hair_views.h"
+#include "cook/texture/patch_coverage.h"
 
 #include <vector>
 
@@ -29,7 +29,7 @@ class PatchDropper {
   [[nodiscard]] bool may_go(std::uint32_t patch, std::vector<bool>& drawn) const;
 
   const HairMesh& mesh_;
-  HairViews views_;
+  PatchCoverage views_;
   TriangleGrid grid_;
   std::vector<std::vector<std::uint32_t>> vertices_;  ///< Of each patch.
   double reach_;

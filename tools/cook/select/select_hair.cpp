@@ -107,7 +107,29 @@ Gathered gather(const SourceModel& source, const HairChoice& choice, Findings& f
   return gathered;
 }
 
-void merge_faces(const Recipe& recipe, HairMesh& mesh, Findings& findings) {
+/// Of the triangles: a file may have each strip several times, but not more copies than anything else.
+constexpr double kMostCopies = 0.9;
+constexpr std::size_t kFewCopies = 100;
+/// Metres from end to end, in a file of any unit that a model may have.
+constexpr double kLargestHair = 1000;
+
+std::optional<std::string> why_damaged(const SourceModel& source, const HairMesh& mesh, std::size_t copies,
+                                       std::size_t triangles) {
+  if (copies >= kFewCopies && double(copies) > kMostCopies * double(triangles)) {
+    return fmt::format("{} of the hair's {} triangles lie where others lie, so that {} are left: the file is damaged, or its strips were "
+                       "copied into one place; export it again",
+                       copies, triangles, mesh.triangle_count());
+  }
+  Eigen::AlignedBox3f box;
+  for (const std::uint32_t vertex : mesh.triangles) box.extend(mesh.positions[vertex]);
+  const double size = double(box.sizes().norm());
+  if (!(size > kLargestHair)) return std::nullopt;
+  return fmt::format("the hair is {:.1f} km from end to end, at {} m per unit: a number in the file is damaged, or its unit is wrong; "
+                     "export it again, or set \"source.metres_per_unit\" in the recipe",
+                     size / 1000, source.space.metres_per_unit);
+}
+
+std::size_t merge_faces(const Recipe& recipe, HairMesh& mesh, Findings& findings) {
   const std::vector<std::uint32_t> place = weld_places(mesh.positions, recipe.patch_weld_distance);
   const MergedFaces merged = merge_back_faces(mesh, place);
   if (merged.back_faces > 0) {
@@ -118,6 +140,7 @@ void merge_faces(const Recipe& recipe, HairMesh& mesh, Findings& findings) {
     findings.leave_out({fmt::format("{} triangles", merged.copies), "there twice", merged.copies * kTriangleBytes});
   }
   if (!is_closed(mesh, place)) mesh.double_sided = true;
+  return merged.copies;
 }
 
 }  // namespace
@@ -135,7 +158,11 @@ tl::expected<HairMesh, ToolError> select_hair(const SourceModel& source, const R
     return tl::unexpected(ToolError{ToolError::Kind::kBadInput, fmt::format("{}: {}", source.path, why)});
   }
   gathered.mesh.material = main_material(source, gathered.taken);
-  merge_faces(recipe, gathered.mesh, findings);
+  const std::size_t triangles = gathered.mesh.triangle_count();
+  const std::size_t copies = merge_faces(recipe, gathered.mesh, findings);
+  if (const auto why = why_damaged(source, gathered.mesh, copies, triangles)) {
+    return tl::unexpected(ToolError{ToolError::Kind::kBadInput, fmt::format("{}: {}", source.path, *why)});
+  }
   weld_vertices(gathered.mesh);
   return std::move(gathered.mesh);
 }

@@ -1,6 +1,6 @@
 #include "base/parallel_for.h"
 #include "cook/select/mesh_topology.h"
-#include "cook/texture/hair_views.h"
+#include "cook/texture/patch_coverage.h"
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>

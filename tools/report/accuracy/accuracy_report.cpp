@@ -38,12 +38,20 @@ bool beats(const AccuracyRow& a, const AccuracyRow& b) {
          (a.rms_error_pct < b.rms_error_pct || a.ns_per_bone_frame < b.ns_per_bone_frame);
 }
 
+bool took_longer_with_less(const AccuracyRow& a, const AccuracyRow& b) {
+  constexpr double kNoise = 1.05;
+  return a.fps == b.fps && a.motion == b.motion && a.solver == b.solver && a.substeps < b.substeps &&
+         a.ns_per_bone_frame > kNoise * b.ns_per_bone_frame;
+}
+
 }  // namespace
 
 void mark_fronts(std::span<AccuracyRow> rows) {
   for (AccuracyRow& row : rows) {
     row.pareto = std::isfinite(row.rms_error_pct) && std::isfinite(row.ns_per_bone_frame) &&
                  std::ranges::none_of(rows, [&row](const AccuracyRow& other) { return beats(other, row); });
+    row.cost_falls =
+        std::ranges::any_of(rows, [&row](const AccuracyRow& other) { return took_longer_with_less(other, row); });
   }
 }
 

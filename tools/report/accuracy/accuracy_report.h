@@ -41,6 +41,8 @@ struct AccuracyRow {
   double segment_penetration_max_pct = kNoNumber;  ///< The same of whole bones, between their ends too.
   /// No other row of this motion and frame rate is at most as dear and at most as wrong, and better in one of them.
   bool pareto = false;
+  /// The same solver took longer with fewer steps, by more than a twentieth: the machine was disturbed, and the times of both are doubtful.
+  bool cost_falls = false;
 };
 
 /// number_text(), coloured against the error budget, %; plain where that is NaN.
@@ -65,7 +67,10 @@ struct AccuracyRow {
           {"segment_penetration_max_pct", &Row::segment_penetration_max_pct, {"between ends %"}},
           {"pareto", &Row::pareto},
           {kNoKey, [](const Row& row) { return row.pareto ? "front" : ""; }, {"Pareto"}},
-          {kNoKey, [](const Row& row) { return row.pareto ? "  *" : ""; }, {}, {""}}};
+          {kNoKey, [](const Row& row) { return row.pareto ? "  *" : ""; }, {}, {""}},
+          {"cost_falls", &Row::cost_falls},
+          {kNoKey, [](const Row& row) { return row.cost_falls ? "cost falls" : ""; }, {"doubt"}},
+          {kNoKey, [](const Row& row) { return row.cost_falls ? "  cost falls with more steps" : ""; }, {}, {""}}};
 }
 
 /// How much the look depends on the frame rate.
@@ -157,7 +162,7 @@ struct AccuracyReport {
   double budget_rms_pct = kNoNumber;   ///< The error budget that `chosen` meets.
 };
 
-/// Sets AccuracyRow::pareto.
+/// Sets AccuracyRow::pareto and cost_falls.
 void mark_fronts(std::span<AccuracyRow> rows);
 
 /// The frame rate to compare solvers at: 60, or else the measured one next to it. NaN for an empty report.

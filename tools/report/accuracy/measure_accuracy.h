@@ -84,7 +84,7 @@ struct TipError {
 /// RMS distance of two runs' tips at the frames, as a share of the chain's length.
 [[nodiscard]] double rms_between(const ReferenceRun& a, const ReferenceRun& b, const FramePoses& frames, const Rig& rig);
 
-/// Nanoseconds of one step per bone, by the steady clock: the best of some rounds through the motion's first frames, on
+/// Nanoseconds of one step per bone, by the thread's own clock: the least of some rounds through the motion's first frames, on
 /// the calling thread. NaN where a step is refused.
 [[nodiscard]] double time_steps(SolverAtWork& at_work, const FramePoses& frames);
 

@@ -3,7 +3,7 @@
 #include "base/tool_error.h"
 #include "cards/make_cards.h"
 #include "groom/groom.h"
-#include "report/cards/hair_views.h"
+#include "report/cards/groom_views.h"
 
 #include <tl/expected.hpp>
 
@@ -44,7 +44,7 @@ struct EvenCards {
 /// Baseline "even": wisps as make_cards() finds them, their strips cut evenly into as many segments as come nearest to the strands,
 /// by the mean coverage IoU from some of the views. kOverBudget as texture_cards().
 [[nodiscard]] tl::expected<EvenCards, ToolError> make_even_cards(const Groom& groom, const GroomShape& shape,
-                                                                 const CardsBudget& budget, const HairViews& views,
+                                                                 const CardsBudget& budget, const GroomViews& views,
                                                                  unsigned threads);
 
 }  // namespace coif

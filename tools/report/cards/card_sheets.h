@@ -4,7 +4,7 @@
 #include "groom/groom.h"
 #include "render/picture.h"
 #include "report/cards/cards_report.h"
-#include "report/cards/hair_views.h"
+#include "report/cards/groom_views.h"
 
 #include <cstdint>
 #include <string>
@@ -29,7 +29,7 @@ namespace coif {
 /// Strands beside sets of cards, from the front, a side and the back.
 class CardSheets {
  public:
-  /// As frames_around() and HairViews; `faces_backwards`: the hair's front is where -Z points.
+  /// As frames_around() and GroomViews; `faces_backwards`: the hair's front is where -Z points.
   CardSheets(const Groom& groom, float width, const Eigen::Matrix3f& turn, bool faces_backwards, unsigned threads);
 
   /// In the order in which they shall stand.
@@ -45,7 +45,7 @@ class CardSheets {
   };
 
   unsigned threads_;
-  HairViews views_;
+  GroomViews views_;
   std::vector<std::string> captions_;
   std::vector<Side> sides_;
   std::vector<Picture> textures_;

@@ -41,7 +41,7 @@ CardStrip even_strip(std::uint32_t wisp, std::size_t segments) {
 }
 
 tl::expected<EvenCards, ToolError> make_even_cards(const Groom& groom, const GroomShape& shape,
-                                                   const CardsBudget& budget, const HairViews& views,
+                                                   const CardsBudget& budget, const GroomViews& views,
                                                    unsigned threads) {
   std::optional<EvenCards> best;
   std::optional<ToolError> refusal;

@@ -172,7 +172,7 @@ class CardsMeasurement {
   const ReportProgress& progress_;
   GroomShape shape_;
   std::vector<Eigen::Vector3f> directions_;
-  std::optional<HairViews> views_;
+  std::optional<GroomViews> views_;
   std::optional<CardSheets> sheets_;
   std::optional<ToolError> refusal_;  ///< The first set of cards that could not be made.
   CardsReport report_;

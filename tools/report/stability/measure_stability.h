@@ -106,6 +106,7 @@ class StressSubject {
   /// - diverged: a bone's end was further from the bone's start than ten of its lengths; or faster, ten steps in a row,
   ///   than a hundred times what gravity, the head and the pull to the pose can make it; or a step that was refused
   ///   moved a bone.
+  /// - restless: none of that, but after hair has had eight seconds to settle it is faster than kAtRest.
   /// - rejected: none of that, and at least one step was refused with everything kept as it was.
   /// - ok: none of that.
   /// Figures are the worst up to the end, or to the step that decided. Settling is looked at where hair is free of the

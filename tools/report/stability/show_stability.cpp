@@ -26,7 +26,9 @@ void add(StabilityTotal& total, const StabilityRow& row) {
 
 /// Refusing an input and going on is a good answer; a broken state is not.
 unsigned failures(const StabilityTotal& total) {
-  return total.count[std::size_t(Outcome::kDiverged)] + total.count[std::size_t(Outcome::kNan)];
+  unsigned sum = 0;
+  for (const Outcome outcome : {Outcome::kRestless, Outcome::kDiverged, Outcome::kNan}) sum += total.count[std::size_t(outcome)];
+  return sum;
 }
 
 std::string list(const std::vector<std::string>& words) {
@@ -50,6 +52,7 @@ const char* describe(Outcome outcome) {
   switch (outcome) {
     case Outcome::kOk: return "went on with finite, plausible hair";
     case Outcome::kRejected: return "refused the input, said so and kept its state";
+    case Outcome::kRestless: return "hair under a head that stands still goes on moving, at more than 2 cm/s";
     case Outcome::kDiverged: return "finite numbers that are no hair: lengths gone, or ever faster";
     case Outcome::kNan: return "a number that is not finite: the hair disappears";
   }
@@ -69,7 +72,7 @@ std::string stability_summary(const StabilityReport& report) {
 }
 
 Cell outcome_cell(Outcome outcome) {
-  constexpr CellLook kLooks[] = {CellLook::kGood, CellLook::kNeutral, CellLook::kWarning, CellLook::kBad};
+  constexpr CellLook kLooks[] = {CellLook::kGood, CellLook::kNeutral, CellLook::kWarning, CellLook::kWarning, CellLook::kBad};
   return {name_of(outcome), kLooks[std::size_t(outcome)]};
 }
 

@@ -14,22 +14,24 @@ namespace coif {
 enum class Outcome {
   kOk,
   kRejected,  ///< The solver refused the input and kept its state.
+  kRestless,  ///< Hair under a head that stands still does not come to rest.
   kDiverged,  ///< Finite numbers that no hair has: far outside its length, or ever faster.
   kNan,       ///< A number that is not finite.
 };
 
-/// "ok", "rejected", "diverged", "nan".
+/// "ok", "rejected", "restless", "diverged", "nan".
 [[nodiscard]] constexpr const char* name_of(Outcome outcome) {
   switch (outcome) {
     case Outcome::kOk: return "ok";
     case Outcome::kRejected: return "rejected";
+    case Outcome::kRestless: return "restless";
     case Outcome::kDiverged: return "diverged";
     case Outcome::kNan: return "nan";
   }
   return "";
 }
 
-inline constexpr std::array kOutcomes{Outcome::kOk, Outcome::kRejected, Outcome::kDiverged, Outcome::kNan};
+inline constexpr std::array kOutcomes{Outcome::kOk, Outcome::kRejected, Outcome::kRestless, Outcome::kDiverged, Outcome::kNan};
 
 /// Its name, coloured.
 [[nodiscard]] Cell outcome_cell(Outcome outcome);
@@ -54,7 +56,8 @@ struct StabilityRow {
   double limit_max_rad = kNoNumber;        ///< Furthest of a bone beyond its limit (LimitRecord), radians.
   double link_stretch_max_pct = kNoNumber;  ///< By how much linked particles parted, % of their distance at rest.
   double max_speed = kNoNumber;            ///< Of a bone's tail in head space, m/s.
-  double rest_speed = kNoNumber;           ///< The same in the last half second of eight with the head at rest.
+  /// The same in the last half second of eight with the head at rest; of heads that are held, all of the time after kSettlingTime.
+  double rest_speed = kNoNumber;
   /// RMS distance of the tips to the settled pose after the stress has ended, in % of the chain's length.
   double settle_error_pct = kNoNumber;
 };

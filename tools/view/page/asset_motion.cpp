@@ -58,16 +58,22 @@ void AssetMotion::find_places(const Asset& asset) {
 }
 
 /// By the resistance that goes with the stiffness of its bending length, which nothing else comes to. Of two presets of one
-/// bending length it is the one whose friction is nearer.
+/// bending length it is the one whose friction, of loose or of tied hair, is nearer.
 void AssetMotion::find_preset(std::size_t i) {
   Bone& bone = bones_[i];
+  double nearest = 0;
   for (const HairPreset& preset : hair_presets()) {
     DynamicsRecord record = bone.own;
-    bake_natural(rig_, carried_, i, preset.bending_length, preset.damping_ratio, record);
+    bake_natural(rig_, carried_, i, {preset.bending_length, preset.damping_ratio}, record);
     const double wanted = record.resistance;
     if (std::abs(double(bone.own.resistance) - wanted) > kSameResistance * wanted) continue;
-    const auto gap = [&](const HairPreset& of) { return std::abs(of.friction - double(bone.own.friction)); };
-    if (bone.preset == nullptr || gap(preset) < gap(*bone.preset)) bone.preset = &preset;
+    for (const bool is_tied : {false, true}) {
+      const double gap = std::abs(friction_of(preset, is_tied) - double(bone.own.friction));
+      if (bone.preset != nullptr && gap >= nearest) continue;
+      bone.preset = &preset;
+      bone.is_tied = is_tied;
+      nearest = gap;
+    }
   }
 }
 
@@ -77,7 +83,7 @@ void AssetMotion::find_ratios(std::size_t i) {
   const double length = rig_.bones[i].length;
   DynamicsRecord plain = bone.own;
   if (bone.preset != nullptr)
-    bake_natural(rig_, carried_, i, bone.preset->bending_length, bone.preset->damping_ratio, plain);
+    bake_natural(rig_, carried_, i, {bone.preset->bending_length, bone.preset->damping_ratio, bone.is_tied}, plain);
   else
     bake_oscillator(std::nullopt, length, plain);
   const double stiffer = double(bone.own.stiffness) / std::max(double(plain.stiffness), 1.0e-9);
@@ -126,9 +132,10 @@ void AssetMotion::bake(std::size_t i, const MotionTuning& tuning, Rig& rig, Dyna
   if (by_curve) record.resistance = float(evaluate_curve(tuning.resistance, bone.place));
   if (by_curve || bone.preset == nullptr) return bake_oscillator(ratio, rig.bones[i].length, record);
   const HairPreset& preset = tuning.preset != nullptr ? *tuning.preset : *bone.preset;
-  const bool has_presets_friction = record.friction == float(bone.preset->friction);
-  if (!tuning.friction && has_presets_friction) record.friction = float(preset.friction);
-  bake_natural(rig, carried_, i, preset.bending_length, ratio.value_or(preset.damping_ratio), record);
+  const bool has_presets_friction = record.friction == float(friction_of(*bone.preset, bone.is_tied));
+  if (!tuning.friction && has_presets_friction) record.friction = float(friction_of(preset, bone.is_tied));
+  const bool is_tied = bone.is_tied && !ratio;
+  bake_natural(rig, carried_, i, {preset.bending_length, ratio.value_or(preset.damping_ratio), is_tied}, record);
 }
 
 /// As much more as the cook found to be needed, or the chain might move as nothing does.

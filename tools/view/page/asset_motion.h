@@ -62,6 +62,7 @@ class AssetMotion {
     DynamicsRecord own{};                ///< As asked for: before the cook made its chain have one motion.
     double place = 0;                    ///< Of its middle along its chain, where it takes the values of curves.
     const HairPreset* preset = nullptr;  ///< By which it has its stiffness.
+    bool is_tied = false;                ///< With a preset: as tied hair swings.
     std::optional<double> said_ratio;    ///< Of critical damping; none: what its resistance or its preset brings.
     double shown_ratio = 0;              ///< By its preset's measure where it has one.
     double curve_ratio = 0;              ///< By that of bones with a resistance.

@@ -16,7 +16,7 @@ bool is_near(double a, double b) { return a <= b * kRounding && b <= a * kRoundi
 
 }  // namespace
 
-TipError tip_error_of(const Asset& asset, const SimulatedSo& so) {
+RecordedTipError tip_error_of(const Asset& asset, const SimulatedSo& so) {
   const ProvenanceRecord* const origin = asset.provenance();
   if (asset.quality().empty()) {
     const bool is_draft = origin != nullptr && (origin->flags & kProvenanceDraft) != 0;

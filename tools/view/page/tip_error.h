@@ -27,14 +27,14 @@ enum class TipErrorSource : std::uint8_t {
 };
 
 /// Of tips against the converged solution, shares of the chain's length, by the asset's own records (QualityRecord).
-struct TipError {
+struct RecordedTipError {
   TipErrorSource source = TipErrorSource::kNotMeasured;
   float rms = 0;  ///< Of the worst motion. 0 without a number.
   float max = 0;  ///< Largest of all.
 };
-[[nodiscard]] inline bool is_known(const TipError& error) { return error.source <= TipErrorSource::kCoarser; }
+[[nodiscard]] inline bool is_known(const RecordedTipError& error) { return error.source <= TipErrorSource::kCoarser; }
 
 /// Of the rows that are no finer in either, rate and sub-step, the fastest with the shortest sub-steps.
-[[nodiscard]] TipError tip_error_of(const Asset& asset, const SimulatedSo& so);
+[[nodiscard]] RecordedTipError tip_error_of(const Asset& asset, const SimulatedSo& so);
 
 }  // namespace coif

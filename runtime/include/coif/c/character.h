@@ -36,7 +36,10 @@ typedef struct coif_body_pose {
   coif_quat rotation;
 } coif_body_pose;
 
-/* Needs COIF_SOLVER_CHARACTER and coif_hair_desc.moving_colliders, else COIF_NOT_ASKED. */
+/* These need COIF_SOLVER_CHARACTER and the named member of coif_hair_desc, else COIF_NOT_ASKED. COIF_BAD_ARGUMENT for a null list that
+ * has a count. */
+
+/* At most coif_hair_desc.moving_colliders; none are never too many. */
 coif_status coif_hair_set_colliders(coif_hair* hair, uint32_t instance, const coif_moving_collider* colliders, uint32_t count);
 /* ... coif_hair_desc.follows_body; one pose for each body bone of the asset, in their order. */
 coif_status coif_hair_set_body(coif_hair* hair, uint32_t instance, const coif_body_pose* bones, uint32_t count);

@@ -23,7 +23,8 @@ typedef enum coif_status {
   COIF_DRIVER,
   COIF_FOREIGN_STATE,
   COIF_DAMAGED_STATE,
-  COIF_NOT_ASKED
+  COIF_NOT_ASKED,
+  COIF_BAD_SCALE
 } coif_status;
 
 typedef struct coif_vec3 {
@@ -35,7 +36,8 @@ typedef struct coif_mat34 {
   float m[3][4];
 } coif_mat34;
 
-/* World from head space: metres; unit quaternion x, y, z, w; uniform scale, 0.05..20 (1: the asset's own size). */
+/* World from head space: metres; unit quaternion x, y, z, w; uniform scale, 0.05..20 (1: the asset's own size;
+ * COIF_BAD_SCALE for any other, 0 too). */
 typedef struct coif_head_pose {
   double position[3];
   float rotation[4];

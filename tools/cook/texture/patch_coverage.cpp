@@ -1,4 +1,4 @@
-#include "cook/texture/hair_views.h"
+#include "cook/texture/patch_coverage.h"
 
 #include "base/geometry.h"
 #include "base/parallel_for.h"
@@ -102,7 +102,7 @@ bool AlphaTest::passes(const Vector2f& uv) const {
   return image->texels[4 * at + 3] * factor >= threshold * 255;
 }
 
-HairViews::View HairViews::draw(const HairStrips& hair, const AlphaTest& alpha, std::size_t direction, int pixels) {
+PatchCoverage::View PatchCoverage::draw(const HairStrips& hair, const AlphaTest& alpha, std::size_t direction, int pixels) {
   const HairMesh& mesh = hair.mesh;
   const Projection project(mesh, kDirection[direction].normalized(), pixels);
   View view;
@@ -142,7 +142,7 @@ HairViews::View HairViews::draw(const HairStrips& hair, const AlphaTest& alpha, 
   return view;
 }
 
-HairViews::HairViews(const HairStrips& hair, const AlphaTest& alpha, unsigned threads) : seen_(hair.patches.count, 0) {
+PatchCoverage::PatchCoverage(const HairStrips& hair, const AlphaTest& alpha, unsigned threads) : seen_(hair.patches.count, 0) {
   const int pixels = choose_pixels(hair.mesh);
   parallel_for(kDirections, threads, [&](std::size_t d) { views_[d] = draw(hair, alpha, d, pixels); });
   for (const View& view : views_) {
@@ -151,13 +151,13 @@ HairViews::HairViews(const HairStrips& hair, const AlphaTest& alpha, unsigned th
   }
 }
 
-std::size_t HairViews::pixels(std::uint32_t patch) const {
+std::size_t PatchCoverage::pixels(std::uint32_t patch) const {
   std::size_t count = 0;
   for (const View& view : views_) count += view.cover[patch].size();
   return count;
 }
 
-std::size_t HairViews::alone(std::uint32_t patch) const {
+std::size_t PatchCoverage::alone(std::uint32_t patch) const {
   std::size_t count = 0;
   for (const View& view : views_) {
     for (std::uint32_t pixel : view.cover[patch]) count += view.layers[pixel] == 1 ? 1 : 0;
@@ -165,7 +165,7 @@ std::size_t HairViews::alone(std::uint32_t patch) const {
   return count;
 }
 
-void HairViews::drop(std::uint32_t patch) {
+void PatchCoverage::drop(std::uint32_t patch) {
   for (View& view : views_) {
     for (std::uint32_t pixel : view.cover[patch]) --view.layers[pixel];
     view.cover[patch].clear();

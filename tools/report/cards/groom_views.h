@@ -32,10 +32,10 @@ struct SurfaceCost {
 [[nodiscard]] PictureFrame closer(PictureFrame frame, const Groom& groom);
 
 /// Strands as they look in some frames, drawn once, and how near surfaces come to that.
-class HairViews {
+class GroomViews {
  public:
   /// `width` of strands whose groom says none, metres.
-  HairViews(const Groom& groom, float width, std::vector<PictureFrame> frames, unsigned threads);
+  GroomViews(const Groom& groom, float width, std::vector<PictureFrame> frames, unsigned threads);
 
   [[nodiscard]] std::size_t count() const { return frames_.size(); }
   [[nodiscard]] const PictureFrame& frame(std::size_t i) const { return frames_[i]; }

@@ -1,4 +1,4 @@
-#include "report/cards/hair_views.h"
+#include "report/cards/groom_views.h"
 
 #include "base/parallel_for.h"
 #include "cards/card_picture.h"
@@ -50,12 +50,12 @@ PictureFrame closer(PictureFrame frame, const Groom& groom) {
   return frame;
 }
 
-HairViews::HairViews(const Groom& groom, float width, std::vector<PictureFrame> frames, unsigned threads)
+GroomViews::GroomViews(const Groom& groom, float width, std::vector<PictureFrame> frames, unsigned threads)
     : threads_(threads), frames_(std::move(frames)) {
   for (const PictureFrame& frame : frames_) strands_.push_back(draw_strands(groom, frame, width, threads));
 }
 
-std::vector<HairLikeness> HairViews::compare(const CardSurface& surface, std::size_t step) const {
+std::vector<HairLikeness> GroomViews::compare(const CardSurface& surface, std::size_t step) const {
   std::vector<HairLikeness> likeness;
   for (std::size_t i = 0; i < count(); i += step) {
     likeness.push_back(compare_hair(strands_[i], draw_cards(surface, frames_[i], threads_)));
@@ -63,7 +63,7 @@ std::vector<HairLikeness> HairViews::compare(const CardSurface& surface, std::si
   return likeness;
 }
 
-SurfaceCost HairViews::cost(const CardSurface& surface) const {
+SurfaceCost GroomViews::cost(const CardSurface& surface) const {
   std::vector<SurfaceCost> costs(count());
   parallel_for(count(), threads_, [&](std::size_t i) { costs[i] = cost_of(surface, frames_[i]); });
   SurfaceCost mean;

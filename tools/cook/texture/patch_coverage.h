@@ -26,9 +26,9 @@ struct AlphaTest {
 
 /// Low pictures of the hair at rest from all around, to tell which patches matter in them: which are seen, and which have
 /// others behind or before them wherever they are.
-class HairViews {
+class PatchCoverage {
  public:
-  HairViews(const HairStrips& hair, const AlphaTest& alpha, unsigned threads);
+  PatchCoverage(const HairStrips& hair, const AlphaTest& alpha, unsigned threads);
 
   /// Pixels of all views in which nothing lies before the patch.
   [[nodiscard]] std::size_t seen(std::uint32_t patch) const { return seen_[patch]; }

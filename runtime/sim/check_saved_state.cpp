@@ -1,0 +1,172 @@
+// What a crowd could have saved, in the order in which saved_state.cpp writes it.
+#include "check_saved_state.h"
+
+#include "head_lanes.h"
+#include "saved_chains.h"
+#include "saved_collider.h"
+#include "saved_lane.h"
+#include "step_settings.h"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace coif {
+namespace {
+
+/// Of one instance; a bool is 0 or 1.
+bool is_detail(const CrowdState& crowd, SavedBytes& bytes) {
+  std::uint8_t raw[sizeof(InstanceDetail)];
+  std::memcpy(raw, bytes.take(sizeof raw), sizeof raw);
+  return raw[offsetof(InstanceDetail, level)] < levels_of(crowd.asset) &&
+         raw[offsetof(InstanceDetail, interval_power)] < crowd.interval_count &&
+         raw[offsetof(InstanceDetail, asked_power)] < crowd.interval_count &&
+         raw[offsetof(InstanceDetail, simulated)] <= 1 && raw[offsetof(InstanceDetail, asleep)] <= 1;
+}
+
+bool are_details(const CrowdState& crowd, SavedBytes bytes) {
+  for (std::size_t i = 0; i < crowd.details.size(); ++i) {
+    if (!is_detail(crowd, bytes)) return false;
+  }
+  for (std::size_t i = 0; i < crowd.sets.size(); ++i) {
+    if (bytes.take<std::uint8_t>() >= crowd.dynamics_sets.size()) return false;
+  }
+  return true;
+}
+
+/// Frames of no time are not among the last ones, and those before the first step are 0.
+bool is_time(SavedBytes& bytes) {
+  if (check_settings(bytes.take<StepSettings>()) != Status::kOk) return false;
+  bool is_before_first = false;
+  for (std::uint32_t i = 0; i < kMaxInterval; ++i) {
+    const float dt = bytes.take<float>(), none = 0;
+    const bool was_step = dt >= kShortestStep && dt <= std::numeric_limits<float>::max();
+    if (!was_step && !same_bits(&dt, &none, sizeof dt)) return false;
+    if (was_step && is_before_first) return false;
+    is_before_first = !was_step;
+  }
+  (void)bytes.take<std::uint32_t>();  // any number of steps
+  return true;
+}
+
+/// Waves follow from what was told; before that there are none.
+bool are_saved_gusts(SavedBytes& bytes) {
+  const auto told = bytes.take<Gusts>();
+  const auto way = bytes.take<double>();
+  const auto waves = bytes.take<GustWaves>();
+  if (!are_gusts(told) || !(way >= 0.0 && std::isfinite(way))) return false;
+  const GustWaves own = waves_of(told), none{};
+  const Gusts untold;
+  const bool is_told = same_bits(&waves, &own, sizeof own);
+  return is_told || (same_bits(&told, &untold, sizeof told) && same_bits(&waves, &none, sizeof none));
+}
+
+bool is_air(const CrowdState& crowd, SavedBytes& bytes) {
+  for (std::size_t set = 0; !crowd.sets.empty() && set < crowd.dynamics_sets.size(); ++set) {
+    if (!fits(bytes.take<DynamicsScale>())) return false;
+  }
+  for (std::size_t i = 0; i < crowd.character.airs.size(); ++i) {
+    const auto air = bytes.take<HeadAir>();
+    if (!is_finite(air.wind) || !is_share(air.exposure)) return false;
+  }
+  return crowd.character.gusts.empty() || are_saved_gusts(bytes);
+}
+
+/// Where a head goes, and what it was told.
+struct SavedHead {
+  SavedLane lanes;
+  double next_position[3];
+  HeadPose told;
+};
+
+/// The head goes to where it was last told to be, or is where it stands until it is told.
+bool goes_where_told(const SavedHead& head) {
+  std::uint64_t first = 0;
+  std::memcpy(&first, &head.told.position[0], sizeof first);
+  const bool is_told = head.lanes.number(offsetof(HeadLanes, is_told)) == 1.0f;
+  if (is_told && first != kToldVelocity) return false;
+  HeadPose pose = head.told, unit;
+  if (first == kToldVelocity) pose.position[0] = head.next_position[0];
+  if (first == kToldNothing) pose = HeadPose{};
+  if (make_unit(pose, unit) != Status::kOk) return false;
+  const Quat next = head.lanes.quaternion(offsetof(HeadLanes, next_rotation));
+  const float per_scale = 1.0f / unit.scale;
+  return same_bits(unit.position, head.next_position, sizeof unit.position) &&
+         same_bits(&unit.rotation, &next, sizeof next) &&
+         head.lanes.number(offsetof(HeadLanes, per_scale)) == per_scale;
+}
+
+bool is_head(const SavedHead& head) {
+  const SavedLane& lanes = head.lanes;
+  if (!lanes.are_finite(0, offsetof(HeadLanes, next_position)) || !is_finite(head.next_position)) return false;
+  const float is_told = lanes.number(offsetof(HeadLanes, is_told));
+  if (!(is_told == 0.0f || is_told == 1.0f) || !(lanes.number(offsetof(HeadLanes, last_dt)) >= 0.0f)) return false;
+  return is_unit(lanes.quaternion(offsetof(HeadLanes, rotation))) && goes_where_told(head);
+}
+
+/// Nothing is yet to come for a head that sleeps.
+bool may_be_asleep(const SavedHead& head) {
+  const SavedLane& lanes = head.lanes;
+  return lanes.vector(offsetof(HeadLanes, way)) == Vec3{} && lanes.number(offsetof(HeadLanes, is_told)) == 0.0f &&
+         lanes.quaternion(offsetof(HeadLanes, rotation)) == lanes.quaternion(offsetof(HeadLanes, next_rotation));
+}
+
+/// In a place of the body's the collider that the asset has there; nothing in a place where none is.
+bool is_told_collider(const CrowdState& crowd, std::uint32_t place, const SavedCollider& saved) {
+  const SavedCollider none{};
+  if ((saved.flags & 1u) == 0) return same_bits(&saved, &none, sizeof none);
+  const ToldCollider told = unpacked(saved);
+  const SavedCollider again = packed(told);
+  if (check_collider(told.now) != Status::kOk || !same_bits(&saved, &again, sizeof again)) return false;
+  if (told.has_way && !(is_finite(told.center_before) && is_unit(told.rotation_before))) return false;
+  const bool is_of_body = place < crowd.character.body_colliders;
+  if (told.is_of_body != is_of_body) return false;
+  if (!is_of_body) return !told.keeps_inside;
+  const ColliderRecord& record = crowd.asset.body_colliders()[place];
+  const bool keeps_inside = (record.flags & kColliderKeepsInside) != 0;
+  return told.now.shape == record.shape && told.keeps_inside == keeps_inside && !told.now.is_velocity_known;
+}
+
+/// The body's are there together or not at all, the game's one after the other.
+bool are_told_colliders(const CrowdState& crowd, SavedBytes& bytes) {
+  bool was_there = true;
+  for (std::uint32_t place = 0; place < crowd.character.places; ++place) {
+    const auto saved = bytes.take<SavedCollider>();
+    if (!is_told_collider(crowd, place, saved)) return false;
+    const bool is_there = (saved.flags & 1u) != 0, begins = place == 0 || place == crowd.character.body_colliders;
+    if (!begins && is_there && !was_there) return false;
+    if (!begins && place < crowd.character.body_colliders && is_there != was_there) return false;
+    was_there = is_there;
+  }
+  return true;
+}
+
+bool is_instance(const CrowdState& crowd, bool is_asleep, float farthest, SavedBytes& bytes) {
+  SavedHead head{bytes.take_lane(offsetof(HeadLanes, next_position)), {}, {}};
+  for (double& metres : head.next_position) metres = bytes.take<double>();
+  bool teleports = false, is_lost = false, may_sleep = false, is_posed = false;
+  if (!bytes.take_flag(teleports) || !bytes.take_flag(is_lost) || !bytes.take_flag(may_sleep)) return false;
+  head.told = bytes.take<HeadPose>();
+  if (!is_head(head) || may_sleep) return false;  // those that may, do so before a step ends
+  if (is_asleep && (teleports || is_lost || !may_be_asleep(head))) return false;
+  if (!is_saved_palette(crowd, farthest, bytes) || !are_told_colliders(crowd, bytes)) return false;
+  if (!crowd.character.is_posed.empty() && !bytes.take_flag(is_posed)) return false;
+  return are_saved_chains(crowd, is_posed, bytes);
+}
+
+}  // namespace
+
+bool could_be_saved(const CrowdState& crowd, std::span<const std::byte> content) {
+  if (!are_details(crowd, SavedBytes(content))) return false;
+  SavedBytes details(content), bytes(content);
+  (void)bytes.take(crowd.details.size_bytes() + crowd.sets.size());
+  if (!is_time(bytes) || !is_air(crowd, bytes)) return false;
+  const float farthest = farthest_bone_start(crowd);
+  for (std::uint32_t instance = 0; instance < crowd.instance_count(); ++instance) {
+    const bool is_asleep = details.take(sizeof(InstanceDetail))[offsetof(InstanceDetail, asleep)] != std::byte{0};
+    if (!is_instance(crowd, is_asleep, farthest, bytes)) return false;
+  }
+  return true;
+}
+
+}  // namespace coif

@@ -1,0 +1,91 @@
+#pragma once
+// The numbers of a saved state: of one lane a float for each Lanes, in their order.
+
+#include "lanes/lane_layout.h"
+#include "vector_math.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+namespace coif {
+
+/// By how much the length of what the simulation keeps at one may be off.
+inline constexpr float kSavedUnitTolerance = 1e-3f;
+
+/// Reads by byte offsets into the struct of Lanes that was saved; the bytes may lie anywhere.
+class SavedLane {
+ public:
+  explicit SavedLane(const std::byte* from) : from_(from) {}
+
+  [[nodiscard]] float number(std::size_t offset) const {
+    float value = 0;
+    std::memcpy(&value, from_ + offset / sizeof(Lanes) * sizeof(float), sizeof value);
+    return value;
+  }
+  [[nodiscard]] Vec3 vector(std::size_t offset) const {
+    return {number(offset), number(offset + sizeof(Lanes)), number(offset + 2 * sizeof(Lanes))};
+  }
+  [[nodiscard]] Quat quaternion(std::size_t offset) const {
+    const Vec3 axis = vector(offset);
+    return {axis.x, axis.y, axis.z, number(offset + sizeof(Lanes3))};
+  }
+  /// Of the numbers of `bytes` bytes of Lanes from `offset` on.
+  [[nodiscard]] bool are_finite(std::size_t offset, std::size_t bytes) const {
+    for (std::size_t end = offset + bytes; offset < end; offset += sizeof(Lanes)) {
+      if (!std::isfinite(number(offset))) return false;
+    }
+    return true;
+  }
+  /// Whether they are what was never written.
+  [[nodiscard]] bool are_zero(std::size_t offset, std::size_t bytes) const {
+    for (std::size_t end = offset + bytes; offset < end; offset += sizeof(Lanes)) {
+      const float value = number(offset), zero = 0;
+      if (std::memcmp(&value, &zero, sizeof zero) != 0) return false;
+    }
+    return true;
+  }
+
+ private:
+  const std::byte* from_;
+};
+
+/// What was written one number after the other.
+class SavedBytes {
+ public:
+  explicit SavedBytes(std::span<const std::byte> content) : at_(content.data()) {}
+
+  template <typename T>
+  T take() {
+    T value;
+    std::memcpy(&value, take(sizeof value), sizeof value);
+    return value;
+  }
+  const std::byte* take(std::size_t bytes) {
+    const std::byte* const from = at_;
+    at_ += bytes;
+    return from;
+  }
+  /// One lane of `bytes` bytes of Lanes.
+  SavedLane take_lane(std::size_t bytes) { return SavedLane(take(bytes / sizeof(Lanes) * sizeof(float))); }
+  /// False unless it is 0 or 1.
+  bool take_flag(bool& flag) {
+    const auto byte = take<std::uint8_t>();
+    flag = byte != 0;
+    return byte <= 1;
+  }
+
+ private:
+  const std::byte* at_;
+};
+
+inline bool is_share(float value) { return value >= 0.0f && value <= 1.0f; }
+
+inline bool same_bits(const void* a, const void* b, std::size_t bytes) { return std::memcmp(a, b, bytes) == 0; }
+
+/// False for anything with a NaN or an infinity.
+inline bool is_unit_direction(const Vec3& v) { return std::fabs(length(v) - 1.0f) <= kSavedUnitTolerance; }
+
+}  // namespace coif

@@ -1,0 +1,31 @@
+#pragma once
+
+// Options of `coif simulate` alone: what the head does and how long frames are, for who checks hair by its CSV.
+
+#include "animation/recording.h"
+
+#include <CLI/CLI.hpp>
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace coif {
+
+/// --attitude X,Y,Z: where the head's up axis points to once the head was turned.
+CLI::Option* add_attitude(CLI::App& app, std::optional<Eigen::Vector3d>& attitude);
+
+/// The head turns its up axis to that direction (of any length but 0) by the shortest way, and is held there.
+[[nodiscard]] std::shared_ptr<const HeadPath> attitude_path(const Eigen::Vector3d& attitude);
+
+/// --scale, in the range of HeadPose::scale.
+CLI::Option* add_scale(CLI::App& app, float& scale);
+
+/// --frame-lengths S[,S...] and --jitter SHARE[,SEED].
+void add_frame_lengths(CLI::App& app, FrameLengths& lengths);
+
+/// "60 per second", or how frames go by turns and at random.
+[[nodiscard]] std::string pace_text(const RecordingSettings& recording);
+
+}  // namespace coif

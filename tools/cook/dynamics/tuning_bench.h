@@ -1,0 +1,66 @@
+#pragma once
+
+#include "lab/measure_runtime.h"
+#include "lab/rig.h"
+#include "write/asset_writer.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace coif {
+
+/// What the runtime does at one frame rate, over all motions of the suite.
+struct MeasuredRate {
+  QualityRecord quality;
+  double worst_second = 0;
+};
+
+/// Which chains of an asset are run, and how many others are not, nor any like them.
+struct ChainsToRun {
+  std::vector<std::uint32_t> chains;
+  std::size_t left_out = 0;
+};
+
+/// The runtime beside the reference, for any frame rate of the recipe's and number of parts; each is measured once.
+///
+/// Its work is bounded by counts of steps times bones, which are the same on every machine and on any number of threads: about ten seconds
+/// of one processor at most, whatever the file. Of many chains those are run that tell about most others; a motion whose reference takes more than its share
+/// is as exact as that share makes it, or left out. left_out() says all of it.
+class TuningBench {
+ public:
+  TuningBench(const AssetContents& contents, std::span<const std::uint32_t> rates, unsigned threads);
+
+  const MeasuredRate& at(std::uint32_t rate, std::uint32_t parts);
+
+  /// No motion has a reference.
+  [[nodiscard]] bool is_empty() const;
+  /// Whether sub-steps of this rate may still be measured at all these frame rates.
+  [[nodiscard]] bool has_work_left(std::span<const std::uint32_t> rates, std::uint32_t substep_rate) const;
+  /// Sentences for the cook's notes.
+  [[nodiscard]] const std::vector<std::string>& left_out() const { return left_out_; }
+  [[nodiscard]] double longest() const;
+  [[nodiscard]] std::vector<QualityRecord> table() const;
+
+ private:
+  TuningBench(const AssetContents& contents, const ChainsToRun& run, std::span<const std::uint32_t> rates, unsigned threads);
+  void solve(std::span<const std::uint32_t> rates);
+  void say_what_is_left_out();
+  [[nodiscard]] std::uint64_t work_of(std::uint32_t rate, std::uint32_t parts) const;
+  [[nodiscard]] MeasuredRate measure(std::uint32_t rate, std::uint32_t parts) const;
+
+  OpenedAsset opened_;
+  Rig rig_;
+  unsigned threads_;
+  std::size_t bones_ = 0, passive_ = 0, twisting_ = 0;
+  std::uint64_t work_ = 0;          ///< Steps of the runtime so far, times bones.
+  std::vector<KnownMotion> known_;  ///< One for each motion of the suite.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, MeasuredRate> measured_;
+  std::vector<std::string> left_out_;
+};
+
+}  // namespace coif
