@@ -32,7 +32,7 @@ void put_to_rest(const ChainLane& chain, const Quat& head_rotation) {
     const std::uint32_t at = chain.state_lane;
     set_lane(state.direction, at, rotate(head_rotation, lane(chain.constants[i].rest, chain.constant_lane)));
     for (Lanes3* const vector : {&state.velocity, &state.acceleration, &state.lagged}) set_lane(*vector, at, Vec3{});
-    state.tension.v[at] = state.touching.v[at] = state.after_blow.v[at] = 0.0f;
+    state.tension.v[at] = state.contact.v[at] = 0.0f;
     state.bent.v[at] = kNotBent;
   }
 }
@@ -57,13 +57,10 @@ void calm(const ChainLane& chain) {
 
 bool could_be(const SavedLane& lane, std::size_t at) {
   const float bent = lane.number(at + offsetof(PassiveState, bent));
-  const auto is_flag = [&](std::size_t of_state) {
-    const float flag = lane.number(at + of_state);
-    return flag == 0.0f || flag == 1.0f;
-  };
+  const float contact = lane.number(at + offsetof(PassiveState, contact));
   return is_unit_direction(lane.vector(at + offsetof(PassiveState, direction))) &&
          lane.number(at + offsetof(PassiveState, tension)) >= 0.0f && (bent >= 0.0f || bent == kNotBent) &&
-         is_flag(offsetof(PassiveState, touching)) && is_flag(offsetof(PassiveState, after_blow));
+         (contact == 0.0f || contact == 1.0f || contact == 2.0f || contact == 3.0f);
 }
 
 }  // namespace passive

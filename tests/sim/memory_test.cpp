@@ -128,7 +128,7 @@ TEST(CrowdMemory, AHeadOfNineBonesHasLittleMoreThanHalfAKilobyteOfState) {
     const bool is_passive = solver == &kPassiveSolver;
     const char* const name = is_passive ? "passive" : solver == &kCoifSolver ? "coif" : "thesis";
     std::printf("%s: %.0f bytes a head besides its matrices\n", name, most);
-    EXPECT_LE(most, is_passive ? 708.0 : 568.0);
+    EXPECT_LE(most, is_passive ? 744.0 : 568.0);
   }
 }
 

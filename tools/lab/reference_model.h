@@ -115,8 +115,9 @@ class ReferenceTree {
   /// The rest pose, moving rigidly with the head.
   void reset(const HeadState& head);
 
-  /// Free movement; then, from root to tip, whatever left its limits or entered a collider is turned back the
-  /// shortest way and loses the velocity that led there; limits about axes of their own come last.
+  /// Free movement. Then chains of the passive model leave colliders as a whole, by the shortest way by mass. Then, from root to tip, whatever
+  /// left its limits or entered a collider is turned back the shortest way and loses the velocity that led there; limits about axes of
+  /// their own come last. Last, the passive model's velocities become the nearest by mass that stretch nothing and lead into no collider.
   /// A bone whose parent was held keeps its own tail's velocity.
   void step(const HeadStep& step);
 

@@ -125,8 +125,8 @@ struct PassiveState {
   Lanes3 lagged;        ///< The same as the method has it, which lags behind.
   Lanes tension;        ///< Along the bone, newtons for bones of a kilogram a metre; >= 0.
   Lanes bent;           ///< Energy of its bending, over its stiffness and what it carries; kNotBent: it was put there.
-  Lanes touching;       ///< 1: it lies on a collider of its head, 0: it does not.
-  Lanes after_blow;     ///< Of a chain's first bone. 1: some bone of the chain came to a collider in the last step, 0: none did.
+  /// 1: it lies on a collider of its head, 0: it does not. A chain's first bone has 2 more if any bone of it came to one in the last step.
+  Lanes contact;
 };
 
 /// And what it remembers besides where bones may twist.

@@ -23,8 +23,8 @@ namespace HWY_NAMESPACE {
 /// Of 1 + cosine: a bone nearer to folded over its parent turns its frame no faster, small as its movements are.
 inline constexpr float kLeastUnfolded = 0.02f;
 
-/// Nearer to its start than this share of its length a contact does not hold a bone.
-inline constexpr float kLeastShare = 0.02f;
+/// Nearer to its start than this share of its length a contact holds a bone as if it were there; and nearer than the other not at all.
+inline constexpr float kLeastShare = 0.02f, kNoShare = 1e-4f;
 
 /// Of a contact, against what it holds.
 inline constexpr float kFirmContact = 1000.0f;
@@ -227,20 +227,23 @@ struct PassiveTouch {
   }
   HWY_INLINE void set(D d, hn::Mask<D> where, const V3<D>& out, V<D> place, V<D> way) {
     set_where(d, where, out, normal);
-    share = hn::IfThenElse(where, place, share);
+    const auto lever = hn::Max(place, hn::Set(d, kLeastShare));
+    share = hn::IfThenElse(where, hn::IfThenElseZero(hn::Gt(place, hn::Set(d, kNoShare)), lever), share);
     lift = hn::IfThenElse(where, way, lift);
   }
-  [[nodiscard]] HWY_INLINE hn::Mask<D> holds(D d) const { return hn::Gt(share, hn::Set(d, kLeastShare)); }
+  [[nodiscard]] HWY_INLINE hn::Mask<D> holds(D d) const { return hn::Gt(share, hn::Zero(d)); }
 };
 
-/// What keeps the bone's velocity from leading into the collider that it touches: a push of -(wanted + pulled v), where its start goes
-/// faster by v than was thought. It acts on the start along `yield`, 1 / `pulled` of it.
+/// What keeps velocities from leading into the collider that the bone touches: a push of -yields (wanted + lever v) along the normal, where
+/// its start goes faster by v than was thought.
 template <class D>
 struct PassiveHold {
-  V3<D> lever;    ///< How a push moves the start.
-  V3<D> by_push;  ///< And the end.
-  V<D> wanted, yields;
-  V<D> drag;  ///< On the bone's pull.
+  hn::Mask<D> holds;
+  V3<D> lever;    ///< How fast the place of contact comes out as the start moves; the push acts on the start along it.
+  V3<D> by_push;  ///< How a push changes the velocity of the bone's end.
+  V<D> drag;      ///< And the bone's pull.
+  V<D> wanted;    ///< m/s at which the place of contact goes out, but for the start's change.
+  V<D> yields;    ///< kg
 };
 
 /// Nothing of it outlives a step.

@@ -59,7 +59,7 @@ class PassiveChain {
 
   HWY_INLINE void run() {
     if (collides_) {
-      const auto blow = hn::Gt(load(d_, state_[0].after_blow, lane_), hn::Zero(d_));
+      const auto blow = hn::Gt(load(d_, state_[0].contact, lane_), hn::Set(d_, 1.5f));
       if (HWY_UNLIKELY(!hn::AllFalse(d_, blow))) start_after_blow(blow);
     }
     turn_bones();
@@ -140,6 +140,8 @@ class PassiveChain {
   HWY_INLINE void meet_colliders();
   void hold_at_contacts(hn::Mask<D> touching);
   HWY_INLINE void find_hold(std::size_t i, const Symmetric3<D>& inverse, V<D> opening);
+  HWY_INLINE void hand_up_hold(const PassiveHold<D>& hold, PassiveLinks<D>& links);
+  HWY_INLINE void push_back(const V3<D>& of_start, PassiveBone<D>& bone, V<D>& pull);
   HWY_INLINE PassivePace<D> pace_of(std::size_t i, V<D> length);
   HWY_INLINE void settle(std::size_t i);
   HWY_INLINE void gather_momentum(std::size_t i);

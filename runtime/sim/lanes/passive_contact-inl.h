@@ -97,7 +97,8 @@ HWY_INLINE const V3<D>& PassiveChain<D>::place_tail(std::size_t i) {
 /// Where the bone lay on a collider before the step.
 template <class D>
 HWY_INLINE hn::Mask<D> PassiveChain<D>::lay_on(std::size_t i) const {
-  return hn::Gt(load(d_, state_[i].touching, lane_), hn::Zero(d_));
+  const auto contact = load(d_, state_[i].contact, lane_);
+  return hn::Or(hn::Eq(contact, hn::Set(d_, 1.0f)), hn::Eq(contact, hn::Set(d_, 3.0f)));
 }
 
 /// A blow changes accelerations at once, and those of before it say nothing about the next step. That one takes the accelerations at its own
@@ -186,6 +187,7 @@ HWY_INLINE void PassiveChain<D>::find_hold(std::size_t i, const Symmetric3<D>& i
   const auto mobile = hn::Sub(own, along);
   const auto can = hn::And(holds, hn::Gt(mobile, hn::Mul(hn::Set(d_, 1e-4f), own)));
   hold.yields = hn::IfThenElseZero(can, hn::Div(one, hn::IfThenElse(can, mobile, one)));
+  hold.holds = can;
   hold.by_push = by_push;
   hold.drag = drag;
   hold.lever = add_scaled(d_, scale(d_, touch.normal, rest), bone.direction, drag);
@@ -199,6 +201,27 @@ HWY_INLINE void PassiveChain<D>::find_hold(std::size_t i, const Symmetric3<D>& i
   const auto stretch = hn::Add(opening, dot(d_, bone.direction, bone.links.by_push));
   const auto leaving = hn::Sub(dot(d_, touch.normal, sub(d_, mixed, surface)), touch.leave);
   hold.wanted = hn::Sub(leaving, hn::Mul(drag, stretch));
+}
+
+/// Adds what the contact leaves of them for the parent.
+template <class D>
+HWY_INLINE void PassiveChain<D>::hand_up_hold(const PassiveHold<D>& hold, PassiveLinks<D>& links) {
+  const Symmetric3<D> mass = add_outer(d_, links.mass, scale(d_, hold.lever, hold.yields), hold.lever);
+  for (V<D> Symmetric3<D>::* const part : {&Symmetric3<D>::xx, &Symmetric3<D>::xy, &Symmetric3<D>::xz,
+                                           &Symmetric3<D>::yy, &Symmetric3<D>::yz, &Symmetric3<D>::zz}) {
+    links.mass.*part = hn::IfThenElse(hold.holds, mass.*part, links.mass.*part);
+  }
+  const V3<D> push = sub_scaled(d_, links.push, hold.lever, hn::Mul(hold.yields, hold.wanted));
+  set_where(d_, hold.holds, push, links.push);
+}
+
+/// What the contact gives the bone, whose parent's end changes its velocity by `of_start`.
+template <class D>
+HWY_INLINE void PassiveChain<D>::push_back(const V3<D>& of_start, PassiveBone<D>& bone, V<D>& pull) {
+  const PassiveHold<D>& hold = bone.hold;
+  const auto push = hn::Neg(hn::Mul(hold.yields, hn::Add(hold.wanted, dot(d_, hold.lever, of_start))));
+  pull = hn::IfThenElse(hold.holds, hn::Add(pull, hn::Mul(push, hold.drag)), pull);
+  set_where(d_, hold.holds, add_scaled(d_, bone.links.by_push, hold.by_push, push), bone.links.by_push);
 }
 
 /// One round more, in which the contacts hold. Those that would have to pull let go, and it is done again.

@@ -113,8 +113,11 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   store(d_, without_trace(d_, lagged), state.lagged, lane_);
   if (collides_) {
     const auto lies = hn::AndNot(hn::Gt(bone.touch.leave, hn::Zero(d_)), bone.touch.holds(d_));
-    store(d_, hn::IfThenElseZero(lies, hn::Set(d_, 1.0f)), state.touching, lane_);
-    if (i == 0) store(d_, hits_ ? hn::IfThenElseZero(hit_, hn::Set(d_, 1.0f)) : hn::Zero(d_), state.after_blow, lane_);
+    auto contact = hn::IfThenElseZero(lies, hn::Set(d_, 1.0f));
+    if (HWY_UNLIKELY(hits_) && i == 0) {
+      contact = hn::Add(contact, hn::IfThenElseZero(hit_, hn::Set(d_, 2.0f)));
+    }
+    store(d_, contact, state.contact, lane_);
   }
 
   const Bent<D> bent = bend(d_, from.frame, rest, by_parent, in_head);
@@ -167,11 +170,7 @@ HWY_INLINE void PassiveChain<D>::gather_momentum(std::size_t i) {
   PassiveLinks<D>& links = parent_of(i).links;
   const V3<D> firm = scale(d_, bone.direction, bone.links.yields);
   links.mass = add_outer(d_, links.mass, firm, bone.direction);
-  if (HWY_UNLIKELY(touches_)) {
-    const PassiveHold<D>& hold = bone.hold;
-    links.mass = add_outer(d_, links.mass, scale(d_, hold.lever, hold.yields), hold.lever);
-    links.push = sub_scaled(d_, links.push, hold.lever, hn::Mul(hold.yields, hold.wanted));
-  }
+  if (HWY_UNLIKELY(touches_)) hand_up_hold(bone.hold, links);
   links.push = add_scaled(d_, links.push, bone.direction, bone.links.pull);
   links.force = add(d_, links.force, bone.links.force);
 }
@@ -186,12 +185,8 @@ HWY_INLINE void PassiveChain<D>::keep_links(std::size_t i) {
     bone.links.start_velocity = parent.tail.velocity;
   }
   if (HWY_UNLIKELY(touches_)) {
-    const PassiveHold<D>& hold = bone.hold;
-    auto wanted = hold.wanted;
-    if (!is_first(i)) wanted = hn::Add(wanted, dot(d_, hold.lever, parent_of(i).links.change));
-    const auto push = hn::Neg(hn::Mul(hold.yields, wanted));
-    pull = hn::Add(pull, hn::Mul(push, hold.drag));
-    bone.links.by_push = add_scaled(d_, bone.links.by_push, hold.by_push, push);
+    const auto zero = hn::Zero(d_);
+    push_back(is_first(i) ? V3<D>{zero, zero, zero} : parent_of(i).links.change, bone, pull);
   }
   bone.links.change = sub_scaled(d_, bone.links.by_push, bone.links.by_pull, pull);
   bone.tail.velocity = add(d_, bone.tail.velocity, bone.links.change);
