@@ -6,12 +6,12 @@
 namespace coif {
 
 /// How a bone moves in a step.
-struct BoneMotion {
+struct ScaledDynamics {
   double stiffness, damping, friction;  ///< 1/s^2, 1/s, 1/s.
 };
 
 /// What the asset says of it, times the step's factors, within the bounds of what moves hair.
-inline BoneMotion bone_motion(const StepTerms& step, const DynamicsRecord& dynamics) {
+inline ScaledDynamics bone_motion(const StepTerms& step, const DynamicsRecord& dynamics) {
   const auto bounded = [](float own, float factor, float most) {
     const double product = double(own) * double(factor);
     return product < double(most) ? product : double(most);

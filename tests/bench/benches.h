@@ -8,7 +8,7 @@
 namespace coif {
 
 /// Which lengths the frames of a benchmark have.
-enum class FrameLengths {
+enum class BenchFrames {
   kSteady,   ///< All 1/60 s.
   kVarying,  ///< None as long as the one before, as on a screen without vertical sync: what depends on the step's
              ///< length alone is computed anew in every frame.
@@ -17,7 +17,7 @@ enum class FrameLengths {
 /// Adds the benchmark `name` to those of this program. Reported are medians over frames: `ns_per_bone` of set_head()
 /// for all heads and step(), `step_ns_per_bone` and `set_head_ns` (per head) of each alone, `us_per_frame`,
 /// `bytes_per_head`.
-void add_crowd_benchmark(const std::string& name, const CrowdRun& run, FrameLengths lengths = FrameLengths::kSteady);
+void add_crowd_benchmark(const std::string& name, const CrowdRun& run, BenchFrames lengths = BenchFrames::kSteady);
 
 /// Adds what happens once for each asset: Asset::open() of the cooked samples in `folder`, with and without the
 /// hashes, Asset::verify_draw_data(), and Hair::create(). Samples that are not there are left out.

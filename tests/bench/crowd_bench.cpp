@@ -18,9 +18,9 @@ namespace {
 /// one frame fills every cache.
 int warm_up_frames(const CrowdShape& shape) { return int(std::clamp(6e5 / shape.bone_count(), 3.0, 300.0)); }
 
-double frame_seconds(FrameLengths lengths, std::size_t frame) {
+double frame_seconds(BenchFrames lengths, std::size_t frame) {
   constexpr std::array kShares = {1.0, 1.07, 0.93, 1.11, 0.97, 1.02, 0.89};
-  return lengths == FrameLengths::kSteady ? kFrameSeconds : kFrameSeconds * kShares[frame % kShares.size()];
+  return lengths == BenchFrames::kSteady ? kFrameSeconds : kFrameSeconds * kShares[frame % kShares.size()];
 }
 
 void report(benchmark::State& state, const TimedCrowd& crowd, const CrowdRun& run, double set_seconds,
@@ -38,7 +38,7 @@ void report(benchmark::State& state, const TimedCrowd& crowd, const CrowdRun& ru
   state.counters["bytes_per_head"] = crowd.bytes_per_head();
 }
 
-void time_frames(benchmark::State& state, const CrowdRun& run, FrameLengths lengths) {
+void time_frames(benchmark::State& state, const CrowdRun& run, BenchFrames lengths) {
   TimedCrowd crowd(run);
   Stopwatch watch = stopwatch_for(run.shape.bone_count());
   FrameTimes set_times, step_times;
@@ -68,7 +68,7 @@ void time_frames(benchmark::State& state, const CrowdRun& run, FrameLengths leng
 
 }  // namespace
 
-void add_crowd_benchmark(const std::string& name, const CrowdRun& run, FrameLengths lengths) {
+void add_crowd_benchmark(const std::string& name, const CrowdRun& run, BenchFrames lengths) {
   benchmark::RegisterBenchmark(name.c_str(),
                                [run, lengths](benchmark::State& state) { time_frames(state, run, lengths); })
       ->UseManualTime()

@@ -38,7 +38,7 @@ void add_substeps() {
 
 void add_varying_frames() {
   for (const auto& [name, shape] : kWorkloads) {
-    add_crowd_benchmark("varying_dt_" + name, {shape}, FrameLengths::kVarying);
+    add_crowd_benchmark("varying_dt_" + name, {shape}, BenchFrames::kVarying);
   }
 }
 

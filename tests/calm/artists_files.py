@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Cooks the artists' files and this project's samples as drafts, and looks whether hair of heads that are held comes to rest.
+"""Cooks the artists' files as drafts and this project's samples whole, and looks whether hair of heads that are held comes to rest.
 
   artists_files.py drawn|all COIF COIF_HOLD_HEADS HAIR SAMPLES
 
@@ -24,9 +24,11 @@ def sources(hair, samples):
     return found
 
 
-def cook(coif, source, folder):
+def cook(coif, source, samples, folder):
     asset = pathlib.Path(folder) / f"{source.stem}.coif"
-    done = subprocess.run([coif, "cook", source, "-o", asset, "--draft", "-q"], capture_output=True, text=True)
+    # A draft of `long` keeps the numbers that have no one motion, which a whole cook mends.
+    draft = [] if samples in source.parents else ["--draft"]
+    done = subprocess.run([coif, "cook", source, "-o", asset, "-q"] + draft, capture_output=True, text=True)
     if done.returncode in REFUSED:
         print(f"{source.name}: refused")
         return None
@@ -38,7 +40,8 @@ def cook(coif, source, folder):
 def main():
     ways, coif, hold_heads, hair, samples = sys.argv[1:]
     with tempfile.TemporaryDirectory() as folder:
-        assets = [cook(coif, source, folder) for source in sources(pathlib.Path(hair), pathlib.Path(samples))]
+        samples = pathlib.Path(samples)
+        assets = [cook(coif, source, samples, folder) for source in sources(pathlib.Path(hair), samples)]
         assets = [asset for asset in assets if asset]
         held = subprocess.run([hold_heads] + (["--drawn"] if ways == "drawn" else []) + assets)
     print(f"{len(assets)} assets")

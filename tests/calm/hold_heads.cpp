@@ -29,7 +29,7 @@ int hold(const std::string& path, bool is_drawn) {
     std::fprintf(stderr, "%s\n", bytes.error().message.c_str());
     return -1;
   }
-  const OpenedAsset file(bytes->bytes());
+  const OpenedAsset file(bytes->span());
   if (!file.asset().is_open()) {
     std::fprintf(stderr, "%s: no asset\n", path.c_str());
     return -1;

@@ -54,7 +54,7 @@ TEST(LeaveOut, EachKeyOfTheSceneLeavesItsChunksOutAndSaysTheirBytes) {
     std::vector<std::uint32_t> chunks;
   };
   const Part parts[] = {{"names", &Recipe::scene_names, {chunk::kNames}},
-                        {"quality", &Recipe::scene_quality, {chunk::kQuality}},
+                        {"quality", &Recipe::scene_quality, {chunk::kQuality, chunk::kMotionNames}},
                         {"provenance", &Recipe::scene_provenance, {chunk::kProvenance}},
                         {"draw",
                          &Recipe::scene_draw,

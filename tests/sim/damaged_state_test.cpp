@@ -43,10 +43,12 @@ TestRig rig() {
   TestRig rig = nine_bone_rig();
   for (std::size_t i = 1; i < rig.dynamics.size(); ++i) rig.dynamics[i].torsion = i % 2 == 0 ? 4.0f : kShortestArc;
   rig.body_bones.push_back({0, {0, -0.3f, 0}, {0, 0, 0, 1}});
-  rig.body_colliders.push_back({.shape = ColliderShape::kSphere,
-                                .center = {0, -0.3f, 0},
-                                .radii = {0.05f, 0.05f, 0.05f},
-                                .rotation = {0, 0, 0, 1}});
+  ColliderRecord& sphere = rig.body_colliders.emplace_back();
+  sphere = {};
+  sphere.shape = ColliderShape::kSphere;
+  sphere.center[1] = -0.3f;
+  for (float& radius : sphere.radii) radius = 0.05f;
+  sphere.rotation[3] = 1;
   return rig;
 }
 

@@ -159,7 +159,7 @@ TEST(Links, OfBonesThatTouchLeaveThemOutOfTheHead) {
       const float x = std::clamp(end.x, -0.2f, 0.2f);
       EXPECT_GT(std::hypot(end.x - x, end.y + 0.15f, end.z + 0.1f), 0.05f * (1 - 1e-4f));
     }
-    EXPECT_LT(worst_of(rig, all), 0.1) << "where a collider stands between, the collider comes first";
+    EXPECT_LT(worst_of(rig, all), 0.15) << "where a collider stands between, the collider comes first";
   }
 }
 

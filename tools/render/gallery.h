@@ -74,7 +74,7 @@ struct Gallery {
 
 /// What to take pictures of: 1 components apart, 2 shifts of the highlights, 3 their exponents, 4 colours, 5 motion, as
 /// moments one after the other, 6 what hair does when the head has been charging: as cooked, and by Algorithm 1, 7 what a character
-/// brings along: a hand that goes through the hair, other sizes under the same gravity, a pose that the hair follows.
+/// brings along: a hand that goes through the hair, other sizes in the same run, a pose that the hair follows.
 [[nodiscard]] std::vector<Gallery> thesis_galleries(const Asset& asset, const GallerySettings& settings);
 
 struct GallerySheet {

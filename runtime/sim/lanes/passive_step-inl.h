@@ -5,6 +5,7 @@
 #include "palette-inl.h"
 #include "passive_contact-inl.h"
 #include "passive_energy-inl.h"
+#include "passive_solve-inl.h"
 #include "row.h"
 
 #if defined(COIF_SIM_LANES_PASSIVE_STEP_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -79,6 +80,7 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   }
   // What starts where it freely starts and is near nothing need not be asked again.
   is_moved_ = is_moved_ || (shape.features & (kRowHasLimit | kRowIsBounded)) != 0 || any_rigid(i);
+  if constexpr (kOnCharacter<D>) is_moved_ = is_moved_ || row_.character->collider_count != 0;
   if ((shape.features & kRowCollides) && (bone.is_near || touches_ || is_moved_)) {
     const V3<D> velocity = now.velocity;
     const auto touches =

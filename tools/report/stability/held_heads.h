@@ -18,8 +18,9 @@ struct HeldHeads {
   float stiffness = 1, damping = 1, friction = 1;  ///< Factors, as DynamicsScale.
 };
 
-/// Seconds after which hair of a held head is at rest: the longest that any of the shared artists' files takes, rounded up.
-inline constexpr double kSettlingTime = 8;
+/// Seconds after which hair of a held head is at rest: the longest that hair of artists' files takes, rounded up. It is tied hair, which is little
+/// damped, that slides off a place where it was nearly balanced.
+inline constexpr double kSettlingTime = 12;
 /// Slower is at rest, m/s.
 inline constexpr double kAtRest = 0.02;
 

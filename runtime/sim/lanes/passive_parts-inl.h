@@ -1,0 +1,249 @@
+// What a bone of the passive model is made of while a step goes on: sums over what hangs from it, what holds it and where it touches, and
+// the algebra of those. Masses in kilograms for bones of one a metre, world axes. Compiled once per instruction set.
+
+#include "../passive_method.h"
+#include "coif_bone-inl.h"
+#include "lane_math-inl.h"
+
+#if defined(COIF_SIM_LANES_PASSIVE_PARTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef COIF_SIM_LANES_PASSIVE_PARTS_INL_H_
+#undef COIF_SIM_LANES_PASSIVE_PARTS_INL_H_
+#else
+#define COIF_SIM_LANES_PASSIVE_PARTS_INL_H_
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace coif {
+namespace HWY_NAMESPACE {
+
+/// Of 1 + cosine: a bone nearer to folded over its parent turns its frame no faster, small as its movements are.
+inline constexpr float kLeastUnfolded = 0.02f;
+
+/// Nearer to its start than this share of its length a contact holds a bone as if it were there; and nearer than the other not at all.
+inline constexpr float kLeastShare = 0.02f, kNoShare = 1e-4f;
+
+/// Of a contact, against what it holds.
+inline constexpr float kFirmContact = 1000.0f;
+
+/// Of a joint's stiffness, what it has against folding by more than a right angle (MODEL.md, "The passive model").
+inline constexpr float kFoldStiffness = 0.01f;
+
+/// Radians a step: the method can follow what turns slower against the head.
+inline constexpr float kMostTurn = 0.7f;
+
+template <class D>
+struct Symmetric3 {
+  V<D> xx, xy, xz, yy, yz, zz;
+};
+
+template <class D>
+HWY_INLINE V3<D> times(D, const Symmetric3<D>& m, const V3<D>& v) {
+  return {hn::Add(hn::Add(hn::Mul(m.xx, v.x), hn::Mul(m.xy, v.y)), hn::Mul(m.xz, v.z)),
+          hn::Add(hn::Add(hn::Mul(m.xy, v.x), hn::Mul(m.yy, v.y)), hn::Mul(m.yz, v.z)),
+          hn::Add(hn::Add(hn::Mul(m.xz, v.x), hn::Mul(m.yz, v.y)), hn::Mul(m.zz, v.z))};
+}
+
+/// m + a b^T, which is symmetric.
+template <class D>
+HWY_INLINE Symmetric3<D> add_outer(D, const Symmetric3<D>& m, const V3<D>& a, const V3<D>& b) {
+  return {hn::Add(m.xx, hn::Mul(a.x, b.x)), hn::Add(m.xy, hn::Mul(a.x, b.y)), hn::Add(m.xz, hn::Mul(a.x, b.z)),
+          hn::Add(m.yy, hn::Mul(a.y, b.y)), hn::Add(m.yz, hn::Mul(a.y, b.z)), hn::Add(m.zz, hn::Mul(a.z, b.z))};
+}
+
+/// Of a positive definite matrix.
+template <class D>
+HWY_INLINE Symmetric3<D> inverse_of(D d, const Symmetric3<D>& m) {
+  const auto minor = [](V<D> a, V<D> b, V<D> c, V<D> e) { return hn::Sub(hn::Mul(a, b), hn::Mul(c, e)); };
+  const auto xx = minor(m.yy, m.zz, m.yz, m.yz), xy = minor(m.xz, m.yz, m.xy, m.zz);
+  const auto xz = minor(m.xy, m.yz, m.xz, m.yy);
+  const auto size = hn::Add(hn::Add(hn::Mul(m.xx, xx), hn::Mul(m.xy, xy)), hn::Mul(m.xz, xz));
+  const auto k = hn::Div(hn::Set(d, 1.0f), size);
+  return {hn::Mul(xx, k),
+          hn::Mul(xy, k),
+          hn::Mul(xz, k),
+          hn::Mul(minor(m.xx, m.zz, m.xz, m.xz), k),
+          hn::Mul(minor(m.xy, m.xz, m.xx, m.yz), k),
+          hn::Mul(minor(m.xx, m.yy, m.xy, m.xy), k)};
+}
+
+/// Forces go on where a bone was held, but for what of them leads against what `push` its particle's velocity was changed by. The blow
+/// itself is over. Of PassiveState.
+template <class D>
+HWY_INLINE void give_way(D d, hn::Mask<D> held, const V3<D>& push, V3<D>& acceleration, V3<D>& lagged) {
+  const auto push2 = dot(d, push, push), zero = hn::Zero(d);
+  const auto is_pushed = hn::And(held, hn::Gt(push2, hn::Set(d, 1e-18f)));
+  const auto per_push = hn::Div(hn::Set(d, 1.0f), hn::IfThenElse(is_pushed, push2, hn::Set(d, 1.0f)));
+  for (V3<D>* const vector : {&acceleration, &lagged}) {
+    const auto against = hn::Mul(hn::Min(dot(d, *vector, push), zero), per_push);
+    set_where(d, is_pushed, sub_scaled(d, *vector, push, against), *vector);
+  }
+}
+
+/// A particle at the end of a step.
+template <class D>
+struct PassivePace {
+  V3<D> lagged;  ///< As PassiveState has them.
+  V3<D> acceleration;
+  V3<D> velocity;
+};
+
+/// PassiveMethod in lanes.
+template <class D>
+struct PassiveNumbers {
+  PassiveNumbers(D d, const PassiveMethod& method)
+      : dt(hn::Set(d, float(method.dt))),
+        per_dt(hn::Set(d, float(1 / method.dt))),
+        mean(hn::Set(d, float(method.mean))),
+        from_lagged(hn::Set(d, float(method.from_lagged))),
+        from_acceleration(hn::Set(d, float(method.from_acceleration))),
+        lag(hn::Set(d, float(method.lag))),
+        lagged_per_way(hn::Set(d, float(method.lagged_per_way))),
+        early(hn::Set(d, float(method.early))),
+        late(hn::Set(d, float(method.late))) {}
+
+  /// Of a particle that made this way; the other three from before the step.
+  HWY_INLINE PassivePace<D> pace(D d, const V3<D>& way, const V3<D>& velocity, const V3<D>& acceleration,
+                                 const V3<D>& lagged) const {
+    const V3<D> expected = add_scaled(d, scale(d, velocity, dt), lagged, lag);
+    PassivePace<D> now;
+    now.lagged = scale(d, sub(d, way, expected), lagged_per_way);
+    now.acceleration =
+        add_scaled(d, add_scaled(d, scale(d, now.lagged, mean), lagged, from_lagged), acceleration, from_acceleration);
+    now.velocity = add_scaled(d, add_scaled(d, velocity, lagged, early), now.lagged, late);
+    return now;
+  }
+
+  V<D> dt, per_dt, mean, from_lagged, from_acceleration, lag, lagged_per_way, early, late;
+};
+
+/// The six entries of a b^T that a symmetric sum of such has.
+template <class D>
+HWY_INLINE Symmetric3<D> outer(D, const V3<D>& a, const V3<D>& b) {
+  return {hn::Mul(a.x, b.x), hn::Mul(a.x, b.y), hn::Mul(a.x, b.z), hn::Mul(a.y, b.y), hn::Mul(a.y, b.z), hn::Mul(a.z, b.z)};
+}
+
+template <class D>
+HWY_INLINE Symmetric3<D> add(D, const Symmetric3<D>& a, const Symmetric3<D>& b) {
+  return {hn::Add(a.xx, b.xx), hn::Add(a.xy, b.xy), hn::Add(a.xz, b.xz),
+          hn::Add(a.yy, b.yy), hn::Add(a.yz, b.yz), hn::Add(a.zz, b.zz)};
+}
+
+template <class D>
+HWY_INLINE V3<D> mixed_of(D d, const V3<D> (&two)[2], V<D> first, V<D> second) {
+  return add_scaled(d, scale(d, two[0], first), two[1], second);
+}
+
+/// m += a b^T.
+template <class D>
+HWY_INLINE void add_outer(D, const V3<D>& a, const V3<D>& b, M3<D>& m) {
+  const auto add_to = [&](V3<D>& column, V<D> by) {
+    column = {hn::Add(column.x, hn::Mul(a.x, by)), hn::Add(column.y, hn::Mul(a.y, by)),
+              hn::Add(column.z, hn::Mul(a.z, by))};
+  };
+  add_to(m.x, b.x);
+  add_to(m.y, b.y);
+  add_to(m.z, b.z);
+}
+
+/// What all that hangs from a bone does to it, as long as nobody has said how the bone moves: the function
+///     p P p / 2 + p R w + w Q w / 2 + p a - w t
+/// of the way p of its end and the turn w of its frame.
+template <class D>
+struct PassiveBelow {
+  Symmetric3<D> inertia;   ///< P; the bone's own included.
+  M3<D> coupling;          ///< R
+  Symmetric3<D> firmness;  ///< Q
+  V3<D> load;              ///< a
+  V3<D> torque;            ///< t
+};
+
+/// Of a bone's two turns, while they are taken out: what holds them against the parent's frame and besides (11, 12, 22), and by how much
+/// the spin of its frame moves them.
+template <class D>
+struct PassiveTurns {
+  V<D> firm[3], rest[3], spin[2];
+};
+
+/// The same for velocities that stretch nothing: what `push` the bone's end gets moves it by mass^-1 (push - pull direction),
+/// and the bone pulls by `pull`, less `yields` times how fast its start goes along it.
+template <class D>
+struct PassiveLinks {
+  Symmetric3<D> mass;
+  V3<D> push;   ///< kg m/s
+  V3<D> force;  ///< That nothing but the bone's tension balances, newtons.
+  V3<D> start_velocity;
+  V3<D> by_pull, by_push;  ///< mass^-1 direction, mass^-1 push
+  V3<D> change;            ///< Of the end's velocity.
+  V<D> pull, yields;
+
+  HWY_INLINE void clear(D d, V<D> own) {
+    const auto zero = hn::Zero(d);
+    mass = {own, zero, zero, own, zero, own};
+    push = force = {zero, zero, zero};
+  }
+
+  /// In these lanes the bone is not there: nothing pulls.
+  HWY_INLINE void let_go(hn::Mask<D> missing) {
+    force = {hn::IfThenZeroElse(missing, force.x), hn::IfThenZeroElse(missing, force.y),
+             hn::IfThenZeroElse(missing, force.z)};
+    yields = hn::IfThenZeroElse(missing, yields);
+  }
+};
+
+/// Of kFoldStiffness stiffness (tan^2(fold / 2) - 1)^3 what is to be multiplied by the stiffness: the energy of a bone that is folded by more
+/// than a right angle.
+template <class D>
+HWY_INLINE V<D> fold_energy(D d, const V3<D>& direction, const V3<D>& arc) {
+  const auto one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f);
+  const auto unfolded = hn::Max(hn::Add(one, dot(d, arc, direction)), hn::Set(d, kLeastUnfolded));
+  const auto fold = hn::Max(hn::Sub(hn::Div(two, unfolded), two), hn::Zero(d));
+  return hn::Mul(hn::Mul(fold, hn::Set(d, kFoldStiffness)), hn::Mul(fold, fold));
+}
+
+/// What the book of a chain's energy needs of a bone (passive_energy-inl.h), world axes, against the head.
+template <class D>
+struct PassiveBook {
+  V3<D> before;  ///< Its direction before the step.
+  V3<D> drift;   ///< Velocity of its end, m/s: before the step, then after.
+  V3<D> gone;    ///< Where its end went, metres.
+};
+
+/// Where the bone touches a collider of its head.
+template <class D>
+struct PassiveTouch {
+  V3<D> normal;  ///< Unit, world, from the collider to the hair.
+  V<D> share;    ///< Of the bone's length, from its start to the place of contact; 0: it touches nothing.
+  V<D> lift;     ///< Metres by which that place has to be lifted from where the bone freely is.
+  V<D> leave;    ///< m/s at which it is left again at the end of the step.
+
+  HWY_INLINE void clear(D d) {
+    const auto zero = hn::Zero(d);
+    normal = {zero, zero, zero};
+    share = lift = leave = zero;
+  }
+  HWY_INLINE void set(D d, hn::Mask<D> where, const V3<D>& out, V<D> place, V<D> way) {
+    set_where(d, where, out, normal);
+    const auto lever = hn::Max(place, hn::Set(d, kLeastShare));
+    share = hn::IfThenElse(where, hn::IfThenElseZero(hn::Gt(place, hn::Set(d, kNoShare)), lever), share);
+    lift = hn::IfThenElse(where, way, lift);
+  }
+  [[nodiscard]] HWY_INLINE hn::Mask<D> holds(D d) const { return hn::Gt(share, hn::Zero(d)); }
+};
+
+/// What keeps velocities from leading into the collider that the bone touches: a push of -yields (wanted + lever v) along the normal, where
+/// its start goes faster by v than was thought.
+template <class D>
+struct PassiveHold {
+  hn::Mask<D> holds;
+  V3<D> lever;    ///< How fast the place of contact comes out as the start moves; the push acts on the start along it.
+  V3<D> by_push;  ///< How a push changes the velocity of the bone's end.
+  V<D> drag;      ///< And the bone's pull.
+  V<D> wanted;    ///< m/s at which the place of contact goes out, but for the start's change.
+  V<D> yields;    ///< kg
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace coif
+HWY_AFTER_NAMESPACE();
+
+#endif
