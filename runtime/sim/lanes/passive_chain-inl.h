@@ -133,6 +133,7 @@ class PassiveChain {
   HWY_INLINE void eliminate(std::size_t i);
   HWY_INLINE void hold_bone(PassiveBone<D>& bone, V<D> length, PassiveTurns<D>& turns);
   HWY_INLINE void turn_bone(std::size_t i, hn::Mask<D> moving);
+  HWY_NOINLINE void solve_round(bool is_first_guess, hn::Mask<D> moving);
   HWY_INLINE void turn_bones();
   hn::Mask<D> find_lying();
   HWY_INLINE hn::Mask<D> find_meetings();

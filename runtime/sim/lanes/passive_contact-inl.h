@@ -230,11 +230,9 @@ COIF_RARE void PassiveChain<D>::hold_at_contacts(hn::Mask<D> touching) {
   holds_contacts_ = true;
   for (std::size_t i = 0; i < count_; ++i) copy(d_, bones_[i].moved, bones_[i].free);
   for (int round = 0;; ++round) {
-    for (std::size_t i = 0; i < count_; ++i) find_forces(i);
-    for (std::size_t i = count_; i-- > 0;) eliminate(i);
+    solve_round(false, touching);
     auto pulls = hn::AndNot(touching, touching);
     for (std::size_t i = 0; i < count_; ++i) {
-      turn_bone(i, touching);
       PassiveBone<D>& bone = bones_[i];
       const auto zero = hn::Zero(d_);
       const V3<D> start = is_first(i) ? V3<D>{zero, zero, zero} : parent_of(i).shift;

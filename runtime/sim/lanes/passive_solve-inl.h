@@ -162,20 +162,26 @@ HWY_INLINE void PassiveChain<D>::turn_bone(std::size_t i, hn::Mask<D> moving) {
   bone.turn_by(d_, change, moving);
 }
 
+/// One round of Newton's method, in which the bones of these lanes turn. (Not inline: it is called in two places, and is most of the step.)
+template <class D>
+HWY_NOINLINE void PassiveChain<D>::solve_round(bool is_first_guess, hn::Mask<D> moving) {
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (is_first_guess) guess(i);
+    find_forces(i);
+  }
+  farthest2_ = hn::Zero(d_);
+  for (std::size_t i = count_; i-- > 0;) eliminate(i);
+  for (std::size_t i = 0; i < count_; ++i) turn_bone(i, moving);
+}
+
 /// Rounds of Newton's method, until what the next one would turn is too little to matter: of this round's turns the share that the
-/// equations leave out, and their squares. Nearly always one is enough. Each lane stops by itself. (One loop, so that the code is there once.)
+/// equations leave out, and their squares. Nearly always one is enough. Each lane stops by itself.
 template <class D>
 HWY_INLINE void PassiveChain<D>::turn_bones() {
   auto moving = hn::Eq(turn_.x.x, turn_.x.x);
   const auto enough = hn::Set(d_, may_leave(row_.dt));
   for (int round = 0;; ++round) {
-    for (std::size_t i = 0; i < count_; ++i) {
-      if (round == 0) guess(i);
-      find_forces(i);
-    }
-    farthest2_ = hn::Zero(d_);
-    for (std::size_t i = count_; i-- > 0;) eliminate(i);
-    for (std::size_t i = 0; i < count_; ++i) turn_bone(i, moving);
+    solve_round(round == 0, moving);
     const auto left = hn::Add(hn::Mul(most_twisting_, hn::Sqrt(farthest2_)), farthest2_);
     moving = hn::And(moving, hn::Gt(left, enough));
     if (round == kMostRounds || HWY_LIKELY(hn::AllFalse(d_, moving))) return;
