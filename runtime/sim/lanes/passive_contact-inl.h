@@ -179,7 +179,8 @@ HWY_INLINE void PassiveChain<D>::find_hold(std::size_t i, const Symmetric3<D>& i
   const PassiveTouch<D>& touch = bone.touch;
   PassiveHold<D>& hold = bone.hold;
   const auto one = hn::Set(d_, 1.0f);
-  const auto holds = touch.holds(d_), share = touch.share, rest = hn::Sub(one, share);
+  const auto holds = touch.holds(d_);
+  const auto share = touch.share, rest = hn::Sub(one, share);
   const V3<D> by_push = scale(d_, times(d_, inverse, touch.normal), share);
   const auto drag = hn::Mul(dot(d_, bone.direction, by_push), bone.links.yields);  // s dAn / dAd
   const auto own = hn::Mul(share, dot(d_, touch.normal, by_push));

@@ -147,7 +147,7 @@ HWY_INLINE void PassiveChain<D>::enter_motion(std::size_t i, const V3<D>& turnin
 }
 
 /// A chain that has more than it had and was given is slowed against the head until it has not. Where even at rest it would have more, it
-/// stays where it was.
+/// stays where it was, if nothing else moves there.
 template <class D>
 HWY_INLINE void PassiveChain<D>::balance() {
   const auto zero = hn::Zero(d_), half = hn::Set(d_, 0.5f);
@@ -158,6 +158,10 @@ HWY_INLINE void PassiveChain<D>::balance() {
   const auto is_too_high = hn::And(is_more, hn::Ge(excess, motion));
   const auto left = hn::Div(hn::Sub(motion, excess), hn::IfThenElse(is_more, hn::Max(motion, hn::Set(d_, 1e-30f)), hn::Set(d_, 1.0f)));
   slow_down(is_more, hn::Sqrt(hn::Max(left, zero)));
+  // Where it was a collider may be by now.
+  if constexpr (kOnCharacter<D>) {
+    if (row_.character->collider_count != 0) return;
+  }
   if (HWY_UNLIKELY(!hn::AllFalse(d_, is_too_high))) stay(is_too_high);
 }
 
