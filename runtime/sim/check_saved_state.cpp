@@ -2,9 +2,7 @@
 #include "check_saved_state.h"
 
 #include "head_lanes.h"
-#include "saved_chains.h"
 #include "saved_collider.h"
-#include "saved_lane.h"
 #include "step_settings.h"
 
 #include <cmath>
@@ -14,7 +12,7 @@
 namespace coif {
 namespace {
 
-/// Of one instance; a bool is 0 or 1.
+/// Looks at one instance's detail. A bool is 0 or 1.
 bool is_detail(const CrowdState& crowd, SavedBytes& bytes) {
   std::uint8_t raw[sizeof(InstanceDetail)];
   std::memcpy(raw, bytes.take(sizeof raw), sizeof raw);

@@ -45,10 +45,9 @@ namespace {
 /// Takes the hair along with its head's jump.
 void move_hair(CrowdState& crowd, std::uint32_t slot, const HairJump& by) {
   const Vec3 velocity = by.velocity * crowd.blocks[slot / kLanes].heads.per_scale.v[slot % kLanes];
-  const bool is_faster = !(by.velocity == Vec3{} && by.turning == Vec3{});
   for_each_chain(crowd, slot, [&](const Solver& solver, const ChainRecord&, const ChainLane& chain) {
     solver.turn(chain, by.turn);
-    if (is_faster) add_motion(solver, chain, velocity, by.turning);
+    if (by.is_faster()) add_motion(solver, chain, velocity, by.turning);
   });
 }
 

@@ -85,6 +85,8 @@ inline void stop_head(HeadLanes& heads, std::uint32_t i) {
 struct HairJump {
   Quat turn;
   Vec3 velocity, turning;
+
+  [[nodiscard]] bool is_faster() const { return !(velocity == Vec3{} && turning == Vec3{}); }
 };
 
 /// Puts the head, without a way there, where it has to be to arrive at its next pose in `dt` seconds if it goes on as it did, in its

@@ -1,4 +1,4 @@
-#include "saved_chains.h"
+#include "check_saved_state.h"
 
 #include "vector_math.h"
 

@@ -32,7 +32,7 @@ class SavedLane {
     const Vec3 axis = vector(offset);
     return {axis.x, axis.y, axis.z, number(offset + sizeof(Lanes3))};
   }
-  /// Of the numbers of `bytes` bytes of Lanes from `offset` on.
+  /// Looks at `bytes` bytes of Lanes from `offset` on.
   [[nodiscard]] bool are_finite(std::size_t offset, std::size_t bytes) const {
     for (std::size_t end = offset + bytes; offset < end; offset += sizeof(Lanes)) {
       if (!std::isfinite(number(offset))) return false;

@@ -137,7 +137,7 @@ export class Hair {
     this.#check(this.coif.exports.coif_hair_set_colliders(this.#open, instance, this.room, colliders.length), 'setColliders');
   }
   setBody(instance, bones) {
-    // Of any other number C looks at none and says why.
+    // C refuses any other number unread, and says why.
     if (bones.length === this.asset.bodyBones.length) bones.forEach((each, i) => this.coif.fill('BodyPose', each, undefined, this.room + i * BodyPose.size));
     this.#check(this.coif.exports.coif_hair_set_body(this.#open, instance, this.room, bones.length), 'setBody');
   }

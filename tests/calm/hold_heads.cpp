@@ -5,8 +5,8 @@
 #include "lab/rig.h"
 #include "report/stability/held_heads.h"
 
-#include <cstdio>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace coif;
 
-/// Of all ways two that the name chooses.
+/// Two of the ways, which the name chooses.
 std::vector<HeldHeads> drawn(const std::vector<HeldHeads>& all, const std::string& name) {
   std::uint64_t hash = 14695981039346656037u;
   for (const char letter : name) hash = (hash ^ std::uint8_t(letter)) * 1099511628211u;
@@ -44,9 +44,9 @@ int hold(const std::string& path, bool is_drawn) {
   for (const HeldHeads& way : is_drawn ? drawn(all, name) : all) {
     const HeldHeadsFinding found = hold_heads(file.asset(), way);
     restless += found.is_restless();
-    std::printf("%-20s %-36s %s settled after %5.2f s, then at most %.4f m/s (up to %d, %d, %d); fastest %.1f m/s\n", name.c_str(),
-                name_of(way).c_str(), found.is_restless() ? "RESTLESS" : "at rest ", found.settled_after, found.rest_speed,
-                found.up[0], found.up[1], found.up[2], found.max_speed);
+    std::printf("%-20s %-36s %s settled after %5.2f s, then at most %.4f m/s (up to %d, %d, %d); fastest %.1f m/s\n",
+                name.c_str(), name_of(way).c_str(), found.is_restless() ? "RESTLESS" : "at rest ", found.settled_after,
+                found.rest_speed, found.up[0], found.up[1], found.up[2], found.max_speed);
     std::fflush(stdout);
   }
   return restless;

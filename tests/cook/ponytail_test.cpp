@@ -14,8 +14,8 @@
 #include "models/test_rig.h"
 #include "motion/head_path.h"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
@@ -201,12 +201,12 @@ TEST_P(ArtistsPonytails, SwayInJogWhereTheyAreTied) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Corpus, ArtistsPonytails,
-    testing::Values(Worn{"mh_ponytail01/ponytail01.obj", true}, Worn{"moz_pigtails-1/hair_pigtails-1-red.glb", true},
-                    Worn{"mh_braid01/braid01.obj", true},
-                    Worn{"moz_french-braids-double/hair_french-braids-double-brown.glb", true},
-                    Worn{"mh2013_long2/long2.obj", false}, Worn{"mh2013_curly/curly.obj", false},
-                    Worn{"unitychan/UnityChan.fbx", false}));
+INSTANTIATE_TEST_SUITE_P(Corpus, ArtistsPonytails,
+                         testing::Values(Worn{"mh_ponytail01/ponytail01.obj", true},
+                                         Worn{"moz_pigtails-1/hair_pigtails-1-red.glb", true},
+                                         Worn{"mh_braid01/braid01.obj", true},
+                                         Worn{"moz_french-braids-double/hair_french-braids-double-brown.glb", true},
+                                         Worn{"mh2013_long2/long2.obj", false}, Worn{"mh2013_curly/curly.obj", false},
+                                         Worn{"unitychan/UnityChan.fbx", false}));
 
 }  // namespace coif::ponytail_test

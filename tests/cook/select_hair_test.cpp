@@ -345,7 +345,8 @@ TEST(SelectHair, AFileOfCopiesIsDamaged) {
   const auto damaged = selected(strips_in_one_place(100));
   ASSERT_FALSE(damaged.made);
   EXPECT_EQ(damaged.made.error().kind, ToolError::Kind::kBadInput);
-  EXPECT_NE(damaged.made.error().message.find("lie where others lie"), std::string::npos) << damaged.made.error().message;
+  EXPECT_NE(damaged.made.error().message.find("lie where others lie"), std::string::npos)
+      << damaged.made.error().message;
   EXPECT_NE(damaged.made.error().message.find("export it again"), std::string::npos);
 }
 

@@ -35,9 +35,14 @@ Bundles bundles_of(const std::vector<BundleDesc>& all) {
   for (const BundleDesc& bundle : all) {
     for (int i = 0; i < kStrips; ++i) {
       const double angle = 2 * std::numbers::pi * i / kStrips;
-      const Vector3d at = bundle.root + Vector3d(bundle.width / 2 * std::cos(angle), 0, bundle.thickness / 2 * std::sin(angle));
-      const SourceMesh strip = make_strip({.root = at.cast<float>(), .along = {0, -float(bundle.length), 0}, .across = {0.004f, 0, 0}, .rows = 8});
-      if (mesh.positions.empty()) mesh = strip; else append_piece(mesh, strip, 0);
+      const Vector3d at =
+          bundle.root + Vector3d(bundle.width / 2 * std::cos(angle), 0, bundle.thickness / 2 * std::sin(angle));
+      const SourceMesh strip = make_strip(
+          {.root = at.cast<float>(), .along = {0, -float(bundle.length), 0}, .across = {0.004f, 0, 0}, .rows = 8});
+      if (mesh.positions.empty())
+        mesh = strip;
+      else
+        append_piece(mesh, strip, 0);
     }
     const auto first = std::uint32_t(skeleton.bones.size()), chain = std::uint32_t(skeleton.chains.size());
     for (std::uint32_t b = 0; b < kBones; ++b) {

@@ -241,9 +241,8 @@ AssetContents hopelessly_stiff_chain() {
 TEST(TuneSolver, TakesNoMoreWorkThanACookMay) {
   std::vector<std::string> notes[2];
   for (const unsigned threads : {1u, 2u}) {
-    const auto result = told([&](Findings& findings) {
-      return tune_solver(hopelessly_stiff_chain(), budget(0), threads, findings);
-    });
+    const auto result =
+        told([&](Findings& findings) { return tune_solver(hopelessly_stiff_chain(), budget(0), threads, findings); });
     ASSERT_TRUE(result.made);
     EXPECT_TRUE(result.made->tuning.empty()) << "nothing is known of it";
     ASSERT_EQ(result.warnings.size(), 1u);
@@ -267,7 +266,9 @@ TEST(TuneSolver, StoresTheNamesOfItsMotions) {
 TEST(ReferenceWork, IsBoundedByMultiplesOfAFirstRun) {
   const OpenedAsset opened(calm_chain());
   const Rig rig = rig_of(opened.asset());
-  ReferenceSettings settings{.sample_times = {0.5, 1.0}, .steps_per_second = 360, .most_steps_per_second = 1e6,
+  ReferenceSettings settings{.sample_times = {0.5, 1.0},
+                             .steps_per_second = 360,
+                             .most_steps_per_second = 1e6,
                              .wanted_self_difference_pct = 0};
   const double first = first_run_work(rig, {}, settings);
   EXPECT_GE(first, 360.0 * double(rig.bones.size()));

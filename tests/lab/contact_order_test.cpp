@@ -133,10 +133,22 @@ std::vector<Lying> all_lying() {
                              {"TwoBones", ChainModel::kPassive, 2},
                              {"FiveBones", ChainModel::kPassive, 5}};
   const std::pair<const char*, std::function<void(TestRig&)>> colliders[] = {
-      {"Sphere", [](TestRig& rig) { rig.add_sphere({0.02f, -0.2f, 0.12f}, 0.09f); }},
-      {"Ellipsoid", [](TestRig& rig) { rig.add_ellipsoid({0.02f, -0.16f, 0.12f}, {0.08f, 0.1f, 0.09f}); }},
-      {"Capsule", [](TestRig& rig) { rig.add_capsule({-0.1f, -0.2f, 0.12f}, {0.2f, -0.18f, 0.12f}, 0.08f); }},
-      {"Plane", [](TestRig& rig) { rig.add_plane({0, -0.2f, 0.12f}, {0, 0.3162278f, -0.9486833f}); }},
+      {"Sphere",
+       [](TestRig& rig) {
+         rig.add_sphere({0.02f, -0.2f, 0.12f}, 0.09f);
+       }},
+      {"Ellipsoid",
+       [](TestRig& rig) {
+         rig.add_ellipsoid({0.02f, -0.16f, 0.12f}, {0.08f, 0.1f, 0.09f});
+       }},
+      {"Capsule",
+       [](TestRig& rig) {
+         rig.add_capsule({-0.1f, -0.2f, 0.12f}, {0.2f, -0.18f, 0.12f}, 0.08f);
+       }},
+      {"Plane",
+       [](TestRig& rig) {
+         rig.add_plane({0, -0.2f, 0.12f}, {0, 0.3162278f, -0.9486833f});
+       }},
   };
   std::vector<Lying> all;
   for (const auto& [collider, add] : colliders) {
@@ -148,7 +160,7 @@ std::vector<Lying> all_lying() {
   return all;
 }
 
-/// Of bones that end at `ends`, and ended at `before` dt seconds ago, under a head that rests.
+/// Energy of bones that end at `ends`, and ended at `before` dt seconds ago, under a head that rests.
 double energy(const Rig& rig, const HeadState& head, std::span<const Vector3d> ends, std::span<const Vector3d> before,
               double dt) {
   std::vector<BoneState> states;

@@ -109,6 +109,13 @@ void TestRig::add_plane(const Vec3& point, const Vec3& normal) {
   store(normal, colliders.back().axis);
 }
 
+void TestRig::add_body_sphere(const Vec3& center, float radius) {
+  add_sphere(center, radius);
+  body_colliders.push_back(colliders.back());
+  body_colliders.back().bone = std::uint32_t(body_bones.size() - 1);
+  colliders.pop_back();
+}
+
 void TestRig::limit(std::uint32_t bone, LimitKind kind, float first, float second, const Quat& rotation) {
   LimitRecord none{};
   none.rotation[3] = 1;

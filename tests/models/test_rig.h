@@ -41,6 +41,8 @@ class TestRig {
   void add_capsule(const Vec3& from, const Vec3& to, float radius);
   void add_tapered_capsule(const Vec3& from, float from_radius, const Vec3& to, float to_radius);
   void add_plane(const Vec3& point, const Vec3& normal);  ///< `normal` unit.
+  /// On the last body bone; its centre in head space.
+  void add_body_sphere(const Vec3& center, float radius);
   /// Bounds the bone's direction; `rotation` from the limit's axes to the parent's frame. Bones that are added later have none.
   void limit(std::uint32_t bone, LimitKind kind, float first, float second = 0, const Quat& rotation = {});
 

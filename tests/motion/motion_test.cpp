@@ -296,4 +296,15 @@ TEST_F(HeldTurnTest, BreaksWhereItStops) {
   EXPECT_FALSE(path_->breaks(1).front().jumps);
 }
 
+TEST(HeldAttitude, PointsTheHeadsUpAxisThereAndTurnsNoFurtherThanItTakes) {
+  for (int cell = 0; cell < 27; ++cell) {
+    const Eigen::Vector3d up(cell / 9 - 1, cell / 3 % 3 - 1, cell % 3 - 1);
+    if (up.isZero()) continue;
+    const Eigen::Quaterniond turn(held_attitude(up)->at(kAttitudeSeconds + 1).rotation);
+    EXPECT_LT((turn * Eigen::Vector3d::UnitY() - up.normalized()).norm(), 1e-12) << up.transpose();
+    EXPECT_NEAR(Eigen::AngleAxisd(turn).angle(), std::acos(std::clamp(up.normalized().y(), -1.0, 1.0)), 1e-7)
+        << up.transpose();
+  }
+}
+
 }  // namespace coif::motion_test

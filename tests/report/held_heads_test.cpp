@@ -15,8 +15,14 @@ constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
 
 /// Soft strands of the passive model, whose roots fold far under heads upside down.
 StressRig soft_strands() {
-  return {.chains = 4, .bones_per_chain = 6, .bone_length = 0.05, .root_resistance = 0.004, .tip_resistance = 0.001, .friction = 2.2,
-          .damping_ratio = 0.45, .torsion = double(kShortestArc)};
+  return {.chains = 4,
+          .bones_per_chain = 6,
+          .bone_length = 0.05,
+          .root_resistance = 0.004,
+          .tip_resistance = 0.001,
+          .friction = 2.2,
+          .damping_ratio = 0.45,
+          .torsion = double(kShortestArc)};
 }
 
 TEST(HeldHeads, SoftHairComesToRestInEveryAttitude) {

@@ -143,9 +143,10 @@ TEST(AccuracyJson, HasTheDocumentedKeys) {
   const ordered_json json = accuracy_json(made_up_heading(), made_up_accuracy());
   EXPECT_EQ(keys_of(json), after_heading({"rows", "spread", "reference", "own_reference", "settle", "swings", "stroke",
                                           "conditioned_share", "tells_velocities", "budget_rms_pct", "chosen"}));
-  EXPECT_EQ(keys_of(json["rows"][0]), (Keys{"motion", "solver", "fps", "substeps", "ns_per_bone_frame", "code", "rms_error_pct",
-                                            "own_error_pct", "model_distance_pct", "max_error_pct", "worst_second_pct", "of_motion_pct", "stretch_max_pct",
-                                            "penetration_max_pct", "segment_penetration_max_pct", "pareto", "cost_falls"}));
+  EXPECT_EQ(keys_of(json["rows"][0]),
+            (Keys{"motion", "solver", "fps", "substeps", "ns_per_bone_frame", "code", "rms_error_pct", "own_error_pct",
+                  "model_distance_pct", "max_error_pct", "worst_second_pct", "of_motion_pct", "stretch_max_pct",
+                  "penetration_max_pct", "segment_penetration_max_pct", "pareto", "cost_falls"}));
   EXPECT_EQ(keys_of(json["spread"][0]), (Keys{"motion", "solver", "substeps", "frame_rate_spread_pct"}));
   EXPECT_EQ(keys_of(json["reference"][0]), (Keys{"motion", "self_difference_pct", "steps_per_second"}));
   EXPECT_EQ(keys_of(json["settle"][0]), (Keys{"solver", "settle_error_pct"}));

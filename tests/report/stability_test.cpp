@@ -171,7 +171,9 @@ TEST(StabilityPage, ShowsADashForWhatDoesNotExist) {
 
 TEST(StabilityText, HasALineForEachSolver) {
   const std::string text = stability_text(made_up_heading(), made_up_stability());
-  EXPECT_TRUE(std::regex_search(text, std::regex("\n  coif +2 +0 +0 +0 +0 +0.250 +0 +<0.0001 +10.0 +0.02[0-9]* +0.750\n"))) << text;
+  EXPECT_TRUE(
+      std::regex_search(text, std::regex("\n  coif +2 +0 +0 +0 +0 +0.250 +0 +<0.0001 +10.0 +0.02[0-9]* +0.750\n")))
+      << text;
   EXPECT_TRUE(std::regex_search(text, std::regex("\n  slow +0 +0 +0 +1 +1 +- +- +- +- +- +-\n"))) << text;
 }
 

@@ -79,12 +79,8 @@ TEST(Body, ItsCollidersGoWhereItsBonesGo) {
 TEST(Body, CollidersOfAScaledHeadAreAsFarFromTheirBonesAsItIsLarge) {
   TestRig rig = rig_with_arm(ChainModel::kCascade);
   rig.body_bones[0] = {0, {0.2f, 0.1f, -0.25f}, {0, 0, 0, 1}};
-  ColliderRecord& sphere = rig.body_colliders[0];
-  sphere = {};
-  sphere.shape = ColliderShape::kSphere;
-  sphere.rotation[3] = 1;
-  sphere.center[0] = 0.03f, sphere.center[1] = -0.1f, sphere.center[2] = -0.12f;
-  for (float& radius : sphere.radii) radius = 0.05f;
+  rig.body_colliders.clear();
+  rig.add_body_sphere({0.03f, -0.1f, -0.12f}, 0.05f);
   for (const float scale : {0.5f, 1.0f, 3.0f}) {
     TestHair body(rig, HairDesc{.solver = &kCharacterSolver, .follows_body = true});
     TestHair game(rig, HairDesc{.solver = &kCharacterSolver, .moving_colliders = 1});

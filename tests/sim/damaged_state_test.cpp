@@ -43,12 +43,7 @@ TestRig rig() {
   TestRig rig = nine_bone_rig();
   for (std::size_t i = 1; i < rig.dynamics.size(); ++i) rig.dynamics[i].torsion = i % 2 == 0 ? 4.0f : kShortestArc;
   rig.body_bones.push_back({0, {0, -0.3f, 0}, {0, 0, 0, 1}});
-  ColliderRecord& sphere = rig.body_colliders.emplace_back();
-  sphere = {};
-  sphere.shape = ColliderShape::kSphere;
-  sphere.center[1] = -0.3f;
-  for (float& radius : sphere.radii) radius = 0.05f;
-  sphere.rotation[3] = 1;
+  rig.add_body_sphere({0, -0.3f, 0}, 0.05f);
   return rig;
 }
 
@@ -145,15 +140,24 @@ class Victim {
   Bytes own_;
 };
 
+/// What a crowd of this kind saved, and another one to restore it into.
+struct Damage {
+  explicit Damage(const HairDesc& desc, int frames = 30) : victim(desc) {
+    TestHair source(rig(), desc);
+    run(source, desc, 0, frames);
+    good = saved(source.hair);
+  }
+
+  Bytes good;
+  Victim victim;
+};
+
 /// So many bytes of ones reach the upper half of a float or of a double, wherever they begin: one number there is none.
 constexpr std::size_t kOnes = 9;
 
 TEST(DamagedState, WhereSomeNumberIsNoneItIsRefused) {
   for (const HairDesc& desc : crowds()) {
-    TestHair source(rig(), desc);
-    run(source, desc, 0, 30);
-    const Bytes good = saved(source.hair);
-    Victim victim(desc);
+    auto [good, victim] = Damage(desc);
     ASSERT_TRUE(victim.takes(good));
     std::size_t taken = 0;
     std::string where;
@@ -172,10 +176,7 @@ TEST(DamagedState, WhereSomeNumberIsNoneItIsRefused) {
 
 TEST(DamagedState, WhateverIsChangedItIsRefusedOrAStateLikeAnyOther) {
   for (const HairDesc& desc : crowds()) {
-    TestHair source(rig(), desc);
-    run(source, desc, 0, 30);
-    const Bytes good = saved(source.hair);
-    Victim victim(desc);
+    auto [good, victim] = Damage(desc);
     std::size_t taken = 0, tried = 0;
     for (std::size_t at = kContentAt; at < good.size() && !HasFailure(); ++at) {
       for (const std::byte change : {std::byte{0x01}, std::byte{0x10}, std::byte{0x80}}) {
@@ -192,10 +193,7 @@ TEST(DamagedState, WhateverIsChangedItIsRefusedOrAStateLikeAnyOther) {
 
 TEST(DamagedState, PartsThatDoNotBelongTogetherAreRefused) {
   HairDesc desc = crowds().back();
-  TestHair source(rig(), desc);
-  run(source, desc, 0, 30);
-  const Bytes good = saved(source.hair);
-  Victim victim(desc);
+  auto [good, victim] = Damage(desc);
   std::size_t taken = 0, tried = 0;
   Violence random(5);
   for (int i = 0; i < 3000 && !HasFailure(); ++i) {  // words that stand where others belong
@@ -232,10 +230,7 @@ TEST(DamagedState, AHeadGoesNowhereButWhereItWasTold) {
 
 TEST(DamagedState, OfBytesFromNowhereNoneAreTaken) {
   for (const HairDesc& desc : crowds()) {
-    TestHair source(rig(), desc);
-    run(source, desc, 0, 5);
-    Bytes bytes = saved(source.hair);
-    Victim victim(desc);
+    auto [bytes, victim] = Damage(desc, 5);
     Violence random(1);
     for (int i = 0; i < 50; ++i) {
       for (std::size_t at = kContentAt; at < bytes.size(); ++at) bytes[at] = std::byte(random.between(0, 256));

@@ -13,12 +13,7 @@ namespace coif::not_asked_test {
 TestRig rig() {
   TestRig rig = nine_bone_rig();
   rig.body_bones.push_back({0, {0, -0.3f, 0}, {0, 0, 0, 1}});
-  ColliderRecord& sphere = rig.body_colliders.emplace_back();
-  sphere = {};
-  sphere.shape = ColliderShape::kSphere;
-  sphere.center[1] = -0.3f;
-  for (float& radius : sphere.radii) radius = 0.05f;
-  sphere.rotation[3] = 1;
+  rig.add_body_sphere({0, -0.3f, 0}, 0.05f);
   return rig;
 }
 

@@ -65,7 +65,7 @@ tl::expected<std::vector<std::byte>, ToolError> encode(const SimulateOptions& op
 tl::expected<std::string, ToolError> choose_motion(const SimulateOptions& options, RecordingSettings& recording,
                                                    const Messages& messages) {
   if (options.attitude) {
-    recording.clip = attitude_path(*options.attitude);
+    recording.clip = held_attitude(*options.attitude);
     const Eigen::Vector3d& up = *options.attitude;
     return fmt::format("attitude {:g},{:g},{:g}", up.x(), up.y(), up.z());
   }
@@ -168,8 +168,7 @@ std::string result_text(const SimulateOptions& options, const Played& played, co
       "{}: motion {}, {} of {} at {}\n{}"
       "  worst stretch {:.2f} % of a bone's length, worst penetration {:.2f} % of the head's radius\n"
       "  at the end no bone is further than {:.4f} % of the longest chain from its rest pose; in the last second the "
-      "fastest "
-      "moved at {:.4f} m/s\n",
+      "fastest moved at {:.4f} m/s\n",
       options.output, motion, counted(recording.frames.size(), "frame", "frames"),
       counted(asset.bones().size(), "bone", "bones"), pace_text(options.recording), pose, 100 * recording.stretch_max,
       100 * recording.penetration_max, 100 * recording.from_rest, recording.last_speed);

@@ -9,11 +9,6 @@
 #include <cmath>
 
 namespace coif {
-namespace {
-
-constexpr double kTurningSeconds = 0.8;
-
-}  // namespace
 
 CLI::Option* add_attitude(CLI::App& app, std::optional<Eigen::Vector3d>& attitude) {
   const auto parse = [&attitude](const std::string& text) {
@@ -33,17 +28,8 @@ CLI::Option* add_attitude(CLI::App& app, std::optional<Eigen::Vector3d>& attitud
           fmt::format(
               "Instead of a motion: within {:g} s the head turns, by the shortest way, until its up axis points in "
               "this direction, and stays there",
-              kTurningSeconds))
+              kAttitudeSeconds))
       ->type_name("X,Y,Z");
-}
-
-std::shared_ptr<const HeadPath> attitude_path(const Eigen::Vector3d& attitude) {
-  const Eigen::Vector3d up = attitude.normalized();
-  const Eigen::Vector3d axis = Eigen::Vector3d::UnitY().cross(up);
-  const double radians = std::atan2(axis.norm(), up.y());
-  // Straight up there is nothing to turn by, and straight down every way is as short: forwards.
-  return held_turn(axis.norm() > 1e-9 ? Eigen::Vector3d(axis.normalized()) : Eigen::Vector3d::UnitX(), radians,
-                   kTurningSeconds);
 }
 
 CLI::Option* add_scale(CLI::App& app, float& scale) {

@@ -7,7 +7,6 @@
 #include <CLI/CLI.hpp>
 #include <Eigen/Core>
 
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -15,9 +14,6 @@ namespace coif {
 
 /// --attitude X,Y,Z: where the head's up axis points to once the head was turned.
 CLI::Option* add_attitude(CLI::App& app, std::optional<Eigen::Vector3d>& attitude);
-
-/// The head turns its up axis to that direction (of any length but 0) by the shortest way, and is held there.
-[[nodiscard]] std::shared_ptr<const HeadPath> attitude_path(const Eigen::Vector3d& attitude);
 
 /// --scale, in the range of HeadPose::scale.
 CLI::Option* add_scale(CLI::App& app, float& scale);

@@ -1,7 +1,7 @@
 #include "lab/passive_model.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ double per_fold(double unfolded) {
   return 1 / std::max(unfolded, kLeastUnfolded);
 }
 
-/// Of a joint's stiffness, what it has against folding by more than a right angle.
+/// Share of a joint's stiffness that it has against folding by more than a right angle.
 constexpr double kFoldStiffness = 0.01;
 
 /// tan^2 of half the fold, less what it is at a right angle; 0 below.
@@ -38,7 +38,7 @@ Matrix3d symmetric_inverse(const Matrix3d& m) {
   return scale * inverse;
 }
 
-/// Of a contact, against a bone's: one without a lever cannot be helped.
+/// A contact gives way by this share of what a bone does: one without a lever cannot be helped.
 constexpr double kSoftness = 1.0e-9;
 
 double mass_of(const RigBone& bone) { return bone.length; }
@@ -203,7 +203,8 @@ Eigen::VectorXd PassiveModel::nearest(std::span<const BoneContact> contacts, con
       const double least = worst < held.size() ? impulses[Eigen::Index(worst)] : 0;
       if (impulses[Eigen::Index(k)] < least) worst = k;
     }
-    if (worst == held.size()) return mobile.asDiagonal() * (Eigen::MatrixXd(bonds(held, Eigen::all)).transpose() * impulses);
+    if (worst == held.size())
+      return mobile.asDiagonal() * (Eigen::MatrixXd(bonds(held, Eigen::all)).transpose() * impulses);
     held.erase(held.begin() + std::ptrdiff_t(worst));
   }
 }

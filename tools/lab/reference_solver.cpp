@@ -159,7 +159,8 @@ std::uint64_t most_steps_of(const ReferenceSettings& settings, double first_rate
 }
 
 /// Writes the part of `result` that belongs to the tree. Empty `fine`: there is none.
-void write_tree(const TreeTips& tips, std::span<const TipAgreement> agreement, const TipPaths& fine, ReferenceRun& result) {
+void write_tree(const TreeTips& tips, std::span<const TipAgreement> agreement, const TipPaths& fine,
+                ReferenceRun& result) {
   const std::size_t samples = result.times.size();
   for (std::size_t i = 0; i < agreement.size(); ++i) {
     result.agreement[tips.entries[i]] = agreement[i];

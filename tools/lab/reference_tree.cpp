@@ -321,7 +321,8 @@ bool ReferenceTree::hold_colliders(std::size_t i, const BoneMotion& parent, cons
       const Vector3d normal = turned(head.rotation, contact.normal);
       if (passive_) {
         const Vector3d point = parent.end + contact.along * turned(state.frame, bone.rest_direction);
-        contacts_.push_back({i, contact.along / bone.length, normal, head.velocity + head.angular_velocity.cross(point)});
+        contacts_.push_back(
+            {i, contact.along / bone.length, normal, head.velocity + head.angular_velocity.cross(point)});
       } else {
         stop_inwards(normal, contact.along, parent, head, bone, state);
       }

@@ -166,6 +166,12 @@ AssetContents moving_part(const Asset& asset) {
   return contents;
 }
 
+AssetContents untouched_part(const Asset& asset) {
+  AssetContents contents = moving_part(asset);
+  for (BoneRecord& bone : contents.bones) bone.colliders = 0;
+  return contents;
+}
+
 namespace {
 
 constexpr std::size_t kAlignment = 64;  ///< What Asset::open() may ask for.

@@ -92,6 +92,9 @@ struct RigSample {
 /// Skeleton, bones, chains and dynamics of an open asset, without names: for assets that are that hair in other circumstances.
 [[nodiscard]] AssetContents moving_part(const Asset& asset);
 
+/// The same, of bones that touch nothing.
+[[nodiscard]] AssetContents untouched_part(const Asset& asset);
+
 /// An asset made in memory, and the bytes it lives in: what is to be measured is run as a game would run it.
 class OpenedAsset {
  public:

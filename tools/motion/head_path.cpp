@@ -152,6 +152,13 @@ std::unique_ptr<HeadPath> held_turn(const Eigen::Vector3d& axis, double radians,
   return std::make_unique<HeldTurn>(axis, radians, seconds);
 }
 
+std::unique_ptr<HeadPath> held_attitude(const Eigen::Vector3d& up, double seconds) {
+  const Eigen::Vector3d to = up.normalized(), axis = Eigen::Vector3d::UnitY().cross(to);
+  const double radians = std::atan2(axis.norm(), to.y());
+  return held_turn(axis.norm() > 1e-9 ? Eigen::Vector3d(axis.normalized()) : Eigen::Vector3d::UnitX(), radians,
+                   seconds);
+}
+
 namespace {
 
 constexpr double kRate = 60;  // Hz

@@ -90,6 +90,13 @@ class HeadPath {
 /// holds it there.
 [[nodiscard]] std::unique_ptr<HeadPath> held_turn(const Eigen::Vector3d& axis, double radians, double seconds);
 
+/// Seconds in which heads are turned to an attitude, where nothing else is said.
+inline constexpr double kAttitudeSeconds = 0.8;
+
+/// Turns the head from rest, by the shortest way, until its up axis points to `up` (of any length but 0), and holds it there. Straight up
+/// there is nothing to turn by, and straight down every way is as short: forwards.
+[[nodiscard]] std::unique_ptr<HeadPath> held_attitude(const Eigen::Vector3d& up, double seconds = kAttitudeSeconds);
+
 /// Where a head is at one time of an animation. World axes.
 struct ClipKey {
   double seconds = 0;

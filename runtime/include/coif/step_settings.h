@@ -21,7 +21,7 @@ struct Environment {
   /// was modelled at every scale. See `true_gravity` and Hair::set_head().
   Vec3 gravity{0.0f, -9.81f, 0.0f};
   Vec3 wind{};  ///< Velocity of the air, world, m/s.
-  /// Of what the asset says that the air around a head takes on of its velocity (SkeletonRecord::air_lag), this share, 0..1. At 0 the
+  /// Share, 0..1, of what the asset says that the air around a head takes on of its velocity (SkeletonRecord::air_lag). At 0 the
   /// air stands still in the world, as for a head in the open, and friction pulls the hair back at speed.
   float air_follow = 1.0f;
   /// 0 or 1. At 1 `gravity` is in the world's metres, the same for heads of every scale. Then hair of a small head sags and hair of a
@@ -55,7 +55,8 @@ struct StepSettings {
   /// Not kThesisSolver: equal parts that the step is made of, 1..kMaxSubsteps; 0: as many as the asset was tuned for at this dt.
   /// A step above kMaxTimeStep has as many as one of kMaxTimeStep, or more where they would be longer than that.
   std::uint32_t substeps = 0;
-  std::uint32_t iterations = 1;  ///< kThesisSolver: passes over the length and collision constraints, 1..kMaxIterations.
+  /// kThesisSolver: passes over the length and collision constraints, 1..kMaxIterations.
+  std::uint32_t iterations = 1;
   Environment environment{};
   DynamicsScale dynamics{};  ///< Not kThesisSolver: may change from step to step; the hair goes on from where it is.
   /// Share of the head's motion that the hair feels, 0..1. At 0 hair is carried along rigidly and only gravity, wind and

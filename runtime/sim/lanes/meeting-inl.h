@@ -46,7 +46,7 @@ COIF_RARE void find_gap(D d, const PlacedCollider& collider, const V3<D>& start,
 template <class D>
 struct MeetingBone {
   V3<D> start[2], direction[2];
-  V3<D> velocity[2];  ///< Of its start and its end.
+  V3<D> velocity[2];  ///< m/s at which its start goes, and its end.
   V<D> length, hit_radius;
 };
 
@@ -54,11 +54,9 @@ struct MeetingBone {
 template <class D>
 struct Meeting {
   V3<D> normal;  ///< Unit, head space, from the collider to the hair.
-  V<D> share;    ///< Of the bone's length, from its start to the place of contact.
+  V<D> share;    ///< Share of the bone's length from its start to the place of contact.
   V<D> lift;     ///< Metres by which that place has to be lifted from where it freely went; 0: they do not meet.
-  V<D> lost;     ///< m/s at which it came.
   V<D> leave;    ///< m/s at which it leaves again at the end of the step.
-  V<D> part;     ///< Of the step, from its start to where the bone is when it gets the blow.
 };
 
 /// Its distance from the collider falls evenly faster or slower throughout the step. The bone loses the speed at which it comes; it
@@ -93,9 +91,7 @@ COIF_RARE void meet_within(D d, const PlacedCollider& collider, const MeetingBon
   const auto keep = [&](V<D> value, V<D>& to) { to = hn::IfThenElse(lifts, value, to); };
   keep(hn::Add(share0, hn::Mul(hn::Sub(share1, share0), part)), meeting.share);
   keep(lift, meeting.lift);
-  keep(comes, meeting.lost);
   keep(hn::IfThenElseZero(leaves, hn::Mul(gain, left)), meeting.leave);
-  keep(part, meeting.part);
 }
 
 /// How the bone goes through the step. `before`: its direction then; the last two: of its start and end, before the step.
@@ -141,7 +137,7 @@ HWY_INLINE bool find_meeting(D d, const RowStep& row, std::size_t lane, std::siz
     if (HWY_LIKELY(hn::AllFalse(d, here))) continue;
     if (hn::AllFalse(d, hn::Gt(meeting.lift, zero))) {
       copy(d, way.direction[1], meeting.normal);
-      meeting.share = meeting.lost = meeting.leave = meeting.part = zero;
+      meeting.share = meeting.leave = zero;
     }
     Deepest<D> now;
     find_gap(d, colliders[i], way.start[1], way.direction[1], way.length, way.hit_radius, now);

@@ -1,6 +1,6 @@
-// One bone on its way through a step of the passive model (runtime/docs/MODEL.md, "The passive model"): what is kept of it
-// between the walks along its chain, and the algebra of those. Masses in kilograms for bones of one a metre, world axes.
-// Compiled once per instruction set.
+// One bone on its way through a step of the passive model (runtime/docs/MODEL.md, "The passive model"): what is kept of it between the
+// walks along its chain, and how its turns are taken out of the equations. Masses in kilograms for bones of one a metre, world
+// axes. Compiled once per instruction set.
 
 #include <new>
 
@@ -31,10 +31,10 @@ struct PassiveBone {
   V3<D> moved;
   V<D> per_fold;
   V3<D> load, torque, reaction;
-  V<D> inertia;    ///< Of its own.
-  bool has_below;  ///< Some child has handed up.
-  bool is_near;    ///< Some lane's bone may reach a collider of its head.
-  V<D> against_fold;  ///< Stiffness of the fold alone, by the square of how far a side leads towards the arc.
+  V<D> inertia;        ///< Of its own.
+  bool has_below;      ///< Some child has handed up.
+  bool is_near;        ///< Some lane's bone may reach a collider of its head.
+  V<D> against_fold;   ///< Stiffness of the fold alone, by the square of how far a side leads towards the arc.
   V<D> firm, coupled;  ///< Against its turns; of that, against those that its frame makes with its parent's.
   V3<D> side[2];       ///< A turn y brings the direction to side[0] y[0] + side[1] y[1].
   union {
@@ -48,7 +48,7 @@ struct PassiveBone {
   V3<D> shift;      ///< Of its end: against the first guess; then of what held it, against where it would freely be.
   V3<D> turn;       ///< Of its frame.
   PassiveBook<D> book;
-  V3<D> free;       ///< As `moved`, without the contacts that it comes to; then the way of its end.
+  V3<D> free;  ///< As `moved`, without the contacts that it comes to; then the way of its end.
   PassiveTouch<D> touch;
   PassiveHold<D> hold;
   [[no_unique_address]] BoneAirOf<D> felt;
@@ -82,9 +82,9 @@ struct PassiveBone {
   /// The torque that unfolds a bone which is folded by more than a right angle, by the sine of that angle: the gradient of kFoldStiffness
   /// stiffness (tan^2(fold / 2) - 1)^3. Sets its stiffness.
   HWY_INLINE V<D> fold_back(D d, V<D> stiffness) {
-    const auto twice = hn::Add(per_fold, per_fold);
-    const auto fold = hn::Max(hn::Sub(twice, hn::Set(d, 2.0f)), hn::Zero(d));
-    const auto each = hn::Mul(hn::Mul(stiffness, hn::Set(d, 6 * kFoldStiffness)), hn::Mul(hn::Mul(per_fold, per_fold), fold));
+    const auto twice = hn::Add(per_fold, per_fold), fold = folded(d, per_fold);
+    const auto each =
+        hn::Mul(hn::Mul(stiffness, hn::Set(d, 6 * kFoldStiffness)), hn::Mul(hn::Mul(per_fold, per_fold), fold));
     against_fold = hn::Mul(hn::Mul(each, twice), hn::Add(twice, fold));
     return hn::Mul(each, fold);
   }
@@ -116,8 +116,10 @@ struct PassiveBone {
     return k == 0 ? spun : negative(d, spun);
   }
 
-  /// H, symmetric and positive definite.
-  HWY_INLINE void invert(D d, const V<D> (&h)[3]) {
+  /// H, symmetric and positive definite: all that holds its turns.
+  HWY_INLINE void invert(D d, const PassiveTurns<D>& its) {
+    V<D> h[3];
+    for (int k = 0; k < 3; ++k) h[k] = hn::Add(its.rest[k], its.firm[k]);
     const auto k = hn::Div(hn::Set(d, 1.0f), hn::Sub(hn::Mul(h[0], h[2]), hn::Mul(h[1], h[1])));
     inverse[0] = hn::Mul(h[2], k);
     inverse[1] = hn::Neg(hn::Mul(h[1], k));
@@ -159,9 +161,7 @@ struct PassiveBone {
       its.rest[1] = hn::Add(its.rest[1], by_frame_turn[1][0]);
       its.rest[2] = hn::Add(its.rest[2], by_frame_turn[1][1]);
     }
-    V<D> h[3];
-    for (int k = 0; k < 3; ++k) h[k] = hn::Add(its.rest[k], its.firm[k]);
-    invert(d, h);
+    invert(d, its);
     return its;
   }
 
@@ -176,26 +176,30 @@ struct PassiveBone {
         add_outer(d, add_outer(d, below.inertia, negative(d, z0), by_start[0]), negative(d, z1), by_start[1]);
     mine.load = sub_scaled(d, sub_scaled(d, load, z0, wanted[0]), z1, wanted[1]);
 
-    const V<D> (&k)[3] = its.firm;
+    const V<D>(&k)[3] = its.firm;
     // firm / H, and that times what H has besides.
     const auto f00 = mul(k[0], inverse[0], k[1], inverse[1]), f01 = mul(k[0], inverse[1], k[1], inverse[2]);
     const auto f10 = mul(k[1], inverse[0], k[2], inverse[1]), f11 = mul(k[1], inverse[1], k[2], inverse[2]);
     const auto n0 = mul(f00, its.rest[0], f01, its.rest[1]), n1 = mul(f00, its.rest[1], f01, its.rest[2]);
     const auto n2 = mul(f10, its.rest[1], f11, its.rest[2]);
-    mine.firmness = add(d, outer(d, mixed_of(d, across, n0, n1), across[0]), outer(d, mixed_of(d, across, n1, n2), across[1]));
+    mine.firmness =
+        add(d, outer(d, mixed_of(d, across, n0, n1), across[0]), outer(d, mixed_of(d, across, n1, n2), across[1]));
     const auto w0 = mul(f00, wanted[0], f01, wanted[1]), w1 = mul(f10, wanted[0], f11, wanted[1]);
     mine.torque = negative(d, add(d, reaction, mixed_of(d, across, w0, w1)));
     const V3<D> held[2] = {mixed_of(d, by_start, f00, f10), mixed_of(d, by_start, f01, f11)};
     for (int l = 0; l < 2; ++l) by_frame[l] = negative(d, mixed_of(d, across, k[l], k[l + 1]));
     const auto column = [&](V<D> a, V<D> b) { return mixed_of(d, held, a, b); };
-    mine.coupling = {column(across[0].x, across[1].x), column(across[0].y, across[1].y), column(across[0].z, across[1].z)};
+    mine.coupling = {column(across[0].x, across[1].x), column(across[0].y, across[1].y),
+                     column(across[0].z, across[1].z)};
     if (hangs) {
       const auto c0 = mul(inverse[0], its.spin[0], inverse[1], its.spin[1]);
       const auto c1 = mul(inverse[1], its.spin[0], inverse[2], its.spin[1]);
       const V3<D> start = sub(d, rotate(d, below.coupling, direction), mixed_of(d, by_start, c0, c1));
       add_outer(d, start, spun, mine.coupling);
-      const auto own = hn::Sub(dot(d, direction, times(d, below.firmness, direction)), mul(its.spin[0], c0, its.spin[1], c1));
-      const V3<D> turning = mixed_of(d, across, mul(f00, its.spin[0], f01, its.spin[1]), mul(f10, its.spin[0], f11, its.spin[1]));
+      const auto own =
+          hn::Sub(dot(d, direction, times(d, below.firmness, direction)), mul(its.spin[0], c0, its.spin[1], c1));
+      const V3<D> turning =
+          mixed_of(d, across, mul(f00, its.spin[0], f01, its.spin[1]), mul(f10, its.spin[0], f11, its.spin[1]));
       const V3<D> half = add_scaled(d, turning, spun, hn::Mul(own, hn::Set(d, 0.5f)));
       mine.firmness = add(d, mine.firmness, add(d, outer(d, half, spun), outer(d, spun, half)));
       mine.torque =
@@ -205,7 +209,7 @@ struct PassiveBone {
     parent.take_on(d, mine);
   }
 
-  /// Of each child; the first brings the bone's own inertia along.
+  /// Adds what a child handed up. With the first child's comes the bone's own inertia.
   HWY_INLINE void take_on(D d, const PassiveBelow<D>& child) {
     if (!has_below) {
       has_below = true;

@@ -1,5 +1,6 @@
-// The passive model's chain (runtime/docs/MODEL.md): where its bones freely go in a step, down, up and down again. Compiled once
-// per instruction set.
+// The passive model's chain (runtime/docs/MODEL.md) during a step: what it keeps, and the order in which the step goes through it. The parts are
+// passive_solve-inl.h (where bones freely go), passive_contact-inl.h, passive_step-inl.h (limits and velocities) and
+// passive_energy-inl.h. Compiled once per instruction set.
 
 #include "bone_frame-inl.h"
 #include "coif_bone-inl.h"
@@ -19,19 +20,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
-
-constexpr int kMostRounds = 8;  ///< After the first.
-
-/// Under a faster head a chain's energy is not booked: what the head gives is more than what a step could make.
-constexpr float kSlowHead = 0.1f;  ///< m/s
-constexpr float kSlowTurn = 1.0f;  ///< rad/s
-
-/// Radians that Newton's method may leave undone in a step of `dt` seconds: as a force that is always the same, but no less than what
-/// single precision sees.
-constexpr float may_leave(float dt) {
-  const float left = 0.1f * dt * dt;
-  return left > 1e-7f ? left : 1e-7f;
-}
 
 template <class D>
 class PassiveChain {
@@ -150,15 +138,17 @@ class PassiveChain {
   HWY_INLINE void settle(std::size_t i);
   HWY_INLINE void gather_momentum(std::size_t i);
   HWY_INLINE void keep_links(std::size_t i);
+  HWY_INLINE void calm_what_is_wild();
+  HWY_INLINE void slow_down(hn::Mask<D> where, V<D> kept);
+  HWY_INLINE void forget_accelerations(std::size_t i, hn::Mask<D> where);
+
+  // The book of the chain's energy: passive_energy-inl.h.
   HWY_INLINE void look_at_head();
   void begin_book(const V3<D>& velocity, const V3<D>& velocity_before, const V3<D>& spin, const V3<D>& spin_before,
                   hn::Mask<D> stands);
-  HWY_INLINE void calm_what_is_wild();
-  HWY_INLINE void slow_down(hn::Mask<D> where, V<D> kept);
-
-  // The book of the chain's energy: passive_energy-inl.h.
   [[nodiscard]] HWY_INLINE V<D> mass_of(std::size_t i) const;
-  [[nodiscard]] HWY_INLINE V<D> bent_to(std::size_t i, const V3<D>& direction, const V3<D>& arc, const V3<D>& pull) const;
+  [[nodiscard]] HWY_INLINE V<D> bent_to(std::size_t i, const V3<D>& direction, const V3<D>& arc,
+                                        const V3<D>& pull) const;
   HWY_INLINE void open_book(std::size_t i, const V3<D>& before, const V3<D>& relative);
   HWY_INLINE void enter_way(std::size_t i, const Carrier<D>& from, const V3<D>& arc, const V3<D>& direction);
   HWY_INLINE void enter_motion(std::size_t i, const V3<D>& turning);
@@ -181,42 +171,25 @@ class PassiveChain {
   const M3<D> turn_;  ///< World from head space, at the end of the step.
   V<D> motion_, fastest2_;
   V<D> most_twisting_;                      ///< Of what the bones are held by.
-  M3<D> carried_;                        ///< What the head's turn does to directions, world axes.
-  V3<D> speeding_up_, spinning_up_;      ///< The head's accelerations, m/s^2 and 1/s^2,
-  V3<D> steadily_, turning_;             ///< and mean velocities.
-  hn::Mask<D> is_still_;                 ///< The head's.
-  bool keeps_book_;                      ///< Some lane is watched.
-  hn::Mask<D> was_watched_;              ///< Where the energy is booked,
-  hn::Mask<D> watched_;                  ///< and nothing adds to it that the book does not know.
-  V<D> had_, has_;                       ///< Twice the energy of the motion against the head, joules: before the step, and after.
-  V<D> gained_, unsure_;                 ///< What bending and all other forces gave in between, and how much of that is unsure.
+  M3<D> carried_;                           ///< What the head's turn does to directions, world axes.
+  V3<D> speeding_up_, spinning_up_;         ///< The head's accelerations, m/s^2 and 1/s^2,
+  V3<D> steadily_, turning_;                ///< and mean velocities.
+  hn::Mask<D> is_still_;                    ///< The head's.
+  bool keeps_book_;                         ///< Some lane is watched.
+  hn::Mask<D> was_watched_;                 ///< Where the energy is booked,
+  hn::Mask<D> watched_;                     ///< and nothing adds to it that the book does not know.
+  V<D> had_, has_;        ///< Twice the energy of the motion against the head, joules: before the step, and after.
+  V<D> gained_, unsure_;  ///< What bending and all other forces gave in between, and how much of that is unsure.
   V<D> farthest2_;                          ///< Square of the last round's largest turn.
-  bool is_moved_ = false;  ///< Bones may be elsewhere than their free motion led.
+  bool is_moved_ = false;                   ///< Bones may be elsewhere than their free motion led.
   bool collides_ = false, touches_ = false, holds_contacts_ = false, hits_ = false, starts_fresh_ = false;
-  hn::Mask<D> fresh_;  ///< If starts_fresh_: where there was a blow in the last step.
-  hn::Mask<D> hit_;    ///< If hits_: where there is one in this.
+  hn::Mask<D> fresh_;                       ///< If starts_fresh_: where there was a blow in the last step.
+  hn::Mask<D> hit_;                         ///< If hits_: where there is one in this.
   std::size_t joint_of_ = ~std::size_t{0};  ///< The bone that hangs from joint_.
   Carrier<D> joint_;
   Carrier<D> posed_;
   [[no_unique_address]] PathsOf<D> paths_;
 };
-
-template <class D>
-HWY_INLINE void PassiveChain<D>::look_at_head() {
-  const MoveLanes& move = *row_.move;
-  const auto one = hn::Set(d_, 1.0f), zero = hn::Zero(d_);
-  const V3<D> velocity = load(d_, move.velocity, lane_), velocity_before = load(d_, move.velocity_before, lane_);
-  const V3<D> spin = load(d_, move.angular_velocity, lane_), spin_before = load(d_, move.angular_velocity_before, lane_);
-  const auto fastest = [&](const V3<D>& a, const V3<D>& b) { return hn::Max(dot(d_, a, a), dot(d_, b, b)); };
-  const auto speed2 = fastest(velocity, velocity_before), turning2 = fastest(spin, spin_before);
-  bool may_be = !row_.is_linked;
-  if constexpr (kOnCharacter<D>) may_be = may_be && row_.character->poses == nullptr;
-  watched_ = hn::And(hn::Lt(speed2, hn::Set(d_, kSlowHead * kSlowHead)), hn::Lt(turning2, hn::Set(d_, kSlowTurn * kSlowTurn)));
-  watched_ = hn::And(watched_, may_be ? hn::Eq(one, one) : hn::Eq(one, zero));
-  was_watched_ = watched_;
-  keeps_book_ = !hn::AllFalse(d_, watched_);
-  if (keeps_book_) begin_book(velocity, velocity_before, spin, spin_before, hn::Eq(hn::Add(speed2, turning2), zero));
-}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace coif

@@ -57,7 +57,8 @@ HWY_INLINE hn::Mask<D> PassiveChain<D>::find_meetings() {
     const BoneLanes& constants = row_.constants[i];
     const auto length = load(d_, constants.length, lane_);
     // Farther than it is long it does not go in a step, or no step could follow it.
-    const auto reach = hn::Add(hn::Add(length, hn::Mul(length, hn::Set(d_, 0.25f))), load(d_, constants.hit_radius, lane_));
+    const auto reach =
+        hn::Add(hn::Add(length, hn::Mul(length, hn::Set(d_, 0.25f))), load(d_, constants.hit_radius, lane_));
     auto asked = in_reach(d_, *row_.colliders, row_.bones[i].colliders, start, reach);
     bone.is_near = !hn::AllFalse(d_, asked);
     if (HWY_UNLIKELY(touches_)) asked = hn::AndNot(bone.touch.holds(d_), asked);
@@ -68,7 +69,7 @@ HWY_INLINE hn::Mask<D> PassiveChain<D>::find_meetings() {
   return touching;
 }
 
-/// Of one bone, which comes near some.
+/// Looks at one bone, which comes near some.
 template <class D>
 COIF_RARE void PassiveChain<D>::meet(std::size_t i, hn::Mask<D> asked, hn::Mask<D>& touching) {
   PassiveBone<D>& bone = bones_[i];
@@ -165,9 +166,7 @@ HWY_INLINE void PassiveChain<D>::hold_bone(PassiveBone<D>& bone, V<D> length, Pa
   turns.rest[0] = hn::Add(turns.rest[0], hn::Mul(f0, m0));
   turns.rest[1] = hn::Add(turns.rest[1], hn::Mul(f0, m1));
   turns.rest[2] = hn::Add(turns.rest[2], hn::Mul(f1, m1));
-  const V<D> all[3] = {hn::Add(turns.rest[0], turns.firm[0]), hn::Add(turns.rest[1], turns.firm[1]),
-                       hn::Add(turns.rest[2], turns.firm[2])};
-  bone.invert(d_, all);
+  bone.invert(d_, turns);
   bone.below.inertia = add_outer(d_, inertia, scale(d_, touch.normal, firm), touch.normal);
   bone.load = add_scaled(d_, bone.load, touch.normal, push);
 }
@@ -208,8 +207,8 @@ HWY_INLINE void PassiveChain<D>::find_hold(std::size_t i, const Symmetric3<D>& i
 template <class D>
 HWY_INLINE void PassiveChain<D>::hand_up_hold(const PassiveHold<D>& hold, PassiveLinks<D>& links) {
   const Symmetric3<D> mass = add_outer(d_, links.mass, scale(d_, hold.lever, hold.yields), hold.lever);
-  for (V<D> Symmetric3<D>::* const part : {&Symmetric3<D>::xx, &Symmetric3<D>::xy, &Symmetric3<D>::xz,
-                                           &Symmetric3<D>::yy, &Symmetric3<D>::yz, &Symmetric3<D>::zz}) {
+  for (V<D> Symmetric3<D>::*const part : {&Symmetric3<D>::xx, &Symmetric3<D>::xy, &Symmetric3<D>::xz,
+                                          &Symmetric3<D>::yy, &Symmetric3<D>::yz, &Symmetric3<D>::zz}) {
     links.mass.*part = hn::IfThenElse(hold.holds, mass.*part, links.mass.*part);
   }
   const V3<D> push = sub_scaled(d_, links.push, hold.lever, hn::Mul(hold.yields, hold.wanted));

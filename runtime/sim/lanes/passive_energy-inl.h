@@ -16,6 +16,9 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
+/// Under a faster head a chain's energy is not booked: what the head gives is more than what a step could make.
+constexpr float kSlowHead = 0.1f;  ///< m/s
+constexpr float kSlowTurn = 1.0f;  ///< rad/s
 /// Share of the work of a head that moves by which the book may be wrong: a step knows how the head moves at its ends.
 constexpr float kUnsureOfHead = 0.25f;
 /// Share of what friction takes that is asked for: the step is of second order, and may take a little less than the equation.
@@ -47,10 +50,29 @@ HWY_INLINE V<D> PassiveChain<D>::mass_of(std::size_t i) const {
   return mass;
 }
 
+/// Decides in which lanes energy is booked. Where bones are moved by what the book does not know, it is in none.
+template <class D>
+HWY_INLINE void PassiveChain<D>::look_at_head() {
+  const MoveLanes& move = *row_.move;
+  const V3<D> velocity = load(d_, move.velocity, lane_), velocity_before = load(d_, move.velocity_before, lane_);
+  const V3<D> spin = load(d_, move.angular_velocity, lane_),
+              spin_before = load(d_, move.angular_velocity_before, lane_);
+  const auto fastest = [&](const V3<D>& a, const V3<D>& b) { return hn::Max(dot(d_, a, a), dot(d_, b, b)); };
+  const auto speed2 = fastest(velocity, velocity_before), turning2 = fastest(spin, spin_before), zero = hn::Zero(d_);
+  watched_ =
+      hn::And(hn::Lt(speed2, hn::Set(d_, kSlowHead * kSlowHead)), hn::Lt(turning2, hn::Set(d_, kSlowTurn * kSlowTurn)));
+  bool is_moved = row_.is_linked;
+  if constexpr (kOnCharacter<D>) is_moved = is_moved || row_.character->poses != nullptr;
+  if (is_moved) watched_ = hn::Lt(speed2, zero);
+  was_watched_ = watched_;
+  keeps_book_ = !hn::AllFalse(d_, watched_);
+  if (keeps_book_) begin_book(velocity, velocity_before, spin, spin_before, hn::Eq(hn::Add(speed2, turning2), zero));
+}
+
 /// How the head moves during the step; `stands`: at neither end it does.
 template <class D>
-void PassiveChain<D>::begin_book(const V3<D>& velocity, const V3<D>& velocity_before, const V3<D>& spin, const V3<D>& spin_before,
-                                 hn::Mask<D> stands) {
+void PassiveChain<D>::begin_book(const V3<D>& velocity, const V3<D>& velocity_before, const V3<D>& spin,
+                                 const V3<D>& spin_before, hn::Mask<D> stands) {
   const auto half = hn::Set(d_, 0.5f), one = hn::Set(d_, 1.0f), zero = hn::Zero(d_);
   const M3<D> before = load(d_, row_.move->from_head_before, lane_);
   speeding_up_ = scale(d_, sub(d_, velocity, velocity_before), method_.per_dt);
@@ -60,7 +82,8 @@ void PassiveChain<D>::begin_book(const V3<D>& velocity, const V3<D>& velocity_be
   const auto same = [&](const V3<D>& a, const V3<D>& b) {
     return hn::And(hn::And(hn::Eq(a.x, b.x), hn::Eq(a.y, b.y)), hn::Eq(a.z, b.z));
   };
-  const auto is_turned = hn::Not(hn::And(hn::And(same(turn_.x, before.x), same(turn_.y, before.y)), same(turn_.z, before.z)));
+  const auto is_turned =
+      hn::Not(hn::And(hn::And(same(turn_.x, before.x), same(turn_.y, before.y)), same(turn_.z, before.z)));
   is_still_ = hn::AndNot(is_turned, stands);
   carried_ = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
   const auto column = [&](V<D> x, V<D> y, V<D> z) { return rotate(d_, turn_, V3<D>{x, y, z}); };
@@ -83,7 +106,8 @@ HWY_INLINE void PassiveChain<D>::open_book(std::size_t i, const V3<D>& before, c
 
 /// Energy of the bending over the stiffness, where the bone has this direction, world axes; `pull` where its parent pulls it.
 template <class D>
-HWY_INLINE V<D> PassiveChain<D>::bent_to(std::size_t i, const V3<D>& direction, const V3<D>& arc, const V3<D>& pull) const {
+HWY_INLINE V<D> PassiveChain<D>::bent_to(std::size_t i, const V3<D>& direction, const V3<D>& arc,
+                                         const V3<D>& pull) const {
   // Written so, small bends keep their digits.
   const auto off = [&](const V3<D>& to) {
     const V3<D> apart = sub(d_, direction, to);
@@ -100,7 +124,8 @@ HWY_INLINE V<D> PassiveChain<D>::bent_to(std::size_t i, const V3<D>& direction, 
 
 /// After the step: where the bone went against the head, and what it got from weight, bending, air and the head's own motion.
 template <class D>
-HWY_INLINE void PassiveChain<D>::enter_way(std::size_t i, const Carrier<D>& from, const V3<D>& arc, const V3<D>& direction) {
+HWY_INLINE void PassiveChain<D>::enter_way(std::size_t i, const Carrier<D>& from, const V3<D>& arc,
+                                           const V3<D>& direction) {
   PassiveBone<D>& bone = bones_[i];
   const BoneLanes& constants = row_.constants[i];
   const PassiveCoefficients& c = coefficients_[i];
@@ -128,8 +153,10 @@ HWY_INLINE void PassiveChain<D>::enter_way(std::size_t i, const Carrier<D>& from
   force = add_scaled(d_, force, wind, friction);
   force = sub_scaled(d_, force, gone, hn::Mul(friction, hn::Set(d_, kAskedOfFriction / row_.dt)));
   gained_ = hn::Sub(gained_, hn::Mul(mass, dot(d_, force, gone)));
-  const auto weight = hn::Mul(hn::Mul(mass, length), hn::Add(hn::Add(hn::Abs(force.x), hn::Abs(force.y)), hn::Abs(force.z)));
-  unsure_ = hn::Add(unsure_, hn::Mul(hn::Set(d_, kUnsureOfDigits), hn::Add(weight, hn::Mul(stiffness, hn::Add(bent, was_bent)))));
+  const auto weight =
+      hn::Mul(hn::Mul(mass, length), hn::Add(hn::Add(hn::Abs(force.x), hn::Abs(force.y)), hn::Abs(force.z)));
+  unsure_ = hn::Add(
+      unsure_, hn::Mul(hn::Set(d_, kUnsureOfDigits), hn::Add(weight, hn::Mul(stiffness, hn::Add(bent, was_bent)))));
   if (HWY_LIKELY(hn::AllTrue(d_, is_still_))) return;
   const V3<D> around = add(d_, cross(d_, spinning_up_, place), cross(d_, turning_, cross(d_, turning_, place)));
   const auto work = hn::Mul(mass, dot(d_, add(d_, speeding_up_, around), gone));
@@ -156,7 +183,8 @@ HWY_INLINE void PassiveChain<D>::balance() {
   if (HWY_LIKELY(hn::AllFalse(d_, is_more))) return;
   const auto motion = hn::Mul(half, has_);
   const auto is_too_high = hn::And(is_more, hn::Ge(excess, motion));
-  const auto left = hn::Div(hn::Sub(motion, excess), hn::IfThenElse(is_more, hn::Max(motion, hn::Set(d_, 1e-30f)), hn::Set(d_, 1.0f)));
+  const auto left = hn::Div(hn::Sub(motion, excess),
+                            hn::IfThenElse(is_more, hn::Max(motion, hn::Set(d_, 1e-30f)), hn::Set(d_, 1.0f)));
   slow_down(is_more, hn::Sqrt(hn::Max(left, zero)));
   // Where it was a collider may be by now.
   if constexpr (kOnCharacter<D>) {
@@ -165,23 +193,9 @@ HWY_INLINE void PassiveChain<D>::balance() {
   if (HWY_UNLIKELY(!hn::AllFalse(d_, is_too_high))) stay(is_too_high);
 }
 
-/// All bones of these lanes keep this share of their motion against the head, which stretches none.
-template <class D>
-HWY_INLINE void PassiveChain<D>::slow_down(hn::Mask<D> where, V<D> kept) {
-  for (std::size_t i = 0; i < count_; ++i) {
-    PassiveState& state = state_[i];
-    const V3<D> velocity = load(d_, state.velocity, lane_);
-    const V3<D> rigid = scale(d_, with_head(bones_[i].direction), load(d_, row_.constants[i].length, lane_));
-    const V3<D> calmer = add_scaled(d_, rigid, sub(d_, velocity, rigid), kept);
-    store(d_, choose<D>(where, calmer, velocity), state.velocity, lane_);
-  }
-}
-
 /// These lanes' chains are carried along with the head from where they were before the step, at rest against it.
 template <class D>
 COIF_RARE void PassiveChain<D>::stay(hn::Mask<D> where) {
-  const auto zero = hn::Zero(d_);
-  const V3<D> none{zero, zero, zero};
   for (std::size_t i = 0; i < count_; ++i) {
     PassiveBone<D>& bone = bones_[i];
     const BoneLanes& constants = row_.constants[i];
@@ -193,17 +207,16 @@ COIF_RARE void PassiveChain<D>::stay(hn::Mask<D> where) {
     const Bent<D> bent = bend(d_, from.frame, rest, by_parent, in_head);
     const auto length = load(d_, constants.length, lane_);
     if (row_.palette != nullptr) {
-      store_matrix_where(d_, where, bent.frame, load(d_, constants.joint, lane_), from.position, row_.palette + lane_, i,
-                         lanes_of_bone(row_, i, lane_));
+      store_matrix_where(d_, where, bent.frame, load(d_, constants.joint, lane_), from.position, row_.palette + lane_,
+                         i, lanes_of_bone(row_, i, lane_));
     }
     const V3<D> direction = rotate(d_, turn_, in_head), arc = rotate(d_, turn_, by_parent);
     const V3<D> pull = rotate(d_, turn_, rotate(d_, from.frame, load(d_, constants.pull, lane_)));
     store(d_, hn::IfThenElse(where, bent_to(i, direction, arc, pull), load(d_, state.bent, lane_)), state.bent, lane_);
     store(d_, choose<D>(where, direction, load(d_, state.direction, lane_)), state.direction, lane_);
-    store(d_, choose<D>(where, scale(d_, with_head(direction), length), load(d_, state.velocity, lane_)), state.velocity, lane_);
-    for (Lanes3* const rate : {&state.acceleration, &state.lagged}) {
-      store(d_, choose<D>(where, none, load(d_, *rate, lane_)), *rate, lane_);
-    }
+    store(d_, choose<D>(where, scale(d_, with_head(direction), length), load(d_, state.velocity, lane_)),
+          state.velocity, lane_);
+    forget_accelerations(i, where);
     set_where(d_, where, add_scaled(d_, from.position, in_head, length), bone.tail.position);
     bone.tail.frame = choose<D>(where, bent.frame, bone.tail.frame);
   }

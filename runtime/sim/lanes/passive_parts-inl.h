@@ -16,16 +16,16 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// Of 1 + cosine: a bone nearer to folded over its parent turns its frame no faster, small as its movements are.
+/// Least 1 + cosine of a fold in formulas: a bone nearer to folded over its parent turns its frame no faster, small as its movements are.
 inline constexpr float kLeastUnfolded = 0.02f;
 
 /// Nearer to its start than this share of its length a contact holds a bone as if it were there; and nearer than the other not at all.
 inline constexpr float kLeastShare = 0.02f, kNoShare = 1e-4f;
 
-/// Of a contact, against what it holds.
+/// A contact is so many times as firm as what it holds.
 inline constexpr float kFirmContact = 1000.0f;
 
-/// Of a joint's stiffness, what it has against folding by more than a right angle (MODEL.md, "The passive model").
+/// Share of a joint's stiffness that it has against folding by more than a right angle (MODEL.md, "Folds").
 inline constexpr float kFoldStiffness = 0.01f;
 
 /// Radians a step: the method can follow what turns slower against the head.
@@ -43,14 +43,26 @@ HWY_INLINE V3<D> times(D, const Symmetric3<D>& m, const V3<D>& v) {
           hn::Add(hn::Add(hn::Mul(m.xz, v.x), hn::Mul(m.yz, v.y)), hn::Mul(m.zz, v.z))};
 }
 
-/// m + a b^T, which is symmetric.
+/// The six entries of a b^T that a symmetric sum of such has.
 template <class D>
-HWY_INLINE Symmetric3<D> add_outer(D, const Symmetric3<D>& m, const V3<D>& a, const V3<D>& b) {
-  return {hn::Add(m.xx, hn::Mul(a.x, b.x)), hn::Add(m.xy, hn::Mul(a.x, b.y)), hn::Add(m.xz, hn::Mul(a.x, b.z)),
-          hn::Add(m.yy, hn::Mul(a.y, b.y)), hn::Add(m.yz, hn::Mul(a.y, b.z)), hn::Add(m.zz, hn::Mul(a.z, b.z))};
+HWY_INLINE Symmetric3<D> outer(D, const V3<D>& a, const V3<D>& b) {
+  return {hn::Mul(a.x, b.x), hn::Mul(a.x, b.y), hn::Mul(a.x, b.z),
+          hn::Mul(a.y, b.y), hn::Mul(a.y, b.z), hn::Mul(a.z, b.z)};
 }
 
-/// Of a positive definite matrix.
+template <class D>
+HWY_INLINE Symmetric3<D> add(D, const Symmetric3<D>& a, const Symmetric3<D>& b) {
+  return {hn::Add(a.xx, b.xx), hn::Add(a.xy, b.xy), hn::Add(a.xz, b.xz),
+          hn::Add(a.yy, b.yy), hn::Add(a.yz, b.yz), hn::Add(a.zz, b.zz)};
+}
+
+/// m + a b^T, which is symmetric.
+template <class D>
+HWY_INLINE Symmetric3<D> add_outer(D d, const Symmetric3<D>& m, const V3<D>& a, const V3<D>& b) {
+  return add(d, m, outer(d, a, b));
+}
+
+/// `m` is positive definite.
 template <class D>
 HWY_INLINE Symmetric3<D> inverse_of(D d, const Symmetric3<D>& m) {
   const auto minor = [](V<D> a, V<D> b, V<D> c, V<D> e) { return hn::Sub(hn::Mul(a, b), hn::Mul(c, e)); };
@@ -116,18 +128,6 @@ struct PassiveNumbers {
   V<D> dt, per_dt, mean, from_lagged, from_acceleration, lag, lagged_per_way, early, late;
 };
 
-/// The six entries of a b^T that a symmetric sum of such has.
-template <class D>
-HWY_INLINE Symmetric3<D> outer(D, const V3<D>& a, const V3<D>& b) {
-  return {hn::Mul(a.x, b.x), hn::Mul(a.x, b.y), hn::Mul(a.x, b.z), hn::Mul(a.y, b.y), hn::Mul(a.y, b.z), hn::Mul(a.z, b.z)};
-}
-
-template <class D>
-HWY_INLINE Symmetric3<D> add(D, const Symmetric3<D>& a, const Symmetric3<D>& b) {
-  return {hn::Add(a.xx, b.xx), hn::Add(a.xy, b.xy), hn::Add(a.xz, b.xz),
-          hn::Add(a.yy, b.yy), hn::Add(a.yz, b.yz), hn::Add(a.zz, b.zz)};
-}
-
 template <class D>
 HWY_INLINE V3<D> mixed_of(D d, const V3<D> (&two)[2], V<D> first, V<D> second) {
   return add_scaled(d, scale(d, two[0], first), two[1], second);
@@ -157,8 +157,8 @@ struct PassiveBelow {
   V3<D> torque;            ///< t
 };
 
-/// Of a bone's two turns, while they are taken out: what holds them against the parent's frame and besides (11, 12, 22), and by how much
-/// the spin of its frame moves them.
+/// A bone's two turns, while they are taken out: what holds them against the parent's frame and besides (11, 12, 22), and by how much
+/// the spin of the bone's frame moves them.
 template <class D>
 struct PassiveTurns {
   V<D> firm[3], rest[3], spin[2];
@@ -190,13 +190,23 @@ struct PassiveLinks {
   }
 };
 
-/// Of kFoldStiffness stiffness (tan^2(fold / 2) - 1)^3 what is to be multiplied by the stiffness: the energy of a bone that is folded by more
-/// than a right angle.
+/// 1 / (1 + cosine of the fold), at most 1 / kLeastUnfolded: half of 1 + tan^2(fold / 2). Both directions are unit.
+template <class D>
+HWY_INLINE V<D> per_unfolded(D d, const V3<D>& arc, const V3<D>& direction) {
+  const auto one = hn::Set(d, 1.0f);
+  return hn::Div(one, hn::Max(hn::Add(one, dot(d, arc, direction)), hn::Set(d, kLeastUnfolded)));
+}
+
+/// tan^2(fold / 2) - 1, and 0 of a bone that is folded by less than a right angle.
+template <class D>
+HWY_INLINE V<D> folded(D d, V<D> per_unfolded) {
+  return hn::Max(hn::Sub(hn::Add(per_unfolded, per_unfolded), hn::Set(d, 2.0f)), hn::Zero(d));
+}
+
+/// Energy of a fold over the bone's stiffness.
 template <class D>
 HWY_INLINE V<D> fold_energy(D d, const V3<D>& direction, const V3<D>& arc) {
-  const auto one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f);
-  const auto unfolded = hn::Max(hn::Add(one, dot(d, arc, direction)), hn::Set(d, kLeastUnfolded));
-  const auto fold = hn::Max(hn::Sub(hn::Div(two, unfolded), two), hn::Zero(d));
+  const auto fold = folded(d, per_unfolded(d, arc, direction));
   return hn::Mul(hn::Mul(fold, hn::Set(d, kFoldStiffness)), hn::Mul(fold, fold));
 }
 
@@ -212,7 +222,7 @@ struct PassiveBook {
 template <class D>
 struct PassiveTouch {
   V3<D> normal;  ///< Unit, world, from the collider to the hair.
-  V<D> share;    ///< Of the bone's length, from its start to the place of contact; 0: it touches nothing.
+  V<D> share;    ///< Share of the bone's length from its start to the place of contact; 0: it touches nothing.
   V<D> lift;     ///< Metres by which that place has to be lifted from where the bone freely is.
   V<D> leave;    ///< m/s at which it is left again at the end of the step.
 

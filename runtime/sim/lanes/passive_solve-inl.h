@@ -15,6 +15,15 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
+constexpr int kMostRounds = 8;  ///< After the first.
+
+/// Radians that Newton's method may leave undone in a step of `dt` seconds: as a force that is always the same, but no less than what
+/// single precision sees.
+constexpr float may_leave(float dt) {
+  const float left = 0.1f * dt * dt;
+  return left > 1e-7f ? left : 1e-7f;
+}
+
 /// A first guess of the step's end, in which no direction turns by more than about 55 degrees.
 template <class D>
 HWY_INLINE void PassiveChain<D>::guess(std::size_t i) {
@@ -69,8 +78,7 @@ HWY_INLINE void PassiveChain<D>::bend_towards_rest(std::size_t i, const Carrier<
   const Bent<D> bent = bend(d_, from.frame, rest, by_parent, rotate_back(d_, turn_, bone.direction));
   copy(d_, bent.frame, bone.tail.frame);
   bone.arc = rotate(d_, turn_, by_parent);
-  const auto one = hn::Set(d_, 1.0f), unfolded = hn::Add(one, dot(d_, bone.arc, bone.direction));
-  bone.per_fold = hn::Div(one, hn::Max(unfolded, hn::Set(d_, kLeastUnfolded)));
+  bone.per_fold = per_unfolded(d_, bone.arc, bone.direction);
 
   const V3<D> swing = scale(d_, cross(d_, bone.direction, sub(d_, bone.tail.velocity, from.velocity)), per_length);
   const auto spin = spin_of_arc(d_, bone.arc, bone.direction, from.angular_velocity, swing, bone.per_fold);

@@ -1,5 +1,5 @@
-// The step of the passive model in runtime/docs/MODEL.md for one chain: after passive_chain-inl.h what limits and contacts make
-// of it, and velocities that stretch nothing. Compiled once per instruction set.
+// The step of the passive model in runtime/docs/MODEL.md for one chain: after passive_solve-inl.h and passive_contact-inl.h what limits and
+// contacts make of it, and velocities that stretch nothing. Compiled once per instruction set.
 
 #include "moving_contact-inl.h"
 #include "palette-inl.h"
@@ -205,6 +205,28 @@ HWY_INLINE void PassiveChain<D>::keep_links(std::size_t i) {
   motion_ = hn::Add(motion_, of_last_bones(d_, row_, i, lane_, dot(d_, velocity, velocity)));
 }
 
+/// All bones of these lanes keep this share of their motion against the head, which stretches none.
+template <class D>
+HWY_INLINE void PassiveChain<D>::slow_down(hn::Mask<D> where, V<D> kept) {
+  for (std::size_t i = 0; i < count_; ++i) {
+    PassiveState& state = state_[i];
+    const V3<D> velocity = load(d_, state.velocity, lane_);
+    const V3<D> rigid = scale(d_, with_head(bones_[i].direction), load(d_, row_.constants[i].length, lane_));
+    const V3<D> calmer = add_scaled(d_, rigid, sub(d_, velocity, rigid), kept);
+    store(d_, choose<D>(where, calmer, velocity), state.velocity, lane_);
+  }
+}
+
+/// The next step begins from the bone's velocity alone.
+template <class D>
+HWY_INLINE void PassiveChain<D>::forget_accelerations(std::size_t i, hn::Mask<D> where) {
+  const auto zero = hn::Zero(d_);
+  const V3<D> none{zero, zero, zero};
+  for (Lanes3* const rate : {&state_[i].acceleration, &state_[i].lagged}) {
+    store(d_, choose<D>(where, none, load(d_, *rate, lane_)), *rate, lane_);
+  }
+}
+
 /// A chain of which some bone turns so fast against the head that no step of this length can follow it would go on to rattle,
 /// however much is damped. All of its bones are slowed alike, which stretches none and takes energy only.
 template <class D>
@@ -213,13 +235,7 @@ HWY_INLINE void PassiveChain<D>::calm_what_is_wild() {
   const auto is_wild = hn::Gt(fastest2_, hn::Mul(limit, limit));
   if (HWY_LIKELY(hn::AllFalse(d_, is_wild))) return;
   slow_down(is_wild, hn::Div(limit, hn::Sqrt(fastest2_)));
-  const auto zero = hn::Zero(d_);
-  const V3<D> none{zero, zero, zero};
-  for (std::size_t i = 0; i < count_; ++i) {
-    PassiveState& state = state_[i];
-    store(d_, choose<D>(is_wild, none, load(d_, state.acceleration, lane_)), state.acceleration, lane_);
-    store(d_, choose<D>(is_wild, none, load(d_, state.lagged, lane_)), state.lagged, lane_);
-  }
+  for (std::size_t i = 0; i < count_; ++i) forget_accelerations(i, is_wild);
 }
 
 template <class D>

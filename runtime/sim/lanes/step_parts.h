@@ -13,7 +13,7 @@ struct StepParts {
   float carried = 0;        ///< Share of the heads' ways through which the hair was carried before the step began.
   bool has_stalled = false;  ///< One frame of it took longer than kMaxTimeStep.
   std::uint32_t count = 1;  ///< Sub-steps.
-  Vec3 gravity;                   ///< In the hair's metres, unless has_true_gravity.
+  Vec3 gravity;             ///< In the hair's metres, unless has_true_gravity.
   bool has_true_gravity = false;  ///< `gravity` is in the world's metres.
   Vec3 wind;
   float air_follow = 1;

@@ -187,7 +187,7 @@ void jump(WorldState& world, WornHead& head, float dt) {
   HeadLanes& heads = head.place.part->heads;
   const HairJump by = jump_head(heads, head.place.lane, dt);
   turn_hair(world, head, by.turn);
-  if (by.velocity == Vec3{} && by.turning == Vec3{}) return;
+  if (!by.is_faster()) return;
   const Vec3 velocity = by.velocity * heads.per_scale.v[head.place.lane];
   for_each_chain(world, head, [&](const ChainShape& shape, const ChainLane& chain) {
     add_motion(*shape.solver, chain, velocity, by.turning);

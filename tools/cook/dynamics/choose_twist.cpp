@@ -1,6 +1,6 @@
 #include "base/parallel_for.h"
 #include "cook/dynamics/chain_groups.h"
-#include "cook/dynamics/cook_suite.h"
+#include "cook/dynamics/chain_trial.h"
 #include "cook/dynamics/settle_dynamics.h"
 #include "lab/rig.h"
 #include "lab/runtime_solver.h"

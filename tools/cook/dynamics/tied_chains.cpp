@@ -2,9 +2,9 @@
 
 #include "base/text.h"
 
-#include <Eigen/Core>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -81,8 +81,8 @@ std::vector<CrossSection> cross_sections(const HairStrips& hair, const HairRig& 
 }
 
 struct Bundle {
-  double length = 0;  ///< Metres along the chain; of a branched one to its farthest tip.
-  BundleSize size;    ///< Mean by area.
+  double length = 0;            ///< Metres along the chain; of a branched one to its farthest tip.
+  BundleSize size;              ///< Mean by area.
   std::vector<Vector3d> lower;  ///< Middles and tails of the bones of the lower half.
 
   [[nodiscard]] bool is_compact() const {
@@ -150,8 +150,8 @@ void loosen_tied_chains(const Skeleton& skeleton, const std::vector<bool>& tied,
     if (!tied[c]) continue;
     const PatchOverride* const own = c < of_chain.size() ? &of_chain[c] : nullptr;
     const bool says_friction = recipe.friction || (own != nullptr && own->friction);
-    const bool says_damping = recipe.damping_ratio || recipe.liveliness ||
-                              (own != nullptr && (own->damping_ratio || own->liveliness));
+    const bool says_damping =
+        recipe.damping_ratio || recipe.liveliness || (own != nullptr && (own->damping_ratio || own->liveliness));
     const ChainRecord& chain = skeleton.chains[c];
     bool is_any = false;
     for (std::uint32_t b = chain.first_bone; b < chain.first_bone + chain.bone_count; ++b) {

@@ -1,4 +1,4 @@
-#include "cook/dynamics/cook_suite.h"
+#include "cook/dynamics/chain_trial.h"
 #include "cook/dynamics/settle_dynamics.h"
 #include "cook/dynamics/tuning_bench.h"
 
@@ -15,7 +15,7 @@ namespace {
 constexpr double kUsualError = 0.007;  ///< Where the recipe asks for nothing, this is wanted and nothing less refused.
 /// In slower frames nobody knows what the head does: there the error grows with their square, and up to this much is let be.
 constexpr double kUsualRate = 60, kMostUsualError = 0.02;
-constexpr double kWorthwhile = 0.9;    ///< Of an error that is too large: dearer settings leave no more of it.
+constexpr double kWorthwhile = 0.9;  ///< Of an error that is too large: dearer settings leave no more of it.
 constexpr std::uint32_t kParts[] = {1, 2, 3, 4, 6, 8, 12, 16};
 
 std::vector<std::uint32_t> frame_rates(const Recipe& recipe) {
@@ -151,8 +151,10 @@ tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, 
   TuningBench bench(contents, rates, threads);
   for (const std::string& note : bench.left_out()) findings.note(note);
   if (bench.is_empty()) {
-    findings.warn("not tuned: no motion of this hair could be computed within the work that a cook may take; it is simulated with one step "
-                  "a frame; make it softer (dynamics.preset), or its bones fewer (chains.max_bones)");
+    findings.warn(
+        "not tuned: no motion of this hair could be computed within the work that a cook may take; it is simulated "
+        "with one step "
+        "a frame; make it softer (dynamics.preset), or its bones fewer (chains.max_bones)");
     return TunedSolver{};
   }
   const Budget budget = budget_of(recipe, bench.longest());
@@ -160,8 +162,9 @@ tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, 
   TriedRate best, least;
   for (const std::uint32_t parts : kParts) {
     if (parts != kParts[0] && !bench.has_work_left(rates, parts * rates.front())) {
-      findings.note(fmt::format("tuning: sub-steps of {} Hz and more were not tried: they need more work than a cook may take",
-                                parts * rates.front()));
+      findings.note(
+          fmt::format("tuning: sub-steps of {} Hz and more were not tried: they need more work than a cook may take",
+                      parts * rates.front()));
       break;
     }
     const TriedRate tried = try_rate(bench, rates, parts * rates.front(), budget);

@@ -4,7 +4,6 @@
 #include "base/text.h"
 #include "cook/dynamics/chain_groups.h"
 #include "cook/dynamics/chain_trial.h"
-#include "cook/dynamics/cook_suite.h"
 #include "cook/dynamics/settle_dynamics.h"
 
 #include <fmt/format.h>
@@ -23,7 +22,7 @@ constexpr std::size_t kFewBones = 24;  ///< Up to here every chain is run.
 /// Steps times bones: of the reference, over all motions, and of the runtime, over all motions, frame rates and sub-steps.
 constexpr double kMostReferenceWork = 8e6;
 constexpr std::uint64_t kMostRuntimeWork = 8'000'000;
-/// Of a first run: with less hardly a motion would be known. Two runs take three times a first, and hair that whips round some more.
+/// First runs that a reference may take: with fewer hardly a motion would be known. Two runs take three times a first, and hair that whips round some more.
 constexpr double kLeastRuns = 4;
 
 ReferenceSettings reference_settings(std::span<const std::uint32_t> rates) {
@@ -98,7 +97,8 @@ TuningBench::TuningBench(const AssetContents& contents, const ChainsToRun& run, 
   }
   if (run.left_out > 0) {
     left_out_.push_back(fmt::format("tuning: {} not run, since {} more work than a cook may take",
-                                    counted(run.left_out, "chain was", "chains were"), run.left_out == 1 ? "it needs" : "they need"));
+                                    counted(run.left_out, "chain was", "chains were"),
+                                    run.left_out == 1 ? "it needs" : "they need"));
   }
   if (rig_.bones.empty()) return;
   solve(rates);
@@ -107,8 +107,7 @@ TuningBench::TuningBench(const AssetContents& contents, const ChainsToRun& run, 
 
 void TuningBench::solve(std::span<const std::uint32_t> rates) {
   ReferenceSettings settings = reference_settings(rates);
-  settings.most_work =
-      kMostReferenceWork / (double(std::size(kCookSuite)) * first_run_work(rig_, {}, settings));
+  settings.most_work = kMostReferenceWork / (double(std::size(kCookSuite)) * first_run_work(rig_, {}, settings));
   known_.resize(std::size(kCookSuite));
   parallel_for(known_.size(), threads_, [&](std::size_t m) {
     known_[m] = {kCookSuite[m], solve_reference(rig_, {}, *path_of(kCookSuite[m]), settings)};
@@ -131,8 +130,9 @@ void TuningBench::say_what_is_left_out() {
                                     fmt::join(unsolved, ", ")));
   }
   if (!inexact.empty()) {
-    left_out_.push_back(fmt::format("tuning: known to {:.2g} % of the length only, since more needs more work than a cook may take: {}",
-                                    worst, fmt::join(inexact, ", ")));
+    left_out_.push_back(
+        fmt::format("tuning: known to {:.2g} % of the length only, since more needs more work than a cook may take: {}",
+                    worst, fmt::join(inexact, ", ")));
   }
 }
 

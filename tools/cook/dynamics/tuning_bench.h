@@ -47,7 +47,8 @@ class TuningBench {
   [[nodiscard]] std::vector<QualityRecord> table() const;
 
  private:
-  TuningBench(const AssetContents& contents, const ChainsToRun& run, std::span<const std::uint32_t> rates, unsigned threads);
+  TuningBench(const AssetContents& contents, const ChainsToRun& run, std::span<const std::uint32_t> rates,
+              unsigned threads);
   void solve(std::span<const std::uint32_t> rates);
   void say_what_is_left_out();
   [[nodiscard]] std::uint64_t work_of(std::uint32_t rate, std::uint32_t parts) const;

@@ -107,7 +107,7 @@ Gathered gather(const SourceModel& source, const HairChoice& choice, Findings& f
   return gathered;
 }
 
-/// Of the triangles: a file may have each strip several times, but not more copies than anything else.
+/// Share of the triangles. A file may have each strip several times, but not more copies than anything else.
 constexpr double kMostCopies = 0.9;
 constexpr std::size_t kFewCopies = 100;
 /// Metres from end to end, in a file of any unit that a model may have.
@@ -116,17 +116,20 @@ constexpr double kLargestHair = 1000;
 std::optional<std::string> why_damaged(const SourceModel& source, const HairMesh& mesh, std::size_t copies,
                                        std::size_t triangles) {
   if (copies >= kFewCopies && double(copies) > kMostCopies * double(triangles)) {
-    return fmt::format("{} of the hair's {} triangles lie where others lie, so that {} are left: the file is damaged, or its strips were "
-                       "copied into one place; export it again",
-                       copies, triangles, mesh.triangle_count());
+    return fmt::format(
+        "{} of the hair's {} triangles lie where others lie, so that {} are left: the file is damaged, or its strips "
+        "were "
+        "copied into one place; export it again",
+        copies, triangles, mesh.triangle_count());
   }
   Eigen::AlignedBox3f box;
   for (const std::uint32_t vertex : mesh.triangles) box.extend(mesh.positions[vertex]);
   const double size = double(box.sizes().norm());
   if (!(size > kLargestHair)) return std::nullopt;
-  return fmt::format("the hair is {:.1f} km from end to end, at {} m per unit: a number in the file is damaged, or its unit is wrong; "
-                     "export it again, or set \"source.metres_per_unit\" in the recipe",
-                     size / 1000, source.space.metres_per_unit);
+  return fmt::format(
+      "the hair is {:.1f} km from end to end, at {} m per unit: a number in the file is damaged, or its unit is wrong; "
+      "export it again, or set \"source.metres_per_unit\" in the recipe",
+      size / 1000, source.space.metres_per_unit);
 }
 
 std::size_t merge_faces(const Recipe& recipe, HairMesh& mesh, Findings& findings) {

@@ -102,7 +102,8 @@ bool AlphaTest::passes(const Vector2f& uv) const {
   return image->texels[4 * at + 3] * factor >= threshold * 255;
 }
 
-PatchCoverage::View PatchCoverage::draw(const HairStrips& hair, const AlphaTest& alpha, std::size_t direction, int pixels) {
+PatchCoverage::View PatchCoverage::draw(const HairStrips& hair, const AlphaTest& alpha, std::size_t direction,
+                                        int pixels) {
   const HairMesh& mesh = hair.mesh;
   const Projection project(mesh, kDirection[direction].normalized(), pixels);
   View view;
@@ -142,7 +143,8 @@ PatchCoverage::View PatchCoverage::draw(const HairStrips& hair, const AlphaTest&
   return view;
 }
 
-PatchCoverage::PatchCoverage(const HairStrips& hair, const AlphaTest& alpha, unsigned threads) : seen_(hair.patches.count, 0) {
+PatchCoverage::PatchCoverage(const HairStrips& hair, const AlphaTest& alpha, unsigned threads)
+    : seen_(hair.patches.count, 0) {
   const int pixels = choose_pixels(hair.mesh);
   parallel_for(kDirections, threads, [&](std::size_t d) { views_[d] = draw(hair, alpha, d, pixels); });
   for (const View& view : views_) {

@@ -22,13 +22,6 @@ constexpr double kComparedSeconds = 2e-3;  // of one frame: small beside the tim
 
 using Added = tl::expected<void, ToolError>;
 
-/// What Hair reads of the asset, with bones that touch nothing.
-AssetContents without_colliders(const Asset& asset) {
-  AssetContents contents = moving_part(asset);
-  for (BoneRecord& bone : contents.bones) bone.colliders = 0;
-  return contents;
-}
-
 CrowdMemory memory_of(const Asset& asset, const std::string& solver) {
   // Both are multiples of every number of heads that a processor could take at once.
   constexpr std::uint32_t kFew = 1024, kMany = 2048;
@@ -129,7 +122,7 @@ class CostMeasurement {
 
   /// As cooked, or made of that.
   const Asset& asset_for(FeatureAsset kind) {
-    if (kind == FeatureAsset::kTouchingNothing) return bald_.emplace(without_colliders(asset_)).asset();
+    if (kind == FeatureAsset::kTouchingNothing) return bald_.emplace(untouched_part(asset_)).asset();
     if (kind == FeatureAsset::kLinked) return linked_.emplace(with_neighbours_linked(asset_)).asset();
     return asset_;
   }

@@ -18,34 +18,19 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::uint32_t kAttitudes = 26;
-constexpr double kTurnSeconds = 0.8;
 
 struct Attitude {
   Vector3d up;
   std::unique_ptr<HeadPath> path;
 };
 
-/// The shortest turn that brings the head's up axis to `up`.
-std::unique_ptr<HeadPath> turn_to(const Vector3d& up) {
-  const Vector3d axis = Vector3d::UnitY().cross(up);
-  const double angle = std::atan2(axis.norm(), up.y());
-  return held_turn(axis.isZero() ? Vector3d::UnitX() : Vector3d(axis.normalized()), angle, kTurnSeconds);
-}
-
 std::vector<Attitude> attitudes() {
   std::vector<Attitude> all;
   for (int cell = 0; cell < 27; ++cell) {
     const Vector3d up(cell / 9 - 1, cell / 3 % 3 - 1, cell % 3 - 1);
-    if (!up.isZero()) all.push_back({up, turn_to(up.normalized())});
+    if (!up.isZero()) all.push_back({up, held_attitude(up)});
   }
   return all;
-}
-
-AssetContents without_colliders(const Asset& asset) {
-  AssetContents contents = moving_part(asset);
-  contents.colliders.clear();
-  for (BoneRecord& bone : contents.bones) bone.colliders = 0;
-  return contents;
 }
 
 /// A head in each attitude, and where its bones ended after the last frame.
@@ -80,7 +65,8 @@ class HeldCrowd {
     double fastest = 0;
     for (std::size_t b = 0; b < ends_.size(); ++b) {
       const Vec3 way{ends_[b].x - before_[head][b].x, ends_[b].y - before_[head][b].y, ends_[b].z - before_[head][b].z};
-      const double speed = std::sqrt(double(way.x) * way.x + double(way.y) * way.y + double(way.z) * way.z) / settings_.dt;
+      const double speed =
+          std::sqrt(double(way.x) * way.x + double(way.y) * way.y + double(way.z) * way.z) / settings_.dt;
       fastest = std::isfinite(speed) ? std::max(fastest, speed) : std::numeric_limits<double>::infinity();
     }
     before_[head] = ends_;
@@ -125,12 +111,13 @@ HeldHeadsFinding hold_heads(const Asset& asset, const HeldHeads& held) {
   // What is made of a part of the asset does not know what that was tuned for.
   if (held.substeps == 0) asked.substeps = tuned_substeps(asset, float(1 / held.frame_rate));
   if (held.collides) return watch(asset, asked);
-  const OpenedAsset bare(without_colliders(asset));
+  const OpenedAsset bare(untouched_part(asset));
   return watch(bare.asset(), asked);
 }
 
 std::string name_of(const HeldHeads& held) {
-  const std::string parts = held.substeps == 0 ? "tuned" : fmt::format("{} part{}", held.substeps, held.substeps == 1 ? "" : "s");
+  const std::string parts =
+      held.substeps == 0 ? "tuned" : fmt::format("{} part{}", held.substeps, held.substeps == 1 ? "" : "s");
   return fmt::format("held, {} at {:g} fps{}", parts, held.frame_rate, held.collides ? "" : ", no colliders");
 }
 

@@ -11,10 +11,10 @@ namespace coif {
 /// Heads that are turned within 0.8 s and then held: their up axes point to the corners, edges and faces of a cube, 26 attitudes. Hair
 /// of such a head comes to rest, and stays there.
 struct HeldHeads {
-  std::uint32_t substeps = 0;  ///< Of each frame; 0: as many as the asset was tuned for.
-  double frame_rate = 60;      ///< Hz.
-  double seconds = 30;         ///< That are watched, the turn included; more than kSettlingTime.
-  bool collides = true;        ///< False: without the asset's colliders.
+  std::uint32_t substeps = 0;                      ///< Of each frame; 0: as many as the asset was tuned for.
+  double frame_rate = 60;                          ///< Hz.
+  double seconds = 30;                             ///< That are watched, the turn included; more than kSettlingTime.
+  bool collides = true;                            ///< False: without the asset's colliders.
   float stiffness = 1, damping = 1, friction = 1;  ///< Factors, as DynamicsScale.
 };
 

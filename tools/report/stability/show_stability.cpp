@@ -27,7 +27,8 @@ void add(StabilityTotal& total, const StabilityRow& row) {
 /// Refusing an input and going on is a good answer; a broken state is not.
 unsigned failures(const StabilityTotal& total) {
   unsigned sum = 0;
-  for (const Outcome outcome : {Outcome::kRestless, Outcome::kDiverged, Outcome::kNan}) sum += total.count[std::size_t(outcome)];
+  for (const Outcome outcome : {Outcome::kRestless, Outcome::kDiverged, Outcome::kNan})
+    sum += total.count[std::size_t(outcome)];
   return sum;
 }
 
@@ -72,7 +73,8 @@ std::string stability_summary(const StabilityReport& report) {
 }
 
 Cell outcome_cell(Outcome outcome) {
-  constexpr CellLook kLooks[] = {CellLook::kGood, CellLook::kNeutral, CellLook::kWarning, CellLook::kWarning, CellLook::kBad};
+  constexpr CellLook kLooks[] = {CellLook::kGood, CellLook::kNeutral, CellLook::kWarning, CellLook::kWarning,
+                                 CellLook::kBad};
   return {name_of(outcome), kLooks[std::size_t(outcome)]};
 }
 

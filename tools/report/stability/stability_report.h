@@ -31,7 +31,8 @@ enum class Outcome {
   return "";
 }
 
-inline constexpr std::array kOutcomes{Outcome::kOk, Outcome::kRejected, Outcome::kRestless, Outcome::kDiverged, Outcome::kNan};
+inline constexpr std::array kOutcomes{Outcome::kOk, Outcome::kRejected, Outcome::kRestless, Outcome::kDiverged,
+                                      Outcome::kNan};
 
 /// Its name, coloured.
 [[nodiscard]] Cell outcome_cell(Outcome outcome);

@@ -218,7 +218,8 @@ bool ViewSession::is_moving() const {
 void ViewSession::tell_numbers(std::uint32_t level) {
   const StepSettings step = step_settings();
   const std::uint32_t substeps = tuned_substeps(asset_, step.dt);
-  const RecordedTipError tips = tip_error_of(asset_, {1 / step.dt, substeps, &solver_of(settings_.solver), motion_.is_tuned()});
+  const RecordedTipError tips =
+      tip_error_of(asset_, {1 / step.dt, substeps, &solver_of(settings_.solver), motion_.is_tuned()});
   numbers_.asleep = is_moving() ? 0 : 1;
   numbers_.time = float(time_in_motion());
   numbers_.substeps = float(substeps);
