@@ -1,7 +1,11 @@
 #include "groom/join_lines.h"
 #include "groom/strand_files.h"
 
-#include "import/gltf_document.h"
+#include "gltf/accessors.h"
+#include "gltf/buffers.h"
+#include "gltf/document.h"
+#include "gltf/primitive.h"
+#include "gltf/tree.h"
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
@@ -15,73 +19,30 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::string_view kMembers[] = {"accessors", "bufferViews", "buffers", "meshes", "nodes", "scene", "scenes"};
-
-// glTF 2.0, 3.7.2.1: what a primitive's vertices are.
-enum Mode : std::uint32_t { kLines = 1, kLineLoop = 2, kLineStrip = 3 };
-
-Eigen::Vector3d vector_or(const json& value, double otherwise) {
-  return vector_of(value).value_or(Eigen::Vector3d::Constant(otherwise));
-}
-
-/// From the node's own space to its parent's; what is no such transform is none.
-Eigen::Affine3d parent_from(const json& node) {
-  Eigen::Affine3d out = Eigen::Affine3d::Identity();
-  const json& matrix = list_of(member(node, "matrix"));
-  if (matrix.size() == 16) {
-    for (std::size_t i = 0; i < 16; ++i)
-      out.matrix()(Eigen::Index(i % 4), Eigen::Index(i / 4)) = number_of(matrix[i]).value_or(0);
-    return out.matrix().allFinite() ? out : Eigen::Affine3d::Identity();
-  }
-  const json& turn = list_of(member(node, "rotation"));
-  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
-  if (turn.size() == 4) {
-    for (std::size_t i = 0; i < 4; ++i) rotation.coeffs()[Eigen::Index(i)] = number_of(turn[i]).value_or(0);
-  }
-  if (!(rotation.norm() > 1e-6)) rotation.setIdentity();
-  return out.translate(vector_or(member(node, "translation"), 0))
-      .rotate(rotation.normalized())
-      .scale(vector_or(member(node, "scale"), 1));
-}
-
 class LineScene {
  public:
   LineScene(const json& document, GltfBuffers& buffers, Groom& groom)
       : document_(document),
         buffers_(buffers),
         builder_(groom),
-        nodes_(list_of(member(document, "nodes"))),
-        seen_(nodes_.size(), false) {}
+        nodes_(list_of(member(document, "nodes"))) {}
 
-  /// Of the scene's nodes and all below, each once: files may have loops.
+  /// Of the scene's nodes, but for hidden ones.
   std::string read() {
-    const json& scenes = list_of(member(document_, "scenes"));
-    const json& chosen = member(document_, "scene");
-    const auto scene = chosen.is_null() ? std::optional<std::uint32_t>(0) : index_of(chosen, scenes.size());
-    if (!scene || *scene >= scenes.size()) return "has no scene";
-    push(member(scenes[*scene], "nodes"), Eigen::Affine3d::Identity());
-    while (!open_.empty()) {
-      const auto [index, above] = open_.back();
-      open_.pop_back();
-      const json& node = nodes_[index];
-      const Eigen::Affine3d placed = above * parent_from(node);
-      if (std::string fault = read_mesh(node, placed); !fault.empty()) return fmt::format("node {}: {}", index, fault);
-      push(member(node, "children"), placed);
+    const std::vector<GltfSceneNode> scene = gltf_scene_nodes(document_);
+    std::vector<Eigen::Affine3d> model_from;
+    for (const GltfSceneNode& entry : scene) {
+      const Eigen::Affine3d above = entry.parent ? model_from[*entry.parent] : Eigen::Affine3d::Identity();
+      const json& node = nodes_[entry.in_file];
+      const auto place = gltf_place(node);
+      model_from.push_back(place ? above * place->parent_from_node : above);
+      if (entry.is_hidden) continue;
+      if (std::string fault = read_mesh(node, model_from.back()); !fault.empty()) return fmt::format("node {}: {}", entry.in_file, fault);
     }
     return builder_.finish();
   }
 
  private:
-  void push(const json& list, const Eigen::Affine3d& above) {
-    const json& indices = list_of(list);
-    for (std::size_t i = indices.size(); i-- > 0;) {
-      const auto index = index_of(indices[i], nodes_.size());
-      if (!index || seen_[*index]) continue;
-      seen_[*index] = true;
-      open_.emplace_back(*index, above);
-    }
-  }
-
   std::string read_mesh(const json& node, const Eigen::Affine3d& placed) {
     const json& meshes = list_of(member(document_, "meshes"));
     const auto mesh = index_of(member(node, "mesh"), meshes.size());
@@ -89,18 +50,17 @@ class LineScene {
     std::string name = printable_text_of(member(node, "name"));
     builder_.begin_group(name.empty() ? printable_text_of(member(meshes[*mesh], "name")) : std::move(name));
     for (const json& primitive : list_of(member(meshes[*mesh], "primitives"))) {
-      const json& mode = member(primitive, "mode");
-      const auto kind = mode.is_null() ? std::optional<std::uint32_t>(4) : index_of(mode, 7);
-      if (kind != kLines && kind != kLineLoop && kind != kLineStrip) continue;
+      const auto kind = gltf_mode(primitive);
+      if (kind != GltfMode::kLines && kind != GltfMode::kLineLoop && kind != GltfMode::kLineStrip) continue;
       if (std::string fault = read_lines(primitive, *kind, placed); !fault.empty())
         return fmt::format("mesh {}: {}", *mesh, fault);
     }
     return {};
   }
 
-  std::string read_lines(const json& primitive, std::uint32_t mode, const Eigen::Affine3d& placed) {
+  std::string read_lines(const json& primitive, GltfMode mode, const Eigen::Affine3d& placed) {
     const auto numbers = read_gltf_numbers(document_, buffers_, member(member(primitive, "attributes"), "POSITION"),
-                                           {.type = "VEC3", .width = 3, .most_elements = kMostStrandPoints});
+                                           {.type = "VEC3", .width = 3, .most_elements = kMostStrandPoints, .may_be_quantized = true});
     if (!numbers) return numbers.error();
     std::vector<Eigen::Vector3f> places(numbers->size() / 3);
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -119,17 +79,17 @@ class LineScene {
     return {};
   }
 
-  void add(std::uint32_t mode, std::vector<std::uint32_t>& indices, const std::vector<Eigen::Vector3f>& places) {
+  void add(GltfMode mode, std::vector<std::uint32_t>& indices, const std::vector<Eigen::Vector3f>& places) {
     VertexLines lines;
-    if (mode == kLineLoop && !indices.empty()) indices.push_back(indices.front());
-    if (mode == kLines) {
+    if (mode == GltfMode::kLineLoop && !indices.empty()) indices.push_back(indices.front());
+    if (mode == GltfMode::kLines) {
       for (std::size_t i = 0; i + 1 < indices.size(); i += 2) lines.add(std::span(indices).subspan(i, 2));
       weld(lines, places);
     } else if (indices.size() > 1) {
       lines.add(indices);
     }
     std::vector<Eigen::Vector3f> points;
-    const VertexLines strands = mode == kLines ? joined_lines(lines, places.size()).strands : std::move(lines);
+    const VertexLines strands = mode == GltfMode::kLines ? joined_lines(lines, places.size()).strands : std::move(lines);
     for (std::size_t i = 0; i < strands.count(); ++i) {
       points.clear();
       for (const std::uint32_t v : strands.line(i)) points.push_back(places[v]);
@@ -150,14 +110,12 @@ class LineScene {
   GltfBuffers& buffers_;
   GroomBuilder builder_;
   const json& nodes_;
-  std::vector<bool> seen_;
-  std::vector<std::pair<std::uint32_t, Eigen::Affine3d>> open_;
 };
 
 }  // namespace
 
 tl::expected<Groom, std::string> read_gltf_lines(const std::filesystem::path& path) {
-  const auto document = read_gltf_json(path, kMembers);
+  const auto document = read_gltf_json(path);
   if (!document) return tl::unexpected(document.error());
   Groom groom;
   groom.format = "glTF 2.0";

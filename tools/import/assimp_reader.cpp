@@ -2,7 +2,7 @@
 
 #include "base/text.h"
 #include "import/import.h"
-#include "import/vrm_springs.h"
+#include "import/raw_mesh.h"
 
 #include <assimp/BaseImporter.h>
 #include <assimp/DefaultIOSystem.h>
@@ -37,9 +37,10 @@ void keep_readers_of(Assimp::Importer& importer, const std::string& suffix) {
 }
 
 void configure(Assimp::Importer& importer, const SourceSuffix& suffix, const ImportSettings& settings) {
-  keep_readers_of(importer, suffix.assimp_suffix);
-  // Else every pivot becomes a "$AssimpFbx$" node between two bones.
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+  keep_readers_of(importer, suffix.suffix + 1);
+  // Pivots as nodes of their own, which flatten_nodes() folds again: assimp's own folding lets children inherit what is meant for a
+  // mesh alone.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, settings.up_axis.has_value());
 }
 
@@ -105,13 +106,6 @@ std::vector<char> bytes_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-const aiScene* read_scene(Assimp::Importer& importer, const std::filesystem::path& path, const SourceSuffix& suffix) {
-  const bool known_by_name = std::string_view(suffix.suffix).substr(1) == suffix.assimp_suffix;
-  if (known_by_name) return importer.ReadFile(path.string(), kPostProcess);
-  const std::vector<char> bytes = bytes_of(path);
-  return importer.ReadFileFromMemory(bytes.data(), bytes.size(), kPostProcess, suffix.assimp_suffix);
-}
-
 std::string cure_for(const std::string& reason) {
   if (reason.find("referenced file") != std::string::npos) return "put that file beside it or export as .glb; where it is a link, allow with --root what it leads to";
   return kReexport;
@@ -132,20 +126,14 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
                                                    const SourceSuffix& suffix, const ImportSettings& settings) {
   SourceModel model;
   model.path = path.string();
-  model.importer = importer_name();
-  model.importer_version[0] = static_cast<std::uint16_t>(aiGetVersionMajor());
-  model.importer_version[1] = static_cast<std::uint16_t>(aiGetVersionMinor());
-  model.importer_version[2] = static_cast<std::uint16_t>(aiGetVersionPatch());
+  set_importer(model);
   const Eigen::Affine3d to_model = model_from_scene(scene, suffix.format, settings, model.space, model.warnings);
   SceneNodes nodes = flatten_nodes(scene, to_model, model.warnings);
   convert_materials(scene, suffix.format, model);
   model.meshes = convert_meshes(scene, nodes, model.warnings);
   model.nodes = std::move(nodes.nodes);
-  if (suffix.format == SourceFormat::kGltf) read_vrm_extensions(path, to_model, model);
-  if (model.meshes.empty()) {
-    return file_failure(ToolError::Kind::kBadInput, path,
-                        "no usable triangles; convert curves and hair particles to polygon strips before the export");
-  }
+  if (model.meshes.empty()) return no_triangles(path);
+  keep_finest_levels(model);
   return model;
 }
 
@@ -161,7 +149,7 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
   Assimp::Importer importer;
   importer.SetIOHandler(new AskedFiles(asked));  // Owned by the importer.
   configure(importer, suffix, settings);
-  const aiScene* scene = read_scene(importer, path, suffix);
+  const aiScene* scene = importer.ReadFile(path.string(), kPostProcess);
   if (scene == nullptr || scene->mRootNode == nullptr) {
     return refusal(path, suffix, importer.GetErrorString());
   }
@@ -176,6 +164,18 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
   throw;
 } catch (const std::exception& error) {
   return refusal(path, suffix, error.what());
+}
+
+tl::unexpected<ToolError> no_triangles(const std::filesystem::path& path) {
+  return file_failure(ToolError::Kind::kBadInput, path,
+                      "no usable triangles; convert curves and hair particles to polygon strips before the export");
+}
+
+void set_importer(SourceModel& model) {
+  model.importer = importer_name();
+  model.importer_version[0] = static_cast<std::uint16_t>(aiGetVersionMajor());
+  model.importer_version[1] = static_cast<std::uint16_t>(aiGetVersionMinor());
+  model.importer_version[2] = static_cast<std::uint16_t>(aiGetVersionPatch());
 }
 
 std::string importer_name() {

@@ -36,12 +36,6 @@ namespace coif {
   return out;
 }
 
-/// "LABEL: 3 points or lines dropped", where there are any.
-inline void warn_count(std::size_t count, const std::string& label, const char* what,
-                       std::vector<std::string>& warnings) {
-  if (count != 0) warnings.push_back(fmt::format("{}: {} {}", label, count, what));
-}
-
 /// Parses the file in this process and converts it. Meant for a child process: assimp may crash, hang or eat memory.
 /// Throws std::bad_alloc where memory runs out; other exceptions become errors.
 [[nodiscard]] tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::path& path,
@@ -52,10 +46,12 @@ inline void warn_count(std::size_t count, const std::string& label, const char* 
 struct SceneNodes {
   std::vector<SourceNode> nodes;
   std::vector<const aiNode*> origin;                           ///< Beside each node; owned by the scene.
+  std::vector<Eigen::Affine3d> node_from_mesh;                 ///< Beside each node, for the meshes that it carries: FBX's geometric transform.
+  std::vector<bool> is_hidden;                                 ///< Beside each node: by FBX's Visibility or Show, its own or inherited.
   std::unordered_map<std::string, std::uint32_t> joint_named;  ///< By the importer's raw name.
 };
 
-/// `model_from_scene` is applied above the root. A node whose transform is not finite takes its parent's place, with a
+/// `model_from_scene` is applied above the root. assimp's nodes for an FBX's pivots are folded into the node that has them. A node whose transform is not finite takes its parent's place, with a
 /// warning. Where several nodes carry a bone's name (a mesh 'head' beside a joint 'head'), the one without meshes and
 /// within a skeleton is the joint; a warning says so where that does not decide.
 [[nodiscard]] SceneNodes flatten_nodes(const aiScene& scene, const Eigen::Affine3d& model_from_scene,
@@ -69,40 +65,6 @@ struct SceneNodes {
 [[nodiscard]] Eigen::Affine3d model_from_scene(const aiScene& scene, SourceFormat format,
                                                const ImportSettings& settings, SourceSpace& space,
                                                std::vector<std::string>& warnings);
-
-/// Where each vertex of a mesh stands in the rest pose of the nodes, and what holds it there.
-class SkinBinding {
- public:
-  /// Drops, with counted warnings, what the file gets wrong: bones without a node, weights of absent vertices, weights
-  /// that are not finite or not above zero. Weights are normalised; a skinned mesh's vertices without any weight
-  /// follow `mesh_node`. `label` names the mesh in warnings.
-  SkinBinding(const aiMesh& mesh, std::uint32_t mesh_node, const SceneNodes& nodes, const std::string& label,
-              std::vector<std::string>& warnings);
-
-  /// False when no vertex has a usable weight: the mesh is rigid to its node.
-  [[nodiscard]] bool skinned() const { return !begin_.empty(); }
-  /// Heaviest first. Empty when rigid.
-  [[nodiscard]] std::span<const SourceInfluence> influences(std::size_t vertex) const;
-  /// sum of weight * model_from_joint * joint_from_mesh.
-  [[nodiscard]] Eigen::Affine3d model_from_mesh(std::size_t vertex) const;
-
- private:
-  struct Weight {
-    std::uint32_t vertex;
-    SourceInfluence influence;
-  };
-  [[nodiscard]] std::vector<Weight> collect_weights(const aiMesh& mesh, const SceneNodes& nodes,
-                                                    const std::string& label, std::vector<std::string>& warnings);
-  void build_table(std::vector<Weight>& weights, std::size_t vertex_count, std::uint32_t mesh_node,
-                   const std::string& label, std::vector<std::string>& warnings);
-  void append_vertex(std::span<const Weight> weights);
-
-  Eigen::Affine3d model_from_node_;
-  std::vector<Eigen::Affine3d> palette_;  // per node of the scene; identity where no bone of this mesh
-  std::vector<bool> unweighted_;          // per vertex of a skinned mesh: follows the mesh's node
-  std::vector<std::uint32_t> begin_;
-  std::vector<SourceInfluence> influences_;
-};
 
 /// One SourceMesh per mesh and node that shows it, in the order of nodes: instances are copied, since each stands
 /// elsewhere. Points and lines, triangles with absent or non-finite vertices and vertices without a triangle are

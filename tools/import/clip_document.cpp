@@ -1,7 +1,7 @@
 #include "import/clip_document.h"
 
 #include "base/text.h"
-#include "import/gltf_document.h"
+#include "gltf/document.h"
 #include "import/import.h"
 
 #include <cstdint>
@@ -23,8 +23,7 @@ tl::expected<nlohmann::json, ToolError> read_clip_document(const std::filesystem
     return file_failure(Kind::kUnsupported, path,
                         "clips are read from .glb, .gltf and .vrm only; convert it to glTF in a modelling tool");
   }
-  constexpr std::string_view kMembers[] = {"accessors", "animations", "bufferViews", "buffers", "nodes"};
-  auto document = read_gltf_json(path, kMembers);
+  auto document = read_gltf_json(path);
   if (!document)
     return file_failure(Kind::kBadInput, path, "cannot be read as glTF 2.0: {}; {}", document.error(), kExportAgain);
   return std::move(*document);

@@ -4,7 +4,9 @@
 #include "base/text.h"
 #include "import/clip_document.h"
 #include "import/clip_track.h"
-#include "import/gltf_document.h"
+#include "gltf/buffers.h"
+#include "gltf/document.h"
+#include "gltf/tree.h"
 #include "import/import.h"
 
 #include <fmt/format.h>

@@ -4,7 +4,9 @@
 // Source: Khronos, "glTF 2.0 Specification", chapter 3.11 and appendix C.
 
 #include "base/json.h"
-#include "import/gltf_document.h"
+#include "gltf/buffers.h"
+#include "gltf/document.h"
+#include "gltf/tree.h"
 
 #include <Eigen/Geometry>
 
@@ -48,15 +50,11 @@ class ClipNode {
   bool animate(NodeProperty property, ClipTrack track);
   [[nodiscard]] const std::optional<ClipTrack>& track(NodeProperty property) const;
 
-  [[nodiscard]] Eigen::Affine3d at_rest() const { return rest_; }
+  [[nodiscard]] Eigen::Affine3d at_rest() const { return rest_.parent_from_node; }
   [[nodiscard]] Eigen::Affine3d at(double seconds) const;
 
  private:
-  Eigen::Affine3d rest_ = Eigen::Affine3d::Identity();
-  bool has_matrix_ = false;
-  Eigen::Vector3d translation_ = Eigen::Vector3d::Zero();
-  Eigen::Quaterniond rotation_ = Eigen::Quaterniond::Identity();
-  Eigen::Vector3d scale_ = Eigen::Vector3d::Ones();
+  GltfPlace rest_;
   std::array<std::optional<ClipTrack>, 3> tracks_;
 };
 

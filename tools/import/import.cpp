@@ -2,6 +2,7 @@
 
 #include "base/files.h"
 #include "import/assimp_scene.h"
+#include "import/gltf_scene.h"
 #include "import/model_stream.h"
 #include "import/reader_process.h"
 
@@ -17,6 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+tl::expected<SourceModel, ToolError> read_here(const fs::path& path, const SourceSuffix& suffix, const ImportSettings& settings) {
+  return suffix.format == SourceFormat::kGltf ? read_gltf_model(path, settings) : read_with_assimp(path, suffix, settings);
+}
+
 tl::expected<SourceModel, ToolError> import_checked(const fs::path& path, const ImportSettings& settings) {
   if (auto checked = check_readable(path, settings.max_file_bytes); !checked) return tl::unexpected(checked.error());
   const std::optional<SourceSuffix> suffix = find_suffix(path);
@@ -24,11 +29,11 @@ tl::expected<SourceModel, ToolError> import_checked(const fs::path& path, const 
     return file_failure(ToolError::Kind::kUnsupported, path, "'{}' is not a known suffix; export as one of {}",
                         path.extension().string(), supported_suffixes());
   }
-  if (suffix->assimp_suffix == nullptr) {
+  if (suffix->format == SourceFormat::kHair || suffix->format == SourceFormat::kTressFx) {
     return file_failure(ToolError::Kind::kUnsupported, path, "{} holds strands, and a mesh is wanted here; export as .glb",
                         format_name(suffix->format));
   }
-  auto answer = read_in_child(path, settings, [&] { return encode_outcome(read_with_assimp(path, *suffix, settings)); });
+  auto answer = read_in_child(path, settings, [&] { return encode_outcome(read_here(path, *suffix, settings)); });
   if (!answer) return tl::unexpected(answer.error());
   ImportOutcome outcome;
   if (!decode_outcome(*answer, outcome)) return senseless_answer(path);

@@ -24,6 +24,7 @@ struct ImportSettings {
   std::optional<UpAxis> up_axis;          ///< Overrides the file's axis.
   /// Folders that files which the model names may lie in, beside its own: where links lead, or paths with "..".
   std::vector<std::filesystem::path> roots;
+  std::string variant;  ///< Which of a glTF's KHR_materials_variants; empty: the materials that its meshes name.
   // Limits of the child process that parses the file. A file that exceeds one is refused; nothing else happens.
   std::uint64_t max_memory_bytes = std::uint64_t{4} << 30;  ///< Beside what this process has; none under ASan.
   std::uint32_t max_seconds = 120;                          ///< Processor and wall-clock time.
@@ -46,7 +47,6 @@ enum class SourceFormat { kFbx, kGltf, kObj, kDae, kHair, kTressFx };
 struct SourceSuffix {
   const char* suffix;  ///< Lower case, with the dot.
   SourceFormat format;
-  const char* assimp_suffix;  ///< Under which name assimp knows it, without the dot; null: it holds strands (groom/read_groom.h).
 };
 
 /// How people know the format, for messages.

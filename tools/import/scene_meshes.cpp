@@ -1,190 +1,77 @@
 #include "import/assimp_scene.h"
 
+#include "import/raw_mesh.h"
+
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <span>
 #include <utility>
 
 namespace coif {
 namespace {
 
-Eigen::Vector3d vector(const aiVector3D& v) { return {double{v.x}, double{v.y}, double{v.z}}; }
+Eigen::Vector3f vector(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
-// Metres. What lies farther out is damage (assimp reads past short arrays of a COLLADA file), not a model; an asset ends at
-// ten times that, so that whatever is measured between vertices fits into it.
-constexpr float kFarthestVertex = 1e4f;
-// Repeats of a texture. A strip that needs as many has no texels left between two of its vertices; NaN is no number of them.
-constexpr float kFarthestUv = 1e4f;
-
-bool usable(const Eigen::Vector3f& position) {
-  return position.allFinite() && position.cwiseAbs().maxCoeff() <= kFarthestVertex;
-}
-
-struct PlacedVertices {
-  std::vector<Eigen::Vector3f> positions;
-  std::vector<Eigen::Vector3f> normals;  // zero where the file's is unusable
-  std::vector<bool> mirrored;            // the vertex's transform turns the surface inside out
-};
-
-// Normals go by the inverse transpose. The cofactor matrix is that times the determinant, and exists without one.
-Eigen::Vector3f place_normal(const Eigen::Matrix3d& linear, const Eigen::Vector3d& normal) {
-  Eigen::Matrix3d cofactor;
-  cofactor << linear.col(1).cross(linear.col(2)), linear.col(2).cross(linear.col(0)),
-      linear.col(0).cross(linear.col(1));
-  const double sign = linear.determinant() < 0 ? -1.0 : 1.0;
-  const Eigen::Vector3d placed = sign * (cofactor * normal);
-  const double length = placed.norm();
-  if (!(length > 0) || !std::isfinite(length)) return Eigen::Vector3f::Zero();
-  return (placed / length).cast<float>();
-}
-
-PlacedVertices place_vertices(const aiMesh& mesh, const SkinBinding& binding) {
-  PlacedVertices out;
-  out.positions.reserve(mesh.mNumVertices);
-  out.mirrored.reserve(mesh.mNumVertices);
-  for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-    const Eigen::Affine3d model_from_mesh = binding.model_from_mesh(v);
-    out.positions.push_back((model_from_mesh * vector(mesh.mVertices[v])).cast<float>());
-    out.mirrored.push_back(model_from_mesh.linear().determinant() < 0);
-    if (mesh.HasNormals()) out.normals.push_back(place_normal(model_from_mesh.linear(), vector(mesh.mNormals[v])));
-  }
-  return out;
-}
-
-// The importer's triangles that can be used, wound counter-clockwise after placement.
-std::vector<std::uint32_t> usable_triangles(const aiMesh& mesh, const PlacedVertices& placed, const std::string& label,
-                                            std::vector<std::string>& warnings) {
-  std::vector<std::uint32_t> triangles;
-  std::size_t not_triangles = 0;
-  std::size_t out_of_range = 0;
-  std::size_t misplaced = 0;
-  std::uint32_t first_misplaced = kNoIndex;
-  for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
-    if (face.mNumIndices != 3) {
-      ++not_triangles;
+// assimp knows bones by name alone.
+void add_bones(const aiMesh& mesh, const SceneNodes& nodes, const std::string& label, RawMesh& out,
+               std::vector<std::string>& warnings) {
+  for (const aiBone* bone : std::span(mesh.mBones, mesh.mNumBones)) {
+    const auto found = nodes.joint_named.find(bone->mName.C_Str());
+    const Eigen::Affine3d bone_from_mesh = affine_of(bone->mOffsetMatrix);
+    if (found == nodes.joint_named.end() || !bone_from_mesh.matrix().allFinite()) {
+      warnings.push_back(
+          fmt::format("{}: bone '{}' dropped: {}", label, text_of(bone->mName),
+                      found == nodes.joint_named.end() ? "no node has its name" : "its bind matrix is not finite"));
       continue;
     }
-    std::uint32_t corner[3] = {face.mIndices[0], face.mIndices[1], face.mIndices[2]};
-    if (std::ranges::any_of(corner, [&](std::uint32_t v) { return v >= placed.positions.size(); })) {
-      ++out_of_range;
-    } else if (const auto* const bad =
-                   std::ranges::find_if(corner, [&](std::uint32_t v) { return !usable(placed.positions[v]); });
-               bad != std::end(corner)) {
-      if (misplaced++ == 0) first_misplaced = *bad;
+    const auto number = static_cast<std::uint32_t>(out.bones.size());
+    out.bones.push_back({found->second, bone_from_mesh});
+    for (const aiVertexWeight& weight : std::span(bone->mWeights, bone->mNumWeights)) {
+      out.weights.push_back({weight.mVertexId, number, weight.mWeight});
+    }
+  }
+}
+
+void add_triangles(const aiMesh& mesh, RawMesh& out) {
+  for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
+    if (face.mNumIndices == 3) {
+      out.triangles.insert(out.triangles.end(), face.mIndices, face.mIndices + 3);
     } else {
-      const auto mirrored = std::ranges::count_if(corner, [&](std::uint32_t v) { return placed.mirrored[v]; });
-      if (mirrored >= 2) std::swap(corner[1], corner[2]);
-      triangles.insert(triangles.end(), corner, corner + 3);
+      ++out.points_and_lines;
     }
   }
-  warn_count(not_triangles, label, "points or lines dropped", warnings);
-  warn_count(out_of_range, label, "triangles dropped: vertex index out of range", warnings);
-  if (misplaced != 0) {
-    const Eigen::Vector3f& at = placed.positions[first_misplaced];
-    warnings.push_back(fmt::format("{}: {} triangles dropped: vertex {} stands at ({:g}, {:g}, {:g}) m, and {:g} m is the "
-                                   "farthest; move or delete it and export again",
-                                   label, misplaced, first_misplaced, at.x(), at.y(), at.z(), kFarthestVertex));
-  }
-  return triangles;
 }
 
-// Importers share one vertex buffer between primitives: only what the triangles use is this mesh's. Rewrites
-// `triangles` to the new numbers and returns the old number of each kept vertex, in ascending order.
-std::vector<std::uint32_t> keep_used_vertices(std::vector<std::uint32_t>& triangles, std::size_t vertex_count) {
-  std::vector<std::uint32_t> renumbered(vertex_count, kNoIndex);
-  for (const std::uint32_t v : triangles) renumbered[v] = 0;
-  std::vector<std::uint32_t> kept;
-  for (std::uint32_t v = 0; v < vertex_count; ++v) {
-    if (renumbered[v] == kNoIndex) continue;
-    renumbered[v] = static_cast<std::uint32_t>(kept.size());
-    kept.push_back(v);
-  }
-  for (std::uint32_t& v : triangles) v = renumbered[v];
-  return kept;
+// A cluster of an FBX takes over where the geometric transform ends.
+void move_to_bound_space(RawMesh& mesh) {
+  if (mesh.node_from_mesh.matrix().isIdentity(0)) return;
+  const Eigen::Matrix3d turn = mesh.node_from_mesh.linear().inverse().transpose();
+  for (Eigen::Vector3f& position : mesh.positions) position = (mesh.node_from_mesh * position.cast<double>()).cast<float>();
+  for (Eigen::Vector3f& normal : mesh.normals) normal = (turn * normal.cast<double>()).cast<float>();
+  mesh.node_from_mesh.setIdentity();
 }
 
-void copy_uvs(const aiMesh& mesh, std::span<const std::uint32_t> kept, const std::string& label, SourceMesh& out,
-              std::vector<std::string>& warnings) {
-  if (!mesh.HasTextureCoords(0)) return;
-  std::size_t unusable = 0;
-  std::string first;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    const aiVector3D& given = mesh.mTextureCoords[0][kept[i]];
-    // assimp's V grows upwards whatever the file, this project's downwards.
-    Eigen::Vector2f uv(given.x, 1.0f - given.y);
-    // Not the maximum, which Eigen may take of a number and NaN as the number.
-    if (!uv.allFinite() || uv.cwiseAbs().maxCoeff() > kFarthestUv) {
-      const Eigen::Vector3f& at = out.positions[i];
-      if (unusable++ == 0) {
-        first = fmt::format("vertex {} at ({:.4g}, {:.4g}, {:.4g}) m has ({:g}, {:g}), V from the top", kept[i], at.x(),
-                            at.y(), at.z(), uv.x(), uv.y());
-      }
-      uv.setZero();
-    }
-    out.uvs.push_back(uv);
-  }
-  if (unusable != 0) {
-    warnings.push_back(fmt::format("{}: {} UVs set to (0, 0): {}, and {:g} repeats are the most; unwrap it anew and export "
-                                   "again",
-                                   label, unusable, first, kFarthestUv));
-  }
-}
-
-void copy_influences(const SkinBinding& binding, std::span<const std::uint32_t> kept, SourceMesh& out) {
-  if (!binding.skinned()) return;
-  out.influence_begin.push_back(0);
-  for (const std::uint32_t v : kept) {
-    const auto influences = binding.influences(v);
-    out.influences.insert(out.influences.end(), influences.begin(), influences.end());
-    out.influence_begin.push_back(static_cast<std::uint32_t>(out.influences.size()));
-  }
-}
-
-// Unusable normals are taken from the surface, or point up where that has none.
-void repair_normals(SourceMesh& mesh, const std::string& label, std::vector<std::string>& warnings) {
-  std::vector<Eigen::Vector3f> surface(mesh.normals.size(), Eigen::Vector3f::Zero());
-  for (std::size_t i = 0; i < mesh.triangles.size() && !surface.empty(); i += 3) {
-    const std::uint32_t* corner = &mesh.triangles[i];
-    const Eigen::Vector3f& origin = mesh.positions[corner[0]];
-    const Eigen::Vector3f area = (mesh.positions[corner[1]] - origin).cross(mesh.positions[corner[2]] - origin);
-    for (int k = 0; k < 3; ++k) surface[corner[k]] += area;
-  }
-  std::size_t repaired = 0;
-  for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
-    if (!mesh.normals[v].isZero(0)) continue;
-    const float length = surface[v].stableNorm();
-    mesh.normals[v] = std::isnormal(length) ? Eigen::Vector3f(surface[v] / length) : Eigen::Vector3f::UnitY();
-    ++repaired;
-  }
-  warn_count(repaired, label, "unusable normals replaced", warnings);
-}
-
-SourceMesh convert_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, const SceneNodes& nodes,
-                        std::vector<std::string>& warnings) {
-  SourceMesh out;
+RawMesh raw_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, const SceneNodes& nodes,
+                 std::vector<std::string>& warnings) {
+  RawMesh out;
   out.name = text_of(mesh.mName);
   if (out.name.empty()) out.name = nodes.nodes[node].name;
-  out.node = node;
   const std::string label = fmt::format("mesh '{}'", out.name);
   if (mesh.mMaterialIndex < scene.mNumMaterials)
     out.material = mesh.mMaterialIndex;
   else
     warnings.push_back(fmt::format("{}: refers to an absent material; a plain one is used", label));
-
-  const SkinBinding binding(mesh, node, nodes, label, warnings);
-  const PlacedVertices placed = place_vertices(mesh, binding);
-  out.triangles = usable_triangles(mesh, placed, label, warnings);
-  const std::vector<std::uint32_t> kept = keep_used_vertices(out.triangles, placed.positions.size());
-  for (const std::uint32_t v : kept) {
-    out.positions.push_back(placed.positions[v]);
-    if (!placed.normals.empty()) out.normals.push_back(placed.normals[v]);
+  for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+    out.positions.push_back(vector(mesh.mVertices[v]));
+    if (mesh.HasNormals()) out.normals.push_back(vector(mesh.mNormals[v]));
+    // assimp's V grows upwards whatever the file, this project's downwards.
+    if (mesh.HasTextureCoords(0)) out.uvs.emplace_back(mesh.mTextureCoords[0][v].x, 1.0f - mesh.mTextureCoords[0][v].y);
   }
-  copy_uvs(mesh, kept, label, out, warnings);
-  copy_influences(binding, kept, out);
-  repair_normals(out, label, warnings);
+  add_bones(mesh, nodes, label, out, warnings);
+  out.node_from_mesh = nodes.node_from_mesh[node];
+  if (!out.bones.empty()) move_to_bound_space(out);
+  add_triangles(mesh, out);
   return out;
 }
 
@@ -193,20 +80,30 @@ SourceMesh convert_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t 
 std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes,
                                        std::vector<std::string>& warnings) {
   std::vector<SourceMesh> meshes;
+  std::vector<std::string> hidden;
+  std::vector<RawMesh> skinned;
   for (std::uint32_t n = 0; n < nodes.nodes.size(); ++n) {
     const aiNode& node = *nodes.origin[n];
+    if (nodes.is_hidden[n] && node.mNumMeshes != 0) {
+      hidden.push_back(nodes.nodes[n].name);
+      continue;
+    }
     for (const unsigned index : std::span(node.mMeshes, node.mNumMeshes)) {
       if (index >= scene.mNumMeshes) {
         warnings.push_back(fmt::format("node '{}': refers to an absent mesh", nodes.nodes[n].name));
         continue;
       }
-      SourceMesh mesh = convert_mesh(scene, *scene.mMeshes[index], n, nodes, warnings);
+      RawMesh raw = raw_mesh(scene, *scene.mMeshes[index], n, nodes, warnings);
+      SourceMesh mesh = place_mesh(raw, n, nodes.nodes, warnings);
       if (!mesh.triangles.empty())
         meshes.push_back(std::move(mesh));
       else
         warnings.push_back(fmt::format("mesh '{}' left out: it has no triangles", mesh.name));
+      if (!raw.bones.empty()) skinned.push_back(std::move(raw));
     }
   }
+  warn_of_pose(skinned, nodes.nodes, warnings);
+  warn_of_hidden(hidden, warnings);
   return meshes;
 }
 

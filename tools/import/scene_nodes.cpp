@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <span>
+#include <string_view>
 #include <unordered_set>
 
 namespace coif {
@@ -13,7 +14,25 @@ namespace {
 struct Pending {
   const aiNode* node;
   std::uint32_t parent;
+  bool is_hidden;          // by a node above
+  aiMatrix4x4 pivots;      // of the nodes for pivots between the parent and this one
+  aiMatrix4x4 geometric;   // of those for this node's meshes alone
 };
+
+// "Hair_$AssimpFbx$_RotationPivot" stands above "Hair".
+constexpr std::string_view kPivot = "_$AssimpFbx$_";
+
+// FBX writes a number of either kind; what is none of them hides nothing.
+bool is_off(const aiMetadata* metadata, const char* key) {
+  if (metadata == nullptr) return false;
+  bool flag = true;
+  float number = 1;
+  double wide = 1;
+  int whole = 1;
+  const std::string name(key);
+  return (metadata->Get(name, flag) && !flag) || (metadata->Get(name, number) && number == 0) ||
+         (metadata->Get(name, wide) && wide == 0) || (metadata->Get(name, whole) && whole == 0);
+}
 
 void append(SceneNodes& out, const Pending& pending, const Eigen::Affine3d& model_from_scene,
             std::vector<std::string>& warnings) {
@@ -22,13 +41,30 @@ void append(SceneNodes& out, const Pending& pending, const Eigen::Affine3d& mode
   SourceNode node;
   node.name = text_of(pending.node->mName);
   node.parent = pending.parent;
-  node.model_from_node = above * affine_of(pending.node->mTransformation);
+  node.model_from_node = above * affine_of(pending.pivots * pending.node->mTransformation);
   if (!node.model_from_node.matrix().allFinite()) {
     warnings.push_back(fmt::format("node '{}': transform is not finite; its parent's is used", node.name));
     node.model_from_node = above;
   }
   out.nodes.push_back(std::move(node));
   out.origin.push_back(pending.node);
+  out.node_from_mesh.push_back(affine_of(pending.geometric));
+  out.is_hidden.push_back(pending.is_hidden || is_off(pending.node->mMetaData, "Visibility") || is_off(pending.node->mMetaData, "Show"));
+}
+
+/// Whether the node is one for a pivot; if so, it is multiplied to what is pending. What undoes a geometric transform for children has
+/// nothing to undo, since they never got it.
+bool fold_pivot(Pending& pending) {
+  const std::string_view name(pending.node->mName.C_Str());
+  const std::size_t mark = name.find(kPivot);
+  if (mark == std::string_view::npos) return false;
+  const std::string_view part = name.substr(mark + kPivot.size());
+  if (!part.starts_with("Geometric")) {
+    pending.pivots = pending.pivots * pending.node->mTransformation;
+  } else if (!part.ends_with("Inverse")) {
+    pending.geometric = pending.geometric * pending.node->mTransformation;
+  }
+  return true;
 }
 
 std::unordered_set<std::string> bone_names(const aiScene& scene) {
@@ -39,11 +75,17 @@ std::unordered_set<std::string> bone_names(const aiScene& scene) {
   return names;
 }
 
+const aiNode* real_parent(const aiNode& node) {
+  const aiNode* parent = node.mParent;
+  while (parent != nullptr && std::string_view(parent->mName.C_Str()).find(kPivot) != std::string_view::npos) parent = parent->mParent;
+  return parent;
+}
+
 // How much a node of a bone's name looks like the joint rather than something else of that name.
 int joint_likeness(const aiNode& node, const std::unordered_set<std::string>& bones) {
   const auto is_bone = [&](const aiNode* other) { return other != nullptr && bones.contains(other->mName.C_Str()); };
   const bool within_skeleton =
-      is_bone(node.mParent) || std::ranges::any_of(std::span(node.mChildren, node.mNumChildren), is_bone);
+      is_bone(real_parent(node)) || std::ranges::any_of(std::span(node.mChildren, node.mNumChildren), is_bone);
   return (node.mNumMeshes == 0 ? 2 : 0) + (within_skeleton ? 1 : 0);
 }
 
@@ -72,14 +114,19 @@ SceneNodes flatten_nodes(const aiScene& scene, const Eigen::Affine3d& model_from
                          std::vector<std::string>& warnings) {
   SceneNodes out;
   // A list instead of recursion: a file may nest nodes deeper than the stack.
-  std::vector<Pending> pending{{scene.mRootNode, kNoIndex}};
+  std::vector<Pending> pending{{scene.mRootNode, kNoIndex, false, {}, {}}};
   while (!pending.empty()) {
-    const Pending next = pending.back();
+    Pending next = pending.back();
     pending.pop_back();
-    const auto index = static_cast<std::uint32_t>(out.nodes.size());
-    append(out, next, model_from_scene, warnings);
+    if (!fold_pivot(next)) {
+      const auto index = static_cast<std::uint32_t>(out.nodes.size());
+      append(out, next, model_from_scene, warnings);
+      next = {next.node, index, out.is_hidden[index], {}, {}};
+    }
     for (unsigned child = next.node->mNumChildren; child-- > 0;) {
-      if (next.node->mChildren[child] != nullptr) pending.push_back({next.node->mChildren[child], index});
+      if (next.node->mChildren[child] == nullptr) continue;
+      pending.push_back(next);
+      pending.back().node = next.node->mChildren[child];
     }
   }
   name_joints(scene, out, warnings);

@@ -1,6 +1,5 @@
-#include "import/assimp_scene.h"
+#include "import/raw_mesh.h"
 
-#include <assimp/mesh.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,48 +7,41 @@
 
 namespace coif {
 
-SkinBinding::SkinBinding(const aiMesh& mesh, std::uint32_t mesh_node, const SceneNodes& nodes, const std::string& label,
+SkinBinding::SkinBinding(const RawMesh& mesh, std::uint32_t mesh_node, std::span<const SourceNode> nodes, const std::string& label,
                          std::vector<std::string>& warnings)
-    : model_from_node_(nodes.nodes[mesh_node].model_from_node) {
-  if (!mesh.HasBones()) return;
-  palette_.assign(nodes.nodes.size(), Eigen::Affine3d::Identity());
-  std::vector<Weight> weights = collect_weights(mesh, nodes, label, warnings);
+    : model_from_node_(nodes[mesh_node].model_from_node * mesh.node_from_mesh) {
+  if (mesh.bones.empty()) return;
+  palette_.assign(nodes.size(), Eigen::Affine3d::Identity());
+  for (const RawBone& bone : mesh.bones) palette_[bone.node] = nodes[bone.node].model_from_node * bone.bone_from_mesh;
+  std::vector<Weight> weights = collect_weights(mesh, label, warnings);
   if (weights.empty()) {
     warnings.push_back(fmt::format("{}: no usable bone weight; the mesh is taken as rigid", label));
     return;
   }
-  build_table(weights, mesh.mNumVertices, mesh_node, label, warnings);
+  build_table(weights, mesh.positions.size(), mesh_node, label, warnings);
 }
 
-std::vector<SkinBinding::Weight> SkinBinding::collect_weights(const aiMesh& mesh, const SceneNodes& nodes,
-                                                              const std::string& label,
+std::vector<SkinBinding::Weight> SkinBinding::collect_weights(const RawMesh& mesh, const std::string& label,
                                                               std::vector<std::string>& warnings) {
   std::vector<Weight> weights;
-  std::size_t out_of_range = 0;
+  std::size_t without_vertex = 0;
+  std::size_t without_bone = 0;
   std::size_t unusable = 0;
-  for (unsigned b = 0; b < mesh.mNumBones; ++b) {
-    const aiBone& bone = *mesh.mBones[b];
-    const auto found = nodes.joint_named.find(bone.mName.C_Str());
-    const Eigen::Affine3d joint_from_mesh = affine_of(bone.mOffsetMatrix);
-    if (found == nodes.joint_named.end() || !joint_from_mesh.matrix().allFinite()) {
-      warnings.push_back(
-          fmt::format("{}: bone '{}' dropped: {}", label, text_of(bone.mName),
-                      found == nodes.joint_named.end() ? "no node has its name" : "its bind matrix is not finite"));
-      continue;
-    }
-    palette_[found->second] = nodes.nodes[found->second].model_from_node * joint_from_mesh;
-    for (unsigned w = 0; w < bone.mNumWeights; ++w) {
-      const aiVertexWeight& weight = bone.mWeights[w];
-      if (weight.mVertexId >= mesh.mNumVertices) {
-        ++out_of_range;
-      } else if (!std::isfinite(weight.mWeight) || weight.mWeight < 0) {
-        ++unusable;
-      } else if (weight.mWeight > 0) {  // exporters pad with zeros; not worth a warning
-        weights.push_back({weight.mVertexId, {found->second, weight.mWeight}});
+  for (const RawWeight& weight : mesh.weights) {
+    if (weight.vertex >= mesh.positions.size()) {
+      ++without_vertex;
+    } else if (!std::isfinite(weight.weight) || weight.weight < 0) {
+      ++unusable;
+    } else if (weight.weight > 0) {  // exporters pad with zeros, of any bone; not worth a warning
+      if (weight.bone >= mesh.bones.size()) {
+        ++without_bone;
+      } else {
+        weights.push_back({weight.vertex, {mesh.bones[weight.bone].node, weight.weight}});
       }
     }
   }
-  warn_count(out_of_range, label, "bone weights of absent vertices dropped", warnings);
+  warn_count(without_vertex, label, "bone weights of absent vertices dropped", warnings);
+  warn_count(without_bone, label, "bone weights of absent bones dropped", warnings);
   warn_count(unusable, label, "bone weights below zero or not finite dropped", warnings);
   return weights;
 }

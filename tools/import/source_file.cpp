@@ -41,11 +41,10 @@ tl::expected<void, ToolError> check_readable(const fs::path& path, std::uint64_t
 
 namespace {
 
-// VRM is binary glTF under another suffix, which assimp refuses by name.
 constexpr SourceSuffix kSuffixes[] = {
-    {".fbx", SourceFormat::kFbx, "fbx"},  {".gltf", SourceFormat::kGltf, "gltf"}, {".glb", SourceFormat::kGltf, "glb"},
-    {".vrm", SourceFormat::kGltf, "glb"}, {".obj", SourceFormat::kObj, "obj"},    {".dae", SourceFormat::kDae, "dae"},
-    {".hair", SourceFormat::kHair, nullptr}, {".tfx", SourceFormat::kTressFx, nullptr},
+    {".fbx", SourceFormat::kFbx},  {".gltf", SourceFormat::kGltf}, {".glb", SourceFormat::kGltf},
+    {".vrm", SourceFormat::kGltf}, {".obj", SourceFormat::kObj},    {".dae", SourceFormat::kDae},
+    {".hair", SourceFormat::kHair}, {".tfx", SourceFormat::kTressFx},
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "import/vrm_springs.h"
 
-#include "import/gltf_document.h"
+#include "gltf/document.h"
 
 #include <fmt/format.h>
 

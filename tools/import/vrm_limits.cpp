@@ -1,7 +1,7 @@
 #include "import/vrm_springs.h"
 
 #include "base/geometry.h"
-#include "import/gltf_document.h"
+#include "gltf/document.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "import/vrm_springs.h"
 
 #include "base/geometry.h"
-#include "import/gltf_document.h"
+#include "gltf/document.h"
 
 #include <fmt/format.h>
 
@@ -36,19 +36,8 @@ void read_head(const json& extensions, SpringSink& sink) {
 
 }  // namespace
 
-void read_vrm_extensions(const std::filesystem::path& path, const Eigen::Affine3d& model_from_file,
+void read_vrm_extensions(const json& extensions, const std::vector<std::uint32_t>& source_of, const Eigen::Affine3d& model_from_file,
                          SourceModel& model) {
-  // assimp drops extensions.
-  constexpr std::string_view kMembers[] = {"nodes", "scene", "scenes", "extensions"};
-  const auto document = read_gltf_json(path, kMembers);
-  if (!document) {
-    model.warnings.push_back(
-        fmt::format("extensions cannot be read, so VRM spring bones would be ignored: {}; open it "
-                    "in a modelling tool and export it again",
-                    document.error()));
-    return;
-  }
-  const json& extensions = member(*document, "extensions");
   if (!extensions.is_object()) return;
   // 0.x looks along -Z of the file, 1.0 along +Z.
   if (member(extensions, "VRMC_vrm").is_object()) {
@@ -56,7 +45,7 @@ void read_vrm_extensions(const std::filesystem::path& path, const Eigen::Affine3
   } else if (member(extensions, "VRM").is_object()) {
     model.facing = Facing::kBackwards;
   }
-  SpringSink sink(*document, model_from_file, model);
+  SpringSink sink(source_of, model_from_file, model);
   read_head(extensions, sink);
   const json& springs1 = member(extensions, "VRMC_springBone");
   if (springs1.is_null()) {
@@ -89,11 +78,11 @@ SourceSpringJoint read_settings(const json& value, const char* stiffness, double
   return joint;
 }
 
-SpringSink::SpringSink(const nlohmann::json& document, const Eigen::Affine3d& model_from_file, SourceModel& model)
+SpringSink::SpringSink(const std::vector<std::uint32_t>& source_of, const Eigen::Affine3d& model_from_file, SourceModel& model)
     : model_(model),
       rotation_(rotation_part(model_from_file)),
       metres_per_unit_(longest_axis(model_from_file)),
-      source_of_(match_gltf_nodes(document, model.nodes)),
+      source_of_(source_of),
       children_(model.nodes.size()),
       subtree_end_(model.nodes.size()),
       is_joint_(model.nodes.size(), false) {

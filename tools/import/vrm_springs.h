@@ -21,8 +21,9 @@ using ColliderSet = std::bitset<kMaxSourceColliders>;
 /// and keeps the promises of source_model.h.
 class SpringSink {
  public:
-  /// Keeps references to `document` and `model`. `model.nodes` is in depth-first order.
-  SpringSink(const nlohmann::json& document, const Eigen::Affine3d& model_from_file, SourceModel& model);
+  /// Keeps references to both. `source_of` has the model's node for each of the document's, or kNoIndex; `model.nodes` is in
+  /// depth-first order.
+  SpringSink(const std::vector<std::uint32_t>& source_of, const Eigen::Affine3d& model_from_file, SourceModel& model);
   /// Counts what ignore() did not spell out.
   ~SpringSink();
   SpringSink(const SpringSink&) = delete;
@@ -56,7 +57,7 @@ class SpringSink {
   SourceModel& model_;
   Eigen::Matrix3d rotation_;
   double metres_per_unit_;
-  std::vector<std::uint32_t> source_of_;
+  const std::vector<std::uint32_t>& source_of_;
   std::vector<std::vector<std::uint32_t>> children_;
   std::vector<std::uint32_t> subtree_end_;  // one past a node's last descendant
   std::vector<bool> is_joint_;
@@ -77,11 +78,12 @@ class SpringSink {
 /// the shortest turn of +Y to the tail, in the joint's own space; half a turn about X where that is -Y.
 [[nodiscard]] Eigen::Quaterniond limit_axes(const SourceModel& model, std::uint32_t joint, std::uint32_t tail);
 
-/// Fills `springs`, `colliders` and `head_node` of a glTF model from its extensions, which assimp drops: VRM 0.x (`VRM`)
-/// and 1.0 (`VRMC_vrm`, `VRMC_springBone`, `VRMC_springBone_extended_collider`, `VRMC_springBone_limit`). `model.nodes` is complete, depth first;
+/// Fills `springs`, `colliders` and `head_node` of a glTF model from the document's `extensions`: VRM 0.x (`VRM`)
+/// and 1.0 (`VRMC_vrm`, `VRMC_springBone`, `VRMC_springBone_extended_collider`, `VRMC_springBone_limit`). `model.nodes` is complete, depth first, and `source_of` as SpringSink has it;
 /// `model_from_file` is what was applied above its root. Whatever the extensions get wrong is left out, with a warning
 /// that says what was ignored; without them nothing changes.
-void read_vrm_extensions(const std::filesystem::path& path, const Eigen::Affine3d& model_from_file, SourceModel& model);
+void read_vrm_extensions(const nlohmann::json& extensions, const std::vector<std::uint32_t>& source_of,
+                         const Eigen::Affine3d& model_from_file, SourceModel& model);
 
 /// Reads `secondaryAnimation` of VRM 0.x.
 ///

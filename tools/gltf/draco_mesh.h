@@ -1,0 +1,43 @@
+#pragma once
+
+// A mesh that KHR_draco_mesh_compression holds. Source: Khronos, "KHR_draco_mesh_compression".
+
+#include "gltf/accessors.h"
+
+#include <tl/expected.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace draco {
+class Mesh;
+}
+
+namespace coif {
+
+class DracoMesh {
+ public:
+  /// The error is a sentence's end: "is damaged: ...".
+  [[nodiscard]] static tl::expected<DracoMesh, std::string> decode(std::span<const std::byte> bytes);
+  DracoMesh(DracoMesh&&) noexcept;
+  DracoMesh& operator=(DracoMesh&&) noexcept;
+  ~DracoMesh();
+
+  [[nodiscard]] std::vector<std::uint32_t> triangles() const;  ///< Three each.
+  /// Of the attribute of that unique id, as an accessor of it would have them. The error is a sentence's end.
+  [[nodiscard]] tl::expected<std::vector<float>, std::string> numbers(std::uint32_t id, std::size_t width, bool normalized) const;
+  [[nodiscard]] tl::expected<std::vector<std::uint32_t>, std::string> integers(std::uint32_t id, std::size_t width) const;
+
+ private:
+  explicit DracoMesh(std::unique_ptr<draco::Mesh> mesh);
+  [[nodiscard]] tl::expected<std::vector<std::byte>, std::string> bytes(std::uint32_t id, std::size_t width, const GltfComponent& component) const;
+  [[nodiscard]] GltfComponent component(std::uint32_t id, bool normalized) const;
+
+  std::unique_ptr<draco::Mesh> mesh_;
+};
+
+}  // namespace coif

@@ -1,0 +1,58 @@
+#include "import/gltf_scene.h"
+
+#include "base/text.h"
+#include "gltf/document.h"
+#include "import/vrm_springs.h"
+
+#include <new>
+
+namespace coif {
+namespace {
+
+using nlohmann::json;
+
+tl::unexpected<ToolError> unreadable(const std::filesystem::path& path, const std::string& why, ToolError::Kind kind = ToolError::Kind::kBadInput) {
+  return file_failure(kind, path, "cannot be read as glTF 2.0: {}", why);
+}
+
+/// glTF is in metres with Y up, unless the caller knows better.
+Eigen::Affine3d model_from_gltf(const json& document, const ImportSettings& settings, SourceSpace& space) {
+  space.generator = printable_text_of(member(member(document, "asset"), "generator"));
+  space.unit = settings.metres_per_unit ? Statement::kGiven : Statement::kDeclared;
+  space.up = settings.up_axis ? Statement::kGiven : Statement::kDeclared;
+  space.unit_words = "glTF is in metres";
+  space.up_words = "glTF has Y up";
+  space.metres_per_unit = settings.metres_per_unit.value_or(1);
+  const UpAxis up = settings.up_axis.value_or(UpAxis::kY);
+  space.up_axis = up == UpAxis::kX ? 'x' : up == UpAxis::kY ? 'y' : 'z';
+  Eigen::Affine3d out = Eigen::Affine3d::Identity();
+  out.linear() = space.metres_per_unit * y_up_from(up);
+  return out;
+}
+
+}  // namespace
+
+tl::expected<SourceModel, ToolError> read_gltf_model(const std::filesystem::path& path, const ImportSettings& settings) {
+  const auto document = read_gltf_json(path);
+  if (!document) return unreadable(path, fmt::format("{}; {}", document.error(), kReexport));
+  const GltfExtensions extensions = check_gltf_extensions(*document);
+  if (!extensions.refusal.empty()) return unreadable(path, extensions.refusal, ToolError::Kind::kUnsupported);
+  SourceModel model;
+  model.path = path.string();
+  set_importer(model);
+  model.warnings = extensions.warnings;
+  const Eigen::Affine3d to_model = model_from_gltf(*document, settings, model.space);
+  GltfBuffers buffers(path, *document, settings.roots);
+  const GltfNodes nodes = read_gltf_nodes(*document, to_model, model.warnings);
+  model.nodes = nodes.nodes;
+  const auto uvs = read_gltf_materials(*document, buffers, model);
+  std::string bad = uvs ? read_gltf_meshes(*document, buffers, nodes, *uvs, settings.variant, model) : uvs.error();
+  if (!bad.empty()) return unreadable(path, fmt::format("{}; {}", bad, kReexport));
+  model.side_files.assign(buffers.side_files().begin(), buffers.side_files().end());
+  read_vrm_extensions(member(*document, "extensions"), nodes.of_file, to_model, model);
+  if (model.meshes.empty()) return no_triangles(path);
+  keep_finest_levels(model);
+  return model;
+}
+
+}  // namespace coif

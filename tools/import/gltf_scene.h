@@ -1,0 +1,60 @@
+#pragma once
+
+// What becomes of a glTF document's parts in a source model.
+
+#include "base/json.h"
+#include "base/tool_error.h"
+#include "gltf/buffers.h"
+#include "import/import.h"
+#include "import/raw_mesh.h"
+#include "import/source_model.h"
+
+#include <tl/expected.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+/// Reads a .gltf, .glb or .vrm in this process. Meant for a child process, since the file may ask for much memory. Throws
+/// std::bad_alloc where there is not that much.
+[[nodiscard]] tl::expected<SourceModel, ToolError> read_gltf_model(const std::filesystem::path& path, const ImportSettings& settings);
+
+/// What is said of extensions that a document asks for or uses.
+struct GltfExtensions {
+  std::string refusal;  ///< A sentence with the cure, where it requires one that is not read; empty otherwise.
+  std::vector<std::string> warnings;
+};
+[[nodiscard]] GltfExtensions check_gltf_extensions(const nlohmann::json& document);
+
+/// The nodes of the document's scene as the model's, under a node of their own unless the scene has exactly one root.
+struct GltfNodes {
+  std::vector<SourceNode> nodes;
+  std::vector<std::uint32_t> in_file;  ///< For each of `nodes`; kNoIndex for the one above the roots.
+  std::vector<bool> is_hidden;         ///< For each of `nodes`.
+  std::vector<std::uint32_t> of_file;  ///< For each of the document's: into `nodes`, or kNoIndex outside the scene.
+};
+[[nodiscard]] GltfNodes read_gltf_nodes(const nlohmann::json& document, const Eigen::Affine3d& model_from_file,
+                                        std::vector<std::string>& warnings);
+
+/// Which set of UVs a material's base texture is laid out in, and how they are moved on the way.
+struct GltfUvs {
+  std::uint32_t set = 0;
+  Eigen::Affine2f image_from_uv = Eigen::Affine2f::Identity();
+};
+
+/// Fills `materials`, one per material of the document, and `images` with the embedded images that they use. Returns how each
+/// material's base texture lies. The error is a sentence.
+[[nodiscard]] tl::expected<std::vector<GltfUvs>, std::string> read_gltf_materials(const nlohmann::json& document, GltfBuffers& buffers,
+                                                                                  SourceModel& model);
+
+/// Fills `meshes`: each primitive of triangles, once for each node and instance that shows it. The model has its nodes and materials;
+/// a material is added where a primitive names none. `variant` is the name of one of KHR_materials_variants, or empty. The error is
+/// a sentence.
+[[nodiscard]] std::string read_gltf_meshes(const nlohmann::json& document, GltfBuffers& buffers, const GltfNodes& nodes,
+                                           const std::vector<GltfUvs>& uvs, const std::string& variant, SourceModel& model);
+
+}  // namespace coif

@@ -1,0 +1,107 @@
+#pragma once
+
+// A mesh as a file has it, before it stands in the model: every reader makes these, and one function places them.
+
+#include "base/tool_error.h"
+#include "import/source_model.h"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+#include <tl/expected.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+/// "LABEL: 3 points or lines dropped", where there are any.
+inline void warn_count(std::size_t count, const std::string& label, const char* what,
+                       std::vector<std::string>& warnings) {
+  if (count != 0) warnings.push_back(fmt::format("{}: {} {}", label, count, what));
+}
+
+struct RawBone {
+  std::uint32_t node = 0;                                          ///< Into the model's nodes.
+  Eigen::Affine3d bone_from_mesh = Eigen::Affine3d::Identity();  ///< Where the mesh stood when it was bound.
+};
+
+struct RawWeight {
+  std::uint32_t vertex = 0;
+  std::uint32_t bone = 0;  ///< Into RawMesh::bones.
+  float weight = 0;
+};
+
+/// A mesh in its own space. What follows `positions` is empty or of as many; numbers may be anything, indices out of range.
+struct RawMesh {
+  std::string name;
+  std::uint32_t material = kNoIndex;
+  Eigen::Affine3d node_from_mesh = Eigen::Affine3d::Identity();  ///< Of a mesh that no bone moves: an instance, a pivot.
+  std::vector<Eigen::Vector3f> positions;
+  std::vector<Eigen::Vector3f> normals;
+  std::vector<Eigen::Vector2f> uvs;     ///< V grows downwards.
+  std::vector<Eigen::Vector4f> colors;  ///< Linear.
+  std::vector<std::uint32_t> triangles;
+  std::size_t points_and_lines = 0;
+  std::vector<RawBone> bones;  ///< None: rigid to its node.
+  std::vector<RawWeight> weights;
+};
+
+/// Where each vertex of a mesh stands in the rest pose of the nodes, and what holds it there.
+class SkinBinding {
+ public:
+  /// Drops, with counted warnings, what the file gets wrong: weights of absent vertices or bones, weights that are not finite
+  /// or not above zero. Weights are normalised; a skinned mesh's vertices without any weight follow `mesh_node`. `label`
+  /// names the mesh in warnings.
+  SkinBinding(const RawMesh& mesh, std::uint32_t mesh_node, std::span<const SourceNode> nodes, const std::string& label,
+              std::vector<std::string>& warnings);
+
+  /// False when no vertex has a usable weight: the mesh is rigid to its node.
+  [[nodiscard]] bool skinned() const { return !begin_.empty(); }
+  /// Heaviest first. Empty when rigid.
+  [[nodiscard]] std::span<const SourceInfluence> influences(std::size_t vertex) const;
+  /// sum of weight * model_from_bone * bone_from_mesh.
+  [[nodiscard]] Eigen::Affine3d model_from_mesh(std::size_t vertex) const;
+
+ private:
+  struct Weight {
+    std::uint32_t vertex;
+    SourceInfluence influence;
+  };
+  [[nodiscard]] std::vector<Weight> collect_weights(const RawMesh& mesh, const std::string& label, std::vector<std::string>& warnings);
+  void build_table(std::vector<Weight>& weights, std::size_t vertex_count, std::uint32_t mesh_node,
+                   const std::string& label, std::vector<std::string>& warnings);
+  void append_vertex(std::span<const Weight> weights);
+
+  Eigen::Affine3d model_from_node_;
+  std::vector<Eigen::Affine3d> palette_;  // per node of the model; identity where no bone of this mesh
+  std::vector<bool> unweighted_;          // per vertex of a skinned mesh: follows the mesh's node
+  std::vector<std::uint32_t> begin_;
+  std::vector<SourceInfluence> influences_;
+};
+
+/// The mesh as it stands at rest in the model, carried by `node`. Points and lines, triangles with absent or non-finite vertices and
+/// vertices without a triangle are dropped, with warnings; unusable normals, UVs and colours are replaced. No triangles may be left.
+[[nodiscard]] SourceMesh place_mesh(const RawMesh& mesh, std::uint32_t node, std::span<const SourceNode> nodes,
+                                    std::vector<std::string>& warnings);
+
+/// Where bones of the meshes stand otherwise than when these were bound to them: a warning that the file was saved in a pose, which
+/// becomes the hair's shape.
+void warn_of_pose(std::span<const RawMesh> meshes, std::span<const SourceNode> nodes, std::vector<std::string>& warnings);
+
+/// Where the file hides meshes, by the names of their nodes: a warning that they are left out.
+void warn_of_hidden(std::span<const std::string> nodes, std::vector<std::string>& warnings);
+
+/// Of meshes that are levels of detail of one thing ("Hair_LOD0", "Hair_LOD1": nodes, those above them or meshes of one beginning) keeps
+/// the finest, with a warning that names the others.
+void keep_finest_levels(SourceModel& model);
+
+/// Of a model without a mesh.
+[[nodiscard]] tl::unexpected<ToolError> no_triangles(const std::filesystem::path& path);
+/// Notes the importer's name and version, as cooks of all formats record them: that of the library that reads what is not glTF.
+void set_importer(SourceModel& model);
+
+}  // namespace coif

@@ -1,0 +1,89 @@
+#include "import/raw_mesh.h"
+
+#include "base/text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <optional>
+#include <string_view>
+
+namespace coif {
+namespace {
+
+constexpr std::size_t kShownNames = 6;
+
+std::string list_of_names(std::span<const std::string> names) {
+  return fmt::format("'{}'{}", fmt::join(names.first(std::min(names.size(), kShownNames)), "', '"), names.size() > kShownNames ? " ..." : "");
+}
+
+char lower(char letter) { return char(std::tolower(static_cast<unsigned char>(letter))); }
+bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
+bool is_letter(char letter) { return std::isalpha(static_cast<unsigned char>(letter)) != 0; }
+
+/// "hair" and 1 of "Hair_LOD1": what the name says of a level of detail. The three letters stand alone, and digits follow them.
+struct LevelName {
+  std::string thing;
+  unsigned level = 0;
+};
+std::optional<LevelName> level_in(std::string_view name) {
+  std::string low(name);
+  std::ranges::transform(low, low.begin(), lower);
+  for (std::size_t at = low.find("lod"); at != std::string::npos; at = low.find("lod", at + 1)) {
+    const bool begins_word = at == 0 || !is_letter(name[at - 1]) || (name[at] == 'L' && name[at - 1] == lower(name[at - 1]));
+    std::size_t digit = at + 3;
+    while (digit < low.size() && (low[digit] == '_' || low[digit] == ' ' || low[digit] == '-' || low[digit] == '.')) ++digit;
+    if (!begins_word || digit == low.size() || !is_digit(low[digit])) continue;
+    std::size_t end = at;
+    while (end > 0 && !is_letter(low[end - 1]) && !is_digit(low[end - 1])) --end;
+    return LevelName{low.substr(0, end), unsigned(low[digit] - '0') * (digit + 1 < low.size() && is_digit(low[digit + 1]) ? 10u : 1u) +
+                                             (digit + 1 < low.size() && is_digit(low[digit + 1]) ? unsigned(low[digit + 1] - '0') : 0u)};
+  }
+  return std::nullopt;
+}
+
+/// By the node that carries it, those above that one, or its own name.
+std::optional<LevelName> level_of(const SourceModel& model, const SourceMesh& mesh) {
+  for (std::uint32_t node = mesh.node; node != kNoIndex; node = model.nodes[node].parent) {
+    if (auto level = level_in(model.nodes[node].name)) return level;
+  }
+  return level_in(mesh.name);
+}
+
+}  // namespace
+
+void warn_of_hidden(std::span<const std::string> nodes, std::vector<std::string>& warnings) {
+  if (nodes.empty()) return;
+  warnings.push_back(fmt::format("{} left out, since the file hides {}: {}; show {} and export again where {} hair", counted(nodes.size(), "mesh", "meshes"),
+                                 nodes.size() == 1 ? "it" : "them", list_of_names(nodes), nodes.size() == 1 ? "it" : "them",
+                                 nodes.size() == 1 ? "it is" : "they are"));
+}
+
+void keep_finest_levels(SourceModel& model) {
+  std::vector<std::optional<LevelName>> levels;
+  std::map<std::string, unsigned> finest;
+  for (const SourceMesh& mesh : model.meshes) {
+    levels.push_back(level_of(model, mesh));
+    if (!levels.back()) continue;
+    const auto [known, is_new] = finest.emplace(levels.back()->thing, levels.back()->level);
+    known->second = std::min(known->second, levels.back()->level);
+  }
+  std::vector<std::string> dropped;
+  std::vector<SourceMesh> kept;
+  for (std::size_t m = 0; m < model.meshes.size(); ++m) {
+    if (levels[m] && levels[m]->level > finest[levels[m]->thing]) {
+      dropped.push_back(model.meshes[m].name);
+    } else {
+      kept.push_back(std::move(model.meshes[m]));
+    }
+  }
+  model.meshes = std::move(kept);
+  if (dropped.empty()) return;
+  model.warnings.push_back(fmt::format("{} left out as coarser levels of detail of what is there in a finer one: {}; the cook makes levels of its own",
+                                       counted(dropped.size(), "mesh", "meshes"), list_of_names(dropped)));
+}
+
+}  // namespace coif
