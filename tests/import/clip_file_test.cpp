@@ -180,14 +180,14 @@ TEST_F(ClipFileTest, RefusesAccessorsBeyondTheirBytes) {
   expect_refused(spoiled("accessors", 0, {{"count", 0}}), "accessor 0 has no count of 1 to 100000");
   expect_refused(spoiled("accessors", 0, {{"count", -3}}), "accessor 0 has no count");
   expect_refused(spoiled("accessors", 0, {{"byteOffset", 13}}), "accessor 0 begins at byte 13 of a bufferView of 12");
-  expect_refused(spoiled("accessors", 0, {{"byteOffset", 1e300}}), "no such numbers");
-  expect_refused(spoiled("accessors", 0, {{"bufferView", 7}}), "accessor 0 has no bufferView");
+  expect_refused(spoiled("accessors", 0, {{"byteOffset", 1e300}}), "accessor 0 has a byteOffset that is none");
+  expect_refused(spoiled("accessors", 0, {{"bufferView", 7}}), "accessor 0 is in no bufferView of the 2");
   expect_refused(spoiled("accessors", 0, {{"type", "VEC3"}}), "accessor 0 is not of type SCALAR");
   expect_refused(spoiled("accessors", 0, {{"componentType", 5123}}), "neither floats nor normalized integers");
   expect_refused(spoiled("accessors", 0, {{"sparse", json::object()}}), "is sparse");
   expect_refused(spoiled("bufferViews", 1, {{"byteLength", 49}}), "ends at byte 61 of a buffer of 60");
   expect_refused(spoiled("bufferViews", 1, {{"byteOffset", 1 << 30}}), "of a buffer of 60");
-  expect_refused(spoiled("bufferViews", 1, {{"byteStride", 8}}), "no such numbers");
+  expect_refused(spoiled("bufferViews", 1, {{"byteStride", 8}}), "elements of 16 bytes that lie 8 apart");
   expect_refused(spoiled("bufferViews", 1, {{"byteStride", 20}}), "accessor 1 is cut off");
   expect_refused(spoiled("bufferViews", 1, {{"buffer", 1}}), "buffer 1 is not one of 1");
   expect_refused(spoiled("buffers", 0, {{"byteLength", 1000}}), "buffer 0 is cut off: 60 of 1000 bytes");

@@ -71,7 +71,7 @@ std::string copy_elements(const GltfView& view, const json& offset, std::size_t 
   const std::size_t count = out.size() / size;
   const std::size_t stride = view.stride == 0 ? size : view.stride;
   const auto first = offset.is_null() ? std::optional<std::uint32_t>(0) : index_of(offset, kMostBufferBytes + 1);
-  if (!first) return "begins at an offset that is no such number";
+  if (!first) return "has a byteOffset that is none";
   if (stride < size) return fmt::format("has elements of {} bytes that lie {} apart", size, stride);
   if (*first > view.bytes.size()) return fmt::format("begins at byte {} of a bufferView of {}", *first, view.bytes.size());
   const std::span<const std::byte> bytes = view.bytes.subspan(*first);

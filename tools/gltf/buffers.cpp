@@ -75,7 +75,7 @@ Bytes GltfBuffers::read_side_file(const std::string& uri, std::size_t wanted) {
   const fs::path name = decoded_uri(uri);
   const std::string shown = printable_text(uri, 100);
   const bool is_path = !name.empty() && name.is_relative() && name.native().find('\0') == std::string::npos && uri.find("://") == std::string::npos;
-  if (!is_path) return fault("in '{}', which is no path beside this file", shown);
+  if (!is_path) return fault("in '{}', which is not in this file's folder; put it there or export as .glb", shown);
   const fs::path path = path_.parent_path() / name;
   std::error_code code;
   const fs::path real = fs::weakly_canonical(path, code);

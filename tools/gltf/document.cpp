@@ -52,9 +52,11 @@ tl::expected<json, std::string> read_gltf_json(const std::filesystem::path& path
   auto text = read_text(path);
   if (!text) return tl::unexpected(text.error());
   const auto keep = [](int depth, json::parse_event_t, json&) { return depth <= kDeepestLevel; };
-  json document;
+  json document = json::parse(*text, keep, false);
+  // Exporters write names as their system has them, which may be no UTF-8.
+  if (document.is_discarded()) *text = printable_text(*text, text->size());
   try {
-    document = json::parse(*text, keep);
+    if (document.is_discarded()) document = json::parse(*text, keep);
   } catch (const json::exception& error) {
     return tl::unexpected(printable_text(json_fault(error), 200));
   }

@@ -74,7 +74,10 @@ class MaterialReader {
 
   static void read_alpha(const json& entry, SourceMaterial& material) {
     const json& mode = member(entry, "alphaMode");
-    material.alpha_use = mode == "MASK" ? AlphaUse::kMask : mode == "BLEND" ? AlphaUse::kBlend : AlphaUse::kOpaque;
+    material.alpha_use = mode.is_null() || mode == "OPAQUE" ? AlphaUse::kOpaque
+                         : mode == "MASK"                   ? AlphaUse::kMask
+                         : mode == "BLEND"                  ? AlphaUse::kBlend
+                                                            : AlphaUse::kUnknown;
     material.alpha_cutoff = number_or(member(entry, "alphaCutoff"), 0.5, 1);
   }
 

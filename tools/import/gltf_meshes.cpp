@@ -39,7 +39,6 @@ class MeshReader {
         return bad;
       }
     }
-    warn_of_pose(skinned_, model_.nodes, model_.warnings);
     warn_of_hidden(hidden_, model_.warnings);
     return {};
   }
@@ -275,7 +274,6 @@ class MeshReader {
       else
         model_.warnings.push_back(fmt::format("mesh '{}' left out: it has no triangles", mesh.name));
     }
-    if (!raw.bones.empty()) skinned_.push_back(std::move(raw));
     return {};
   }
 
@@ -289,7 +287,6 @@ class MeshReader {
   std::optional<std::uint32_t> plain_;
   bool told_of_material_ = false;
   std::map<const json*, bool> told_of_morphs_;  // looked up only
-  std::vector<RawMesh> skinned_;
   std::vector<std::string> hidden_;
   std::size_t placed_vertices_ = 0;
 };

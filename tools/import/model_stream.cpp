@@ -20,7 +20,7 @@ constexpr auto transfer_mesh = [](auto& archive, auto& mesh) {
   return archive.sequence(mesh.name) && archive.plain(mesh.node) && archive.plain(mesh.material) &&
          archive.sequence(mesh.positions) && archive.sequence(mesh.normals) && archive.sequence(mesh.uvs) &&
          archive.sequence(mesh.colors) && archive.sequence(mesh.influence_begin) && archive.sequence(mesh.influences) &&
-         archive.sequence(mesh.triangles);
+         archive.sequence(mesh.triangles) && archive.plain(mesh.posed_node) && archive.plain(mesh.posed_degrees);
 };
 
 constexpr auto transfer_texture = [](auto& archive, auto& texture) {
@@ -74,7 +74,7 @@ constexpr auto transfer_model = [](auto& archive, auto& model) {
   return archive.sequence(model.path) && archive.sequence(model.importer) &&
          archive.raw(model.importer_version, sizeof model.importer_version) &&
          archive.list(model.nodes, kCount + 132, transfer_node) &&
-         archive.list(model.meshes, 8 * kCount + 8, transfer_mesh) &&
+         archive.list(model.meshes, 8 * kCount + 16, transfer_mesh) &&
          archive.list(model.materials, 5 * kCount + 44, transfer_material) &&
          archive.list(model.images, 2 * kCount, transfer_image) &&
          archive.list(model.springs, 3 * kCount + 4, transfer_spring) &&

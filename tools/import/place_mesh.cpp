@@ -188,6 +188,7 @@ SourceMesh place_mesh(const RawMesh& mesh, std::uint32_t node, std::span<const S
   copy_colors(mesh, kept, label, out, warnings);
   copy_influences(binding, kept, out);
   repair_normals(out, label, warnings);
+  measure_pose(mesh, nodes, out);
   return out;
 }
 

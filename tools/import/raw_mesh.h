@@ -88,9 +88,8 @@ class SkinBinding {
 [[nodiscard]] SourceMesh place_mesh(const RawMesh& mesh, std::uint32_t node, std::span<const SourceNode> nodes,
                                     std::vector<std::string>& warnings);
 
-/// Where bones of the meshes stand otherwise than when these were bound to them: a warning that the file was saved in a pose, which
-/// becomes the hair's shape.
-void warn_of_pose(std::span<const RawMesh> meshes, std::span<const SourceNode> nodes, std::vector<std::string>& warnings);
+/// Fills `posed_node` and `posed_degrees` of what became of the mesh.
+void measure_pose(const RawMesh& mesh, std::span<const SourceNode> nodes, SourceMesh& out);
 
 /// Where the file hides meshes, by the names of their nodes: a warning that they are left out.
 void warn_of_hidden(std::span<const std::string> nodes, std::vector<std::string>& warnings);

@@ -81,7 +81,6 @@ std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& n
                                        std::vector<std::string>& warnings) {
   std::vector<SourceMesh> meshes;
   std::vector<std::string> hidden;
-  std::vector<RawMesh> skinned;
   for (std::uint32_t n = 0; n < nodes.nodes.size(); ++n) {
     const aiNode& node = *nodes.origin[n];
     if (nodes.is_hidden[n] && node.mNumMeshes != 0) {
@@ -93,16 +92,13 @@ std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& n
         warnings.push_back(fmt::format("node '{}': refers to an absent mesh", nodes.nodes[n].name));
         continue;
       }
-      RawMesh raw = raw_mesh(scene, *scene.mMeshes[index], n, nodes, warnings);
-      SourceMesh mesh = place_mesh(raw, n, nodes.nodes, warnings);
+      SourceMesh mesh = place_mesh(raw_mesh(scene, *scene.mMeshes[index], n, nodes, warnings), n, nodes.nodes, warnings);
       if (!mesh.triangles.empty())
         meshes.push_back(std::move(mesh));
       else
         warnings.push_back(fmt::format("mesh '{}' left out: it has no triangles", mesh.name));
-      if (!raw.bones.empty()) skinned.push_back(std::move(raw));
     }
   }
-  warn_of_pose(skinned, nodes.nodes, warnings);
   warn_of_hidden(hidden, warnings);
   return meshes;
 }

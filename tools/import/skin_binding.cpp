@@ -6,6 +6,11 @@
 #include <cmath>
 
 namespace coif {
+namespace {
+
+constexpr float kRounding = 1e-4f;  // what exporters leave of a weight of 0 may be as far below
+
+}  // namespace
 
 SkinBinding::SkinBinding(const RawMesh& mesh, std::uint32_t mesh_node, std::span<const SourceNode> nodes, const std::string& label,
                          std::vector<std::string>& warnings)
@@ -30,7 +35,7 @@ std::vector<SkinBinding::Weight> SkinBinding::collect_weights(const RawMesh& mes
   for (const RawWeight& weight : mesh.weights) {
     if (weight.vertex >= mesh.positions.size()) {
       ++without_vertex;
-    } else if (!std::isfinite(weight.weight) || weight.weight < 0) {
+    } else if (!std::isfinite(weight.weight) || weight.weight < -kRounding) {
       ++unusable;
     } else if (weight.weight > 0) {  // exporters pad with zeros, of any bone; not worth a warning
       if (weight.bone >= mesh.bones.size()) {

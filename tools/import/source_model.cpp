@@ -61,6 +61,8 @@ std::string influences_fault(const SourceMesh& mesh, std::size_t node_count) {
 
 std::string mesh_fault(const SourceModel& model, const SourceMesh& mesh) {
   if (mesh.node >= model.nodes.size()) return "absent node";
+  if (mesh.posed_node != kNoIndex && mesh.posed_node >= model.nodes.size()) return "absent posed node";
+  if (!std::isfinite(mesh.posed_degrees)) return "pose not finite";
   if (mesh.material != kNoIndex && mesh.material >= model.materials.size()) return "absent material";
   if (mesh.triangles.empty() || mesh.triangles.size() % 3 != 0) return "number of indices is not a multiple of three";
   for (const std::uint32_t index : mesh.triangles) {

@@ -43,6 +43,10 @@ struct SourceMesh {
   std::vector<std::uint32_t> influence_begin;
   std::vector<SourceInfluence> influences;
   std::vector<std::uint32_t> triangles;  ///< Three indices each, counter-clockwise seen from outside.
+  /// How far the bones that hold it stand from where they were when it was bound to them, beside each other: the bone that is turned
+  /// farthest, and by how many degrees; kNoIndex where the file was saved in the rest position.
+  std::uint32_t posed_node = kNoIndex;
+  float posed_degrees = 0;
 };
 
 /// What a texture shows outside 0..1: itself again, its edge, or itself turned over.

@@ -73,6 +73,21 @@ std::uint32_t main_material(const SourceModel& source, std::span<const std::size
   return most == triangles.end() || *most == 0 ? kNoIndex : std::uint32_t(most - triangles.begin());
 }
 
+/// The file's pose becomes the hair's shape at rest, which is not what a pose is for.
+void warn_of_pose(const SourceModel& source, std::span<const std::size_t> taken, Findings& findings) {
+  const SourceMesh* farthest = nullptr;
+  for (std::size_t m = 0; m < taken.size(); ++m) {
+    const SourceMesh& mesh = source.meshes[m];
+    if (taken[m] == 0 || mesh.posed_node == kNoIndex) continue;
+    if (farthest == nullptr || mesh.posed_degrees > farthest->posed_degrees) farthest = &mesh;
+  }
+  if (farthest == nullptr) return;
+  findings.warn(fmt::format("mesh '{}': its bones stand otherwise than when it was bound to them ('{}' by {:.0f} degrees): the file was saved in a "
+                            "pose, and that pose is taken for the hair's shape at rest; put the armature into its rest position and export "
+                            "again where that is not meant",
+                            farthest->name, source.nodes[farthest->posed_node].name, double(farthest->posed_degrees)));
+}
+
 struct Gathered {
   HairMesh mesh;
   std::vector<std::size_t> taken;  ///< Triangles per source mesh.
@@ -152,6 +167,7 @@ tl::expected<HairMesh, ToolError> select_hair(const SourceModel& source, const R
   const auto choice = choose_hair(source, recipe, findings);
   if (!choice) return tl::unexpected(choice.error());
   Gathered gathered = gather(source, *choice, findings);
+  warn_of_pose(source, gathered.taken, findings);
   if (gathered.mesh.triangles.empty()) {
     const std::string why =
         gathered.degenerate > 0
