@@ -70,7 +70,7 @@ try_variant() {
 }
 
 test_web() {
-  install web && build web -DCOIF_TESTS=OFF coif_web coif_view_html && build release -DCOIF_TESTS=ON coif_cli coif_step_motions &&
+  install web && build web -DCOIF_TESTS=OFF coif_web coif_view_html && build release -DCOIF_TESTS=ON coif_cli coif_step_motions coif_print_model &&
     run release web -L '^web$'
 }
 

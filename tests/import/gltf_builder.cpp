@@ -2,6 +2,7 @@
 
 #include <meshoptimizer.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -32,6 +33,16 @@ void append_number(float number, const Storage& storage, std::string& out) {
 
 std::size_t width_of(const std::string& type) {
   return type == "MAT4" ? 16 : type == "SCALAR" ? 1 : std::size_t(type.back() - '0');
+}
+
+/// Readers ask for the bounds of positions, some of them loudly; what they say is not used here.
+void add_bounds(std::span<const float> numbers, json& accessor) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    float least = numbers[k], most = numbers[k];
+    for (std::size_t i = k; i < numbers.size(); i += 3) least = std::min(least, numbers[i]), most = std::max(most, numbers[i]);
+    accessor["min"].push_back(least);
+    accessor["max"].push_back(most);
+  }
 }
 
 std::string compressed(const std::string& bytes, std::size_t count, std::size_t stride) {
@@ -78,9 +89,8 @@ std::size_t GltfBuilder::add(std::span<const float> numbers, const std::string& 
   if (storage.meshopt) {
     entry["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0}, {"byteOffset", entry["byteOffset"]}, {"byteLength", entry["byteLength"]},
                                                       {"byteStride", stride}, {"count", count}, {"mode", "ATTRIBUTES"}};
-  } else if (storage.padding != 0) {
-    entry["byteStride"] = stride;
   }
+  if (storage.padding != 0) entry["byteStride"] = stride;
   if (storage.sparse) {
     const std::size_t index_view = add_view(indices);
     accessor["sparse"] = {{"count", count}, {"indices", {{"bufferView", index_view}, {"componentType", 5123}}}, {"values", {{"bufferView", view}}}};
@@ -94,6 +104,7 @@ std::size_t GltfBuilder::add(std::span<const float> numbers, const std::string& 
 GltfBuilder& GltfBuilder::attribute(const std::string& name, std::span<const float> numbers, const std::string& type, const Storage& storage) {
   const std::size_t index = add(numbers, type, storage);
   primitive()["attributes"][name] = index;
+  if (name == "POSITION") add_bounds(numbers, document["accessors"][index]);
   return *this;
 }
 

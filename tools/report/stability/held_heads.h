@@ -20,7 +20,7 @@ struct HeldHeads {
 
 /// Seconds after which hair of a held head is at rest: the longest that hair of artists' files takes, rounded up. It is tied hair, which is little
 /// damped, that slides off a place where it was nearly balanced.
-inline constexpr double kSettlingTime = 12;
+inline constexpr double kSettlingTime = 13;
 /// Slower is at rest, m/s.
 inline constexpr double kAtRest = 0.02;
 
