@@ -1,6 +1,7 @@
 #include "groom/join_lines.h"
 #include "groom/strand_files.h"
 
+#include "base/files.h"
 #include "import/gltf_document.h"
 
 #include <fmt/format.h>
@@ -156,7 +157,8 @@ class LineScene {
 
 }  // namespace
 
-tl::expected<Groom, std::string> read_gltf_lines(const std::filesystem::path& path) {
+tl::expected<Groom, std::string> read_gltf_lines(const std::filesystem::path& path,
+                                                 std::span<const std::filesystem::path> roots) {
   const auto document = read_gltf_json(path, kMembers);
   if (!document) return tl::unexpected(document.error());
   Groom groom;
@@ -165,7 +167,7 @@ tl::expected<Groom, std::string> read_gltf_lines(const std::filesystem::path& pa
   groom.space.unit_words = "glTF is in metres";
   groom.space.up = Statement::kDeclared;
   groom.space.up_words = "glTF has Y up";
-  GltfBuffers buffers(path, *document);
+  GltfBuffers buffers(path, *document, folders_of_source(path, roots));
   if (std::string fault = LineScene(*document, buffers, groom).read(); !fault.empty())
     return tl::unexpected(std::move(fault));
   return groom;

@@ -1,6 +1,7 @@
 #include "import/gltf_document.h"
 
 #include "base/encodings.h"
+#include "base/files.h"
 #include "base/text.h"
 #include "import/import.h"
 
@@ -59,7 +60,7 @@ Bytes read_binary_chunk(const fs::path& path, std::size_t wanted) {
   return read_part(file, wanted);
 }
 
-Bytes read_side_file(const fs::path& document, const std::string& uri, std::size_t wanted) {
+Bytes read_side_file(const fs::path& document, const std::vector<fs::path>& folders, const std::string& uri, std::size_t wanted) {
   const fs::path name = decoded_uri(uri);
   const bool inside = !name.empty() && name.is_relative() && *name.lexically_normal().begin() != ".." &&
                       name.native().find('\0') == std::string::npos && uri.find("://") == std::string::npos;
@@ -69,6 +70,9 @@ Bytes read_side_file(const fs::path& document, const std::string& uri, std::size
   if (auto readable = check_readable(path, kMostBufferBytes); !readable) {
     return tl::unexpected(readable.error().message);
   }
+  if (!folders.empty() && !lies_in(path, folders)) {
+    return fault("in '{}', a link that leads out of this file's folder; allow with --root what it leads to", shown);
+  }
   std::ifstream file(path, std::ios::binary);
   std::error_code code;
   const std::uintmax_t size = fs::file_size(path, code);
@@ -76,11 +80,11 @@ Bytes read_side_file(const fs::path& document, const std::string& uri, std::size
   return read_part(file, wanted);
 }
 
-Bytes read_buffer(const fs::path& path, const json& buffer, std::size_t wanted) {
+Bytes read_buffer(const fs::path& path, const std::vector<fs::path>& folders, const json& buffer, std::size_t wanted) {
   const json& uri = member(buffer, "uri");
   if (!uri.is_string()) return read_binary_chunk(path, wanted);
   const auto& text = uri.get_ref<const std::string&>();
-  if (!text.starts_with("data:")) return read_side_file(path, text, wanted);
+  if (!text.starts_with("data:")) return read_side_file(path, folders, text, wanted);
   const std::size_t comma = text.find(";base64,");
   if (comma == std::string::npos) return fault("a data: URI that is not base64");
   auto bytes = from_base64(std::string_view(text).substr(comma + std::strlen(";base64,")));
@@ -98,7 +102,7 @@ tl::expected<std::span<const std::byte>, std::string> GltfBuffers::bytes(std::si
   if (buffer >= entries.size()) return fault("buffer {} is not one of {}", buffer, entries.size());
   const auto wanted = index_of(member(entries[buffer], "byteLength"), kMostBufferBytes + 1);
   if (!wanted) return fault("buffer {} has no byteLength of 0 to 1 GiB", buffer);
-  Bytes bytes = read_buffer(path_, entries[buffer], *wanted);
+  Bytes bytes = read_buffer(path_, folders_, entries[buffer], *wanted);
   if (!bytes) return fault("buffer {} is {}", buffer, bytes.error());
   return read_.emplace(buffer, std::move(*bytes)).first->second;
 }

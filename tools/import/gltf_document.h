@@ -42,8 +42,10 @@ template <class... Args>
 /// or a file beside it. Source: Khronos, "glTF 2.0 Specification", chapters 3.6 and 4.4.
 class GltfBuffers {
  public:
-  /// Both must outlive the object; `document` needs the member `buffers`.
-  GltfBuffers(const std::filesystem::path& path, const nlohmann::json& document) : path_(path), document_(document) {}
+  /// Both must outlive the object; `document` needs the member `buffers`. Files beside the document must really lie in one of
+  /// `folders`, as folders_of_source() gives them; where there are none, links may lead anywhere.
+  GltfBuffers(const std::filesystem::path& path, const nlohmann::json& document, std::vector<std::filesystem::path> folders = {})
+      : path_(path), document_(document), folders_(std::move(folders)) {}
 
   /// Exactly as many bytes as the document promises; valid as long as the object. The error is a sentence without the
   /// file's name. Files outside the document's folder, or above 1 GiB, are refused.
@@ -52,6 +54,7 @@ class GltfBuffers {
  private:
   const std::filesystem::path& path_;
   const nlohmann::json& document_;
+  std::vector<std::filesystem::path> folders_;
   std::map<std::size_t, std::vector<std::byte>> read_;
 };
 
