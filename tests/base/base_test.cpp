@@ -7,7 +7,10 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <fcntl.h>
+#include <signal.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -28,11 +31,13 @@
 namespace coif::base_test {
 
 std::vector<std::string> synced;  ///< Paths of what was written through to the disk.
+bool is_killed_at_sync = false;   ///< The process ends when a file is about to be.
 
 }  // namespace coif::base_test
 
 /// In place of the library's, which it calls.
 extern "C" int fsync(int descriptor) {
+  if (coif::base_test::is_killed_at_sync) ::raise(SIGKILL);
   std::error_code error;
   coif::base_test::synced.push_back(std::filesystem::read_symlink(fmt::format("/proc/self/fd/{}", descriptor), error));
   return int(::syscall(SYS_fsync, descriptor));
@@ -162,9 +167,75 @@ TEST(WriteOutput, WaitsForTheDiskWhereThatIsAsked) {
   ASSERT_TRUE(write_output(file, std::as_bytes(std::span("now")), Durability::kNow));
   // The file before it has its name, then the folder that holds the name.
   ASSERT_EQ(synced.size(), 2u);
-  EXPECT_TRUE(synced[0].starts_with(file.string() + ".")) << synced[0];
+  const bool had_no_name = synced[0].starts_with(fs::canonical(testing::TempDir()).string() + "/#");
+  EXPECT_TRUE(had_no_name || synced[0].starts_with(file.string() + ".")) << synced[0];
   EXPECT_EQ(synced[1], fs::canonical(testing::TempDir()).string());
   fs::remove(file);
+}
+
+TEST(Files, OutputsAreNoInputs) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(testing::TempDir()) / fmt::format("coif_check_output_{}", ::getpid());
+  fs::create_directories(folder / "below");
+  std::ofstream(folder / "hair.png") << "pixels";
+  fs::create_hard_link(folder / "hair.png", folder / "hard.png");
+  fs::create_symlink("hair.png", folder / "soft.png");
+  const std::vector<fs::path> inputs{folder / "hair.obj", folder / "below/../hair.png", folder / "absent.png", fs::path()};
+  for (const char* output : {"hair.png", "hard.png", "soft.png", "below/../hair.png", "absent.png", "below/../absent.png"}) {
+    const auto checked = check_output(folder / output, inputs);
+    ASSERT_FALSE(checked) << output;
+    EXPECT_EQ(checked.error().kind, ToolError::Kind::kUsage);
+    EXPECT_NE(checked.error().message.find("is also an input"), std::string::npos) << checked.error().message;
+  }
+  EXPECT_TRUE(check_output(folder / "hair.coif", inputs));
+  EXPECT_FALSE(check_output("-", inputs));
+  const NamedOutput same[] = {{"--output", folder / "a"}, {"--report", {}}, {"--depfile", folder / "below/../a"}};
+  const auto checked = check_outputs(same, inputs);
+  ASSERT_FALSE(checked);
+  EXPECT_EQ(checked.error().message, "--depfile and --output name the same file");
+  fs::remove_all(folder);
+}
+
+TEST(Files, KilledWritersLeaveNothing) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(testing::TempDir()) / fmt::format("coif_killed_writer_{}", ::getpid());
+  fs::create_directories(folder);
+  const int probe = ::open(folder.c_str(), O_TMPFILE | O_WRONLY, 0600);
+  if (probe < 0) GTEST_SKIP() << "this file system has no files without a name";
+  ::close(probe);
+  std::ofstream(folder / "hair.coif") << "before";
+  const pid_t child = ::fork();
+  if (child == 0) {
+    is_killed_at_sync = true;
+    (void)write_output(folder / "hair.coif", std::as_bytes(std::span("after")), Durability::kNow);
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
+  std::string text;
+  std::ifstream(folder / "hair.coif") >> text;
+  EXPECT_EQ(text, "before");
+  fs::remove_all(folder);
+}
+
+TEST(Files, NamesOfAnyLengthAreWritten) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(testing::TempDir()) / fmt::format("coif_long_names_{}", ::getpid());
+  fs::create_directories(folder);
+  const std::string name(255, 'n');
+  for (int round = 0; round < 2; ++round) {
+    const auto written = write_output(folder / name, std::as_bytes(std::span("whole")));
+    ASSERT_TRUE(written) << written.error().message;
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
+  EXPECT_FALSE(write_output(folder / (name + "n"), std::as_bytes(std::span("whole"))));
+  fs::remove_all(folder);
+}
+
+TEST(Text, TerminalsGetNothingToObey) {
+  EXPECT_EQ(printable_text("a\x1b[2Jb\x7f\xc2\x9b" "2J\n\xc2\xa0\xc3\xa9"), "a?[2Jb??2J \xc2\xa0\xc3\xa9");
 }
 
 TEST(PrintableText, KeepsTextInEveryScript) { EXPECT_EQ(printable_text("Zöpfe 髪 \U0001F487"), "Zöpfe 髪 \U0001F487"); }

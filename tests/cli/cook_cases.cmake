@@ -100,7 +100,8 @@ coif_cli_case(cook_lfs_texture EXIT 0 WRITES card.coif STDERR "card.png: Git LFS
   TEXT card.obj "mtllib card.mtl\nv 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nusemtl hair\nf 1 2 3\n" card.mtl "newmtl hair\nmap_Kd card.png\n" card.png "${pointer}"
   ARGS cook card.obj -o card.coif)
 
-# Said where it is wanted.
+# Said where it is wanted. A machine without a sandbox for readers of models says so, whatever it is told.
+set(said_nothing "^(coif cook: warning: models are read without a full sandbox[^\n]*\n)?$")
 coif_cli_case(cook_says_five_lines EXIT 0 WRITES card.coif
   STDOUT "^card.coif: 1 triangle [^\n]*\n[^\n]*simulated\n[^\n]*warnings?\n  [1-9][0-9]* notes, [0-9]+ things? left out: -v tells them\n  next: [^\n]*\n$"
   TEXT card.obj "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n" ARGS cook card.obj -o card.coif)
@@ -109,15 +110,15 @@ coif_cli_case(cook_names_files_that_it_read EXIT 0 WRITES card.coif
   TEXT card.obj "mtllib lost.mtl\nmtllib card.mtl\nv 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nusemtl hair\nf 1 2 3\n" card.mtl "newmtl hair\nKd 1 0 0\n"
   ARGS cook card.obj -o card.coif -v)
 coif_cli_case(cook_max_pass_seconds EXIT 3 TIMEOUT 120
-  STDERR "coif cook: error: .*bob.glb: the pass '[a-z ]+' exceeded 1 s; use fewer triangles, or allow more with --max-pass-seconds"
+  STDERR "coif cook: error: .*bob.glb: the pass '[a-z ]+' exceeded 1 s; use fewer triangles or strands, or allow more with --max-pass-seconds"
   TEXT R.json "{\"order\": {\"max_orders\": 32}}" ARGS cook ${sample} --recipe R.json -o out.coif --threads 1 --max-pass-seconds 1)
 coif_cli_case(cook_quiet_and_verbose EXIT 1 STDERR "--quiet.*--verbose|--verbose.*--quiet" ARGS cook a.obj -o a.coif -q -v)
 coif_cli_case(cook_absent_root EXIT 1 STDERR "--root: Directory does not exist: nowhere" ARGS cook a.obj -o a.coif --root nowhere)
 coif_cli_case(cook_durable EXIT 0 WRITES card.coif report.json
   TEXT card.obj "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n" ARGS cook card.obj -o card.coif --report report.json --durable -q)
-coif_cli_case(cook_quiet EXIT 0 WRITES out.coif STDERR "^$" STDOUT "^$"
+coif_cli_case(cook_quiet EXIT 0 WRITES out.coif STDERR "${said_nothing}" STDOUT "^$"
   TEXT R.json "{\"scene\": {\"draw\": false}}" ARGS cook ${sample} --recipe R.json -o out.coif --quiet)
-coif_cli_case(cook_quiet_json EXIT 0 WRITES out.coif STDERR "^$" JSON output bytes passes
+coif_cli_case(cook_quiet_json EXIT 0 WRITES out.coif STDERR "${said_nothing}" JSON output bytes passes
   TEXT R.json "{\"scene\": {\"draw\": false}}" ARGS cook ${sample} --recipe R.json -o out.coif --quiet --format json)
 coif_cli_case(cook_lost_materials EXIT 3
   STDERR "braid.obj: 'braid.mtl' is named for the materials and was not read.*warnings?, and --warnings-as-errors; nothing was written"

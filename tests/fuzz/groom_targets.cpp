@@ -32,7 +32,7 @@ bool try_obj_lines(Input input) {
 
 bool try_gltf_lines(Input input) {
   static const LoneFile file("lines.glb");
-  return check(read_gltf_lines(file.with(input)));
+  return check(read_gltf_lines(file.with(input), {}));
 }
 
 bool try_groom_stream(Input input) {

@@ -72,7 +72,7 @@ HOMES = {
     "GLES3/": ["runtime/gl", "tools/render", "tools/report/shadow", "tests/gl", "tests/render", "runtime/examples", "tools/view/page"],
     "emscripten/": ["tools/view/page"],
     "KHR/": ["tools/render"],
-    "linux/": ["tools/process"],
+    "linux/": ["tools/process", "tests/process", "tests/import"],
     "gtest/": ["tests/"],
     "benchmark/": ["tests/"],
     "BulletSoftBody/": ["tests/bench/peers"],

@@ -8,8 +8,11 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <linux/landlock.h>
+#include <signal.h>
 #include <string>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 namespace coif::file_fence_test {
@@ -76,6 +79,13 @@ TEST_F(FileFence, NothingIsWrittenMadeMovedOrRemoved) {
   EXPECT_EQ(behind([&] { return unlink((model / "hair.obj").c_str()) == 0; }), "n");
   EXPECT_EQ(behind([&] { return symlink("/", (model / "new").c_str()) == 0; }), "n");
   EXPECT_TRUE(fs::exists(model / "hair.obj") && !fs::exists(model / "new"));
+}
+
+TEST_F(FileFence, SignalsNobodyWhereTheKernelKnowsScopes) {
+  if (!has_fence()) GTEST_SKIP() << "this kernel has no Landlock";
+  if (syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION) < 6) GTEST_SKIP() << "Landlock before 6";
+  EXPECT_EQ(behind([] { return kill(getppid(), 0) == 0; }), "n");
+  EXPECT_EQ(behind([] { return kill(getpid(), 0) == 0; }), "y");
 }
 
 TEST_F(FileFence, NeedsAFolderThatIsThere) {

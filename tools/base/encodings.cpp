@@ -3,7 +3,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <new>
 
+namespace {
+
+/// The encoder writes wherever it is told that there is memory, and does not look.
+void* block_or_throw(void* block) {
+  if (block == nullptr) throw std::bad_alloc();
+  return block;
+}
+
+}  // namespace
+
+#define STBIW_MALLOC(bytes) block_or_throw(std::malloc(bytes))
+#define STBIW_REALLOC(block, bytes) block_or_throw(std::realloc(block, bytes))
+#define STBIW_FREE(block) std::free(block)
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
 #define STBI_WRITE_NO_STDIO

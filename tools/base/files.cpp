@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdio>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <new>
 #include <random>
 #include <system_error>
@@ -91,17 +92,28 @@ std::vector<fs::path> folders_of_source(const fs::path& source, std::span<const 
   return folders;
 }
 
+bool lies_in(const fs::path& file, std::span<const fs::path> folders) {
+  std::error_code error;
+  const fs::path real = fs::canonical(file, error);
+  if (error) return false;
+  return std::ranges::any_of(folders, [&](const fs::path& folder) { return std::ranges::mismatch(folder, real).in1 == folder.end(); });
+}
+
 namespace {
 
 tl::unexpected<ToolError> cannot_write(const fs::path& path, const std::string& why) {
   return file_failure(ToolError::Kind::kFileAccess, path, "cannot write: {}", why);
 }
 
+std::error_code write_into(int file, std::span<const std::byte> bytes, Durability durability) {
+  if (std::error_code why = write_all(file, bytes)) return why;
+  return durability == Durability::kNow && ::fsync(file) != 0 ? last_error() : std::error_code{};
+}
+
 std::error_code write_new_file(const fs::path& path, int flags, std::span<const std::byte> bytes, Durability durability) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
   if (file < 0) return last_error();
-  std::error_code why = write_all(file, bytes);
-  if (!why && durability == Durability::kNow && ::fsync(file) != 0) why = last_error();
+  std::error_code why = write_into(file, bytes, durability);
   // close() reports what the disk refused late, for example on a full network share.
   if (::close(file) != 0 && !why) why = last_error();
   return why;
@@ -109,17 +121,46 @@ std::error_code write_new_file(const fs::path& path, int flags, std::span<const 
 
 }  // namespace
 
+std::string file_identity(const fs::path& path) {
+  if (path.empty()) return {};
+  struct stat status {};
+  if (::stat(path.c_str(), &status) == 0) return fmt::format("{}:{}", status.st_dev, status.st_ino);
+  std::error_code error;
+  const fs::path place = fs::weakly_canonical(fs::absolute(path, error), error);
+  return (error ? path : place).string();
+}
+
 tl::expected<void, ToolError> check_output(const fs::path& output, std::initializer_list<fs::path> inputs) {
+  return check_output(output, std::span(inputs.begin(), inputs.size()));
+}
+
+tl::expected<void, ToolError> check_output(const fs::path& output, std::span<const fs::path> inputs) {
   std::error_code ignored;
+  if (output == "-") {
+    return usage("-: nothing is written to the standard output but text; name a file, or ./- for one of that name");
+  }
   if (fs::is_directory(output, ignored)) return cannot_write(output, "it is a folder; name a file in it");
   const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored)) {
     return cannot_write(output, fmt::format("no folder '{}'; create it first", folder.string()));
   }
+  const std::string place = file_identity(output);
   for (const fs::path& input : inputs) {
-    if (fs::equivalent(output, input, ignored)) {
-      return file_failure(ToolError::Kind::kUsage, output, "is also an input; choose another output");
+    if (input.empty() || file_identity(input) != place) continue;
+    const std::string as_what = output == input ? "" : fmt::format(" ('{}')", input.string());
+    return file_failure(ToolError::Kind::kUsage, output, "is also an input{}; choose another output", as_what);
+  }
+  return {};
+}
+
+tl::expected<void, ToolError> check_outputs(std::span<const NamedOutput> outputs, std::span<const fs::path> inputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (outputs[i].path.empty()) continue;
+    for (std::size_t k = 0; k < i; ++k) {
+      if (file_identity(outputs[i].path) == file_identity(outputs[k].path))
+        return usage(fmt::format("{} and {} name the same file", outputs[i].option, outputs[k].option));
     }
+    if (auto checked = check_output(outputs[i].path, inputs); !checked) return checked;
   }
   return {};
 }
@@ -147,10 +188,16 @@ std::error_code sync_folder(const fs::path& folder) {
   return why;
 }
 
+/// As much of a file's name as leaves room for what temporary_name() adds.
+std::string stem_of_temporary(const std::string& name) {
+  constexpr std::size_t kLongestName = 255, kAdded = 32;  // NAME_MAX, which all usual file systems have
+  return name.substr(0, kLongestName - kAdded);
+}
+
 /// "NAME.PROCESS.RANDOM.tmp", beside the file called NAME.
 std::string temporary_name(const std::string& name) {
   // Machines and containers that share a folder have equal process numbers.
-  return name + fmt::format(".{}.{:08x}.tmp", ::getpid(), std::random_device{}());
+  return stem_of_temporary(name) + fmt::format(".{}.{:08x}.tmp", ::getpid(), std::random_device{}());
 }
 
 bool is_temporary_of(const std::string& file, const std::string& name) {
@@ -167,11 +214,30 @@ void remove_old_temporaries(const fs::path& target) {
   constexpr auto kOld = std::chrono::hours(1);
   std::error_code error;
   for (fs::directory_iterator it(folder_of(target), error), end; !error && it != end; it.increment(error)) {
-    if (!is_temporary_of(it->path().filename().string(), target.filename().string())) continue;
+    if (!is_temporary_of(it->path().filename().string(), stem_of_temporary(target.filename().string()))) continue;
     std::error_code ignored;
     const auto written = fs::last_write_time(it->path(), ignored);
     if (!ignored && fs::file_time_type::clock::now() - written > kOld) fs::remove(it->path(), ignored);
   }
+}
+
+/// Writes a file that has no name before it is whole, so that a killed process leaves nothing behind. Says that the file system cannot do
+/// that, or that there is no /proc, by std::errc::not_supported, and has done nothing then.
+std::error_code write_unnamed(const fs::path& path, std::span<const std::byte> bytes, Durability durability) {
+  const auto cannot = std::make_error_code(std::errc::not_supported);
+  const int file = ::open(folder_of(path).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+  if (file < 0) return cannot;
+  std::error_code why = write_into(file, bytes, durability);
+  const std::string self = fmt::format("/proc/self/fd/{}", file);
+  if (!why && ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) != 0) why = cannot;
+  if (::close(file) != 0 && !why) why = last_error();
+  return why;
+}
+
+std::error_code write_temporary(const fs::path& path, std::span<const std::byte> bytes, Durability durability) {
+  const std::error_code why = write_unnamed(path, bytes, durability);
+  if (why != std::errc::not_supported) return why;
+  return write_new_file(path, O_CREAT | O_EXCL | O_NOFOLLOW, bytes, durability);
 }
 
 }  // namespace
@@ -188,7 +254,7 @@ tl::expected<void, ToolError> write_output(const fs::path& output, std::span<con
   remove_old_temporaries(target);
   fs::path temporary = target;
   temporary.replace_filename(temporary_name(target.filename().string()));
-  std::error_code failed = write_new_file(temporary, O_CREAT | O_EXCL | O_NOFOLLOW, bytes, durability);
+  std::error_code failed = write_temporary(temporary, bytes, durability);
   if (!failed) fs::rename(temporary, target, failed);
   if (!failed && durability == Durability::kNow) failed = sync_folder(folder_of(target));
   if (failed) {

@@ -54,10 +54,28 @@ inline constexpr const char* kLfsPointer = "Git LFS has not fetched what is in t
 [[nodiscard]] std::vector<std::filesystem::path> folders_of_source(const std::filesystem::path& source,
                                                                    std::span<const std::filesystem::path> roots);
 
-/// Finds out before the long work whether its result could be written: the folder exists, the path is no folder and
-/// is none of `inputs`. Errors: kFileAccess, kUsage.
+/// Whether a file that is there really lies in one of these folders or below, wherever links on its path lead. `folders` as
+/// folders_of_source() gives them. False for what is absent.
+[[nodiscard]] bool lies_in(const std::filesystem::path& file, std::span<const std::filesystem::path> folders);
+
+/// The same text for two paths that lead to one file: the same one on the disk, whatever links and hard links they go through, or,
+/// where there is no file yet, the same place. Empty for an empty path.
+[[nodiscard]] std::string file_identity(const std::filesystem::path& path);
+
+/// Finds out before the long work whether its result could be written: the folder exists, the path is no folder and not "-", and
+/// leads to none of `inputs` (file_identity(); empty paths do not count). Errors: kFileAccess, kUsage.
+tl::expected<void, ToolError> check_output(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs);
 tl::expected<void, ToolError> check_output(const std::filesystem::path& output,
                                            std::initializer_list<std::filesystem::path> inputs);
+
+/// An output of a command and what the command line calls it.
+struct NamedOutput {
+  const char* option;
+  std::filesystem::path path;  ///< Empty: it was not asked for.
+};
+
+/// check_output() of each, and that no two are one file. Errors: as there.
+tl::expected<void, ToolError> check_outputs(std::span<const NamedOutput> outputs, std::span<const std::filesystem::path> inputs);
 
 /// The output's suffix in lower case, with its dot, when it is one of `allowed`. Error (kUsage): lists them.
 tl::expected<std::string, ToolError> choose_suffix(const std::filesystem::path& output,

@@ -38,6 +38,11 @@ Utf8Start utf8_start(std::string_view text) {
 
 bool is_control(char c) { return (c >= 0 && c < 0x20) || c == 0x7F; }
 
+/// Characters that terminals obey: those of ASCII, and U+0080 to U+009F. `character`: one, well-formed.
+bool is_obeyed(std::string_view character) {
+  return is_control(character.front()) || (character.front() == '\xC2' && static_cast<std::uint8_t>(character[1]) < 0xA0);
+}
+
 }  // namespace
 
 std::string numbers_text(std::span<const std::uint32_t> numbers, std::size_t most) {
@@ -58,7 +63,7 @@ std::string printable_text(std::string_view text, std::size_t max_bytes) {
     const char first = text.front();
     if (first == '\n' || first == '\r' || first == '\t') {
       out += ' ';
-    } else if (!start.is_complete || is_control(first)) {
+    } else if (!start.is_complete || is_obeyed(text.substr(0, taken))) {
       out += '?';
     } else {
       out.append(text.substr(0, taken));

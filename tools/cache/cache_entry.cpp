@@ -70,7 +70,7 @@ static void from_json(const json& in, OrderFigures& o) {
 
 namespace {
 
-constexpr char kMagic[] = "coifent3";
+constexpr char kMagic[] = "coifent4";
 constexpr std::size_t kWord = 8;
 constexpr std::size_t kHeader = 3 * kWord;  // magic, hash, length of the document
 
@@ -146,6 +146,7 @@ std::vector<std::byte> circumstances(const CacheEntry& entry) {
 std::vector<std::byte> encode_entry(const CacheEntry& entry) {
   const std::vector<std::byte> document = bytes_of({{"dependencies", entry.dependencies},
                                                     {"questions", entry.questions},
+                                                    {"named", entry.named},
                                                     {"report", report_document(entry.report)}});
   std::vector<std::byte> file(kHeader + document.size() + entry.asset.size());
   std::ranges::copy(document, file.begin() + kHeader);
@@ -171,6 +172,7 @@ std::optional<CacheEntry> decode_entry(std::span<const std::byte> bytes) try {
   CacheEntry entry;
   document.at("dependencies").get_to(entry.dependencies);
   document.at("questions").get_to(entry.questions);
+  document.at("named").get_to(entry.named);
   entry.report = report_from(document.at("report"));
   entry.asset.assign(rest.begin() + std::ptrdiff_t(size), rest.end());
   return entry;

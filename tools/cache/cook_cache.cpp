@@ -126,6 +126,7 @@ CookResult result_from(CacheEntry entry, const CookPlace& place) {
     files.push_back(path_of(dependency, place));
   }
   result.inputs.questions = std::move(entry.questions);
+  for (const std::string& path : entry.named) result.inputs.named_files.push_back(place.source_directory() / path);
   return result;
 }
 
@@ -168,7 +169,9 @@ std::optional<CookResult> CookCache::find(const std::string& key, const CookPlac
 
 tl::expected<void, ToolError> CookCache::store(const std::string& key, const CookPlace& place, const CookResult& result,
                                                std::chrono::nanoseconds begin) const {
-  CacheEntry entry{take_dependencies(result.inputs, place), result.inputs.questions, result.report, result.asset};
+  CacheEntry entry{take_dependencies(result.inputs, place), result.inputs.questions, {}, result.report, result.asset};
+  for (const fs::path& named : result.inputs.named_files)
+    entry.named.push_back(named.lexically_proximate(place.source_directory()).string());
   if (const auto changed = changed_since(begin, entry.dependencies, place)) {
     return tl::unexpected(ToolError{ToolError::Kind::kFileAccess,
                                     changed->string() + ": changed while it was cooked; the result is not cached"});
@@ -189,7 +192,7 @@ std::string content_digits(std::span<const std::byte> bytes) {
 }
 
 std::string cook_key(const CookIdentity& identity) {
-  constexpr const char* kLayout = "coif cache 3";  // of the entries, too: another layout never meets this one's
+  constexpr const char* kLayout = "coif cache 4";  // of the entries, too: another layout never meets this one's
   std::vector<std::string> parts{kLayout, identity.tool, identity.importer, identity.place.source.filename().string(),
                                  content_digits(identity.source_bytes), identity.recipe, identity.draft ? "draft" : ""};
   for (const fs::path& root : identity.place.roots) {

@@ -21,13 +21,15 @@ namespace fs = std::filesystem;
 using Model = tl::expected<SourceModel, ToolError>;
 
 Model cards_of(const Groom& groom, const Recipe& recipe, const HairSourceSettings& settings) {
+  if (settings.progress) settings.progress("cards");
   const CardsBudget budget{.triangles = recipe.cards_triangles,
                            .texels = recipe.cards_texels,
                            .rounds = int(recipe.cards_rounds),
                            .strand_width = float(recipe.cards_strand_width),
                            .caps = float(recipe.cards_caps),
                            .levels = recipe.lod_levels,
-                           .level_ratio = recipe.lod_ratio};
+                           .level_ratio = recipe.lod_ratio,
+                           .side = recipe.texture_max_size.value_or(0)};
   auto model = model_of_cards(groom, budget, settings.threads);
   if (model) model->roots = settings.import.roots;
   return model;
@@ -136,7 +138,8 @@ std::string source_values(const Recipe& recipe) {
   std::string text;
   for (const RecipeKey& key : recipe_keys()) {
     const std::string_view section = key.section;
-    if (section == "cards" || section == "grow" || section == "hair" || section == "head" || section == "lods")
+    if (section == "cards" || section == "grow" || section == "hair" || section == "head" || section == "lods" ||
+        key.path() == "textures.max_size")
       text += write_value(key, recipe).dump() + "\n";
   }
   return text;

@@ -8,6 +8,7 @@
 #include <tl/expected.hpp>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace coif {
@@ -17,6 +18,8 @@ struct HairSourceSettings {
   ImportSettings import;                   ///< Its unit and axis are those of the source.
   std::filesystem::path recipe_directory;  ///< CookSettings::recipe_directory.
   unsigned threads = 1;                    ///< The model does not depend on it.
+  /// Called before each part of the work with its name, "import" or "cards". May be empty, and may throw.
+  std::function<void(const char* part)> progress{};
 };
 
 /// The model that a cook begins with: an artist's strips as import_model() has them; cards in place of strands, of a .hair or .tfx and of

@@ -72,6 +72,17 @@ Cards draw_level(const Groom& groom, const GroomShape& shape, ChosenLevel level,
   return cards;
 }
 
+AtlasPlan plan_within(std::span<const CardSize> sizes, const CardsBudget& budget) {
+  const std::size_t side = budget.side & ~3u;
+  std::size_t texels = budget.side == 0 ? budget.texels : std::min(budget.texels, std::max(side * side, kFewestTexels));
+  AtlasPlan plan = plan_atlas(sizes, texels);
+  while (plan.places.empty() && texels < budget.texels) {
+    texels = std::min(4 * texels, budget.texels);
+    plan = plan_atlas(sizes, texels);
+  }
+  return plan;
+}
+
 /// All of them in one atlas.
 tl::expected<std::vector<Cards>, ToolError> draw_levels(const Groom& groom, const GroomShape& shape,
                                                         std::vector<ChosenLevel> levels, const CardsBudget& budget,
@@ -84,7 +95,7 @@ tl::expected<std::vector<Cards>, ToolError> draw_levels(const Groom& groom, cons
     sizes.insert(sizes.end(), own.begin(), own.end());
     ends.push_back(sizes.size());
   }
-  const AtlasPlan plan = plan_atlas(sizes, budget.texels);
+  const AtlasPlan plan = plan_within(sizes, budget);
   if (plan.places.empty()) {
     return file_failure(ToolError::Kind::kOverBudget, groom.path,
                         "{} cards do not fit into {} texels; allow more texels, or fewer triangles", sizes.size(),

@@ -30,6 +30,8 @@ struct CardsBudget {
       0.04f;  ///< Share of triangles and texels, at most, of cards that lie on the scalp (scalp_cards.h), 0..0.5.
   std::size_t levels = 1;    ///< Of detail, of make_card_levels().
   double level_ratio = 0.5;  ///< Triangles of a level, against the next finer one.
+  /// Texels each way of the atlas, at most; 0: any. An atlas that would not hold all cards is larger.
+  std::uint32_t side = 0;
 };
 
 /// A groom as cards are made from it.

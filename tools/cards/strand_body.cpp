@@ -207,6 +207,8 @@ void add_body(SourceModel body, SourceModel& cards) {
   cards.facing = body.facing;
   cards.space = body.space;
   cards.side_files.insert(cards.side_files.end(), body.side_files.begin(), body.side_files.end());
+  for (const std::string& image : body.named_images)  // From the body's folder, which need not be that of the strands.
+    cards.named_images.push_back((std::filesystem::path(body.path).parent_path() / image).string());
   cards.warnings.insert(cards.warnings.end(), body.warnings.begin(), body.warnings.end());
 }
 

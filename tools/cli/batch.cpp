@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstring>
+#include <fstream>
 #include <map>
 
 namespace coif {
@@ -50,6 +52,40 @@ tl::expected<void, ToolError> check_options(const CookOptions& options) {
     if (options.recipe) return usage("--manifest names recipes for each source; leave --recipe out");
   }
   return options.report.empty() ? tl::expected<void, ToolError>{} : check_output(options.report, {options.manifest});
+}
+
+/// What one cook writes another may name, which neither knows: only assets and empty files give way.
+bool may_be_replaced(const fs::path& output) {
+  std::error_code error;
+  if (!fs::is_regular_file(output, error) || fs::file_size(output, error) == 0) return true;
+  std::string begin(sizeof kAssetMagic, '\0');
+  std::ifstream(output, std::ios::binary).read(begin.data(), std::streamsize(begin.size()));
+  return std::memcmp(begin.data(), kAssetMagic, sizeof kAssetMagic) == 0;
+}
+
+/// No cook of a batch may write over what another reads: its source, its recipe, the manifest. What a source names each cook knows
+/// by itself.
+tl::expected<void, ToolError> check_outputs_of(const CookOptions& options, const Requests& requests) {
+  std::vector<fs::path> inputs{options.manifest, options.body};
+  std::vector<NamedOutput> outputs{{"--report", options.report}};
+  for (const CookRequest& request : requests) {
+    inputs.emplace_back(request.source);
+    inputs.push_back(fs::path(request.source).replace_extension(".recipe.json"));
+    if (request.recipe) inputs.emplace_back(*request.recipe);
+    outputs.push_back({"an output", request.output});
+  }
+  std::map<std::string, const char*> places;
+  for (const fs::path& input : inputs) places.emplace(file_identity(input), "is also an input");
+  for (const NamedOutput& output : outputs) {
+    if (output.path.empty()) continue;
+    const auto [place, is_new] = places.emplace(file_identity(output.path), "is also another output");
+    if (!is_new) return file_failure(ToolError::Kind::kUsage, output.path, "{}; choose another output", place->second);
+    if (output.path != options.report && !may_be_replaced(output.path)) {
+      return file_failure(ToolError::Kind::kUsage, output.path,
+                          "is there and no cooked asset, but may be what another source names; remove it, or choose another output");
+    }
+  }
+  return {};
 }
 
 tl::expected<Requests, ToolError> named_requests(const CookOptions& options) {
@@ -122,12 +158,15 @@ tl::expected<CookSummary, ToolError> cook_one(const CookOptions& options, const 
   alone.sources = {request.source};
   alone.output = request.output;
   alone.report.clear();
+  alone.end = {};
   alone.threads = threads;
   alone.shows_progress = false;
   return run_cook_job(alone, *choice, messages);
 }
 
-/// What a process sends home: the lines of the result, as JSON.
+constexpr const char* kInputs = "input_identities";  ///< file_identity() of what a cook read; it is told to nobody.
+
+/// What a process sends home: the lines of the result, as JSON, and kInputs.
 ordered_json outcome_of(const CookOptions& options, const CookRequest& request, unsigned threads,
                         const Messages& messages) {
   const auto begin = std::chrono::steady_clock::now();
@@ -140,6 +179,9 @@ ordered_json outcome_of(const CookOptions& options, const CookRequest& request, 
                        {"ms", elapsed.count()}};
   if (summary) {
     outcome.update(ordered_json::parse(cook_json(*summary)));
+    for (const auto* const files : {&summary->files, &summary->named}) {
+      for (const fs::path& file : *files) outcome[kInputs].push_back(file_identity(file));
+    }
     return outcome;
   }
   messages.error(summary.error().message);
@@ -162,6 +204,18 @@ ordered_json crashed(const CookRequest& request, const Messages& messages) {
           {"error", text}};
 }
 
+/// Takes kInputs out of the outcomes. True where one of them is the report.
+bool take_inputs(Outcomes& outcomes, const std::string& report) {
+  const std::string place = file_identity(report);
+  bool is_input = false;
+  for (auto& outcome : outcomes) {
+    if (!outcome.contains(kInputs)) continue;
+    for (const auto& input : outcome[kInputs]) is_input = is_input || (!place.empty() && input == place);
+    outcome.erase(kInputs);
+  }
+  return is_input;
+}
+
 std::string report_text(const CookOptions& options, const Outcomes& outcomes) {
   const bool is_page = fs::path(options.report).extension() == ".html";
   return is_page ? batch_page(outcomes, options.jobs) : batch_json(outcomes);
@@ -172,6 +226,8 @@ std::string report_text(const CookOptions& options, const Outcomes& outcomes) {
 tl::expected<Exit, ToolError> run_cook_batch(const CookOptions& options, const Messages& messages) {
   const auto requests = batch_requests(options);
   if (!requests) return tl::unexpected(requests.error());
+  if (auto checked = check_outputs_of(options, *requests); !checked) return tl::unexpected(checked.error());
+  if (!options.limits.requires_sandbox) tell_of_missing_sandbox(messages);
   const auto cooks = unsigned(std::clamp<std::size_t>(requests->size(), 1, options.jobs));
   const unsigned threads = options.threads.value_or(std::max(1u, all_threads() / cooks));
   const auto answers = run_in_processes(requests->size(), options.jobs, [&](std::size_t i) {
@@ -182,6 +238,9 @@ tl::expected<Exit, ToolError> run_cook_batch(const CookOptions& options, const M
   for (std::size_t i = 0; i < answers.size(); ++i) {
     outcomes.push_back(answers[i] ? ordered_json::parse(*answers[i]) : crashed((*requests)[i], messages));
     worst = std::max(worst, outcomes.back()["exit_code"].get<int>());
+  }
+  if (take_inputs(outcomes, options.report)) {
+    return file_failure(ToolError::Kind::kUsage, options.report, "is also an input; choose another output");
   }
   if (!options.report.empty()) {
     const std::string text = report_text(options, outcomes);

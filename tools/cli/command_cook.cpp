@@ -12,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <span>
 #include <string>
@@ -20,10 +22,14 @@
 namespace coif {
 namespace {
 
-tl::expected<Exit, ToolError> list_source(const CookOptions& options, const RecipeChoice& choice) {
-  const auto model = read_hair_source(options.source(), draft_of(choice.recipe),
-                                      {options.import_limits(import_settings(choice.recipe, options.roots)),
-                                       choice.directory, options.threads.value_or(all_threads())});
+tl::expected<Exit, ToolError> list_source(const CookOptions& options, const RecipeChoice& choice, const Messages& messages) {
+  const unsigned threads = options.threads.value_or(all_threads());
+  LimitedWork work(options.source(), options.limits, threads, messages, options.end);
+  const auto model = work.run([&] {
+    return read_hair_source(options.source(), draft_of(choice.recipe),
+                            {options.limits.of_import(import_settings(choice.recipe, options.roots), messages), choice.directory, threads,
+                             [&work](const char* part) { work.begin(part); }});
+  });
   if (!model) return tl::unexpected(model.error());
   print_result(options.format == OutputFormat::kJson ? list_json(*model) : list_text(*model));
   return Exit::kOk;
@@ -43,8 +49,7 @@ CookOptions with_list_read(CookOptions options) {
   return options;
 }
 
-tl::expected<Exit, ToolError> run_cook(const CookOptions& given, const Messages& all_messages) {
-  const CookOptions options = with_list_read(given);
+tl::expected<Exit, ToolError> run_options(const CookOptions& options, const Messages& all_messages) {
   const Messages messages = options.quiet ? all_messages.without_notes() : all_messages;
   const bool is_batch = options.sources.size() > 1 || !options.manifest.empty();
   if (options.list_presets) {
@@ -60,7 +65,7 @@ tl::expected<Exit, ToolError> run_cook(const CookOptions& given, const Messages&
     print_result(print_recipe(choice->recipe));
     return Exit::kOk;
   }
-  if (options.list) return *options.list == "patches" ? list_patches_of(options, *choice, messages) : list_source(options, *choice);
+  if (options.list) return *options.list == "patches" ? list_patches_of(options, *choice, messages) : list_source(options, *choice, messages);
   if (options.output.empty()) return usage("needs -o OUT.coif; see 'coif cook --help'");
   if (options.report.ends_with(".html")) return usage("--report OUT.html is for several sources, or a --manifest");
   const auto summary = run_cook_job(options, *choice, messages);
@@ -68,6 +73,25 @@ tl::expected<Exit, ToolError> run_cook(const CookOptions& given, const Messages&
   const bool as_json = options.format == OutputFormat::kJson;
   if (as_json || !options.quiet) print_result(as_json ? cook_json(*summary) : cook_text(*summary, options.verbose));
   return Exit::kOk;
+}
+
+/// Says what went wrong where results go, too.
+void tell_failure(const CookOptions& options, const ToolError& error, const Messages& messages) {
+  if (options.format == OutputFormat::kJson) print_result(failed_cook_json(options, error));
+  report_failed_cook(options, error, messages);
+}
+
+tl::expected<Exit, ToolError> run_cook(const CookOptions& given, const Messages& messages) {
+  CookOptions options = with_list_read(given);
+  options.end = [told = options, messages](const ToolError& error) {
+    messages.error(error.message);
+    tell_failure(told, error, messages);
+    std::fflush(stdout);
+    std::_Exit(int(exit_code(error.kind)));  // Nothing else is written yet.
+  };
+  auto done = run_options(options, messages);
+  if (!done) tell_failure(options, done.error(), messages);
+  return done;
 }
 
 void add_many(CLI::App& app, CookOptions& options) {
@@ -86,17 +110,9 @@ void add_limits(CLI::App& app, CookOptions& options) {
   app.add_option("--threads", options.threads, "Threads of each cook; the asset's bytes do not depend on it")
       ->check(CLI::Range(1u, 256u))
       ->type_name("N");
-  add_number(app, "--max-source-mb", options.max_source_mb, 1u, 1024u, "Largest source that is read, MiB")
-      ->type_name("N");
-  add_number(app, "--max-memory-mb", options.max_memory_mb, 64u, 1u << 20,
-             "Memory that the importer may take, and then the cook, MiB")
-      ->type_name("N");
-  app.add_option("--max-seconds", options.max_seconds,
-                 "Time that the importer may take, and then the cook, seconds (default: 120 and 1800)")
-      ->check(CLI::Range(1u, 86400u))
-      ->type_name("N");
-  app.add_option("--max-pass-seconds", options.max_pass_seconds,
-                 "Time that each pass of the cook may take, seconds (default: the cook's)")
+  add_source_limits(app, options.limits);
+  app.add_option("--max-pass-seconds", options.limits.max_pass_seconds,
+                 "Time that each pass of the cook may take, the import one of them, seconds (default: the cook's)")
       ->check(CLI::Range(1u, 86400u))
       ->type_name("N");
 }

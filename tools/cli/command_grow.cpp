@@ -6,6 +6,7 @@
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
+#include "cli/source_limits.h"
 #include "groom/write_groom.h"
 #include "grow/grow_hair.h"
 
@@ -26,6 +27,7 @@ struct GrowOptions {
   unsigned threads = all_threads();
   OutputFormat format = OutputFormat::kText;
   bool print_recipe = false;
+  SourceLimits limits;
 };
 
 tl::expected<RecipeChoice, ToolError> grow_recipe(const GrowOptions& options) {
@@ -44,6 +46,18 @@ tl::expected<RecipeChoice, ToolError> grow_recipe(const GrowOptions& options) {
 std::filesystem::path body_of(const GrowOptions& options, const RecipeChoice& choice) {
   if (!options.body.empty()) return options.body;
   return choice.recipe.cards_body.empty() ? std::filesystem::path() : choice.directory / choice.recipe.cards_body;
+}
+
+tl::expected<Groom, ToolError> grow(const GrowOptions& options, const RecipeChoice& choice, const Messages& messages) {
+  const std::string& name = options.recipe.empty() ? options.output : options.recipe;
+  LimitedWork work(name, options.limits, options.threads, messages);
+  return work.run([&]() -> tl::expected<Groom, ToolError> {
+    const std::filesystem::path file = body_of(options, choice);
+    const auto body = read_body(file, file.empty() ? ImportSettings{} : options.limits.of_import({}, messages));
+    if (!body) return tl::unexpected(body.error());
+    work.begin("grow");
+    return grow_from(choice.recipe, *body, name, options.threads);
+  });
 }
 
 void print_grown(const GrowOptions& options, const Groom& groom, std::size_t bytes, double seconds) {
@@ -69,13 +83,11 @@ tl::expected<Exit, ToolError> run_grow(const GrowOptions& options, const Message
   }
   if (options.output.empty()) return usage("needs -o OUT.obj or OUT.hair; see 'coif grow --help'");
   if (auto suffix = choose_suffix(options.output, {".obj", ".hair"}); !suffix) return tl::unexpected(suffix.error());
-  if (auto checked = check_output(options.output, {choice->file, options.body}); !checked)
-    return tl::unexpected(checked.error());
+  std::vector<std::filesystem::path> inputs = files_of(*choice);
+  inputs.push_back(body_of(options, *choice));
+  if (auto checked = check_output(options.output, inputs); !checked) return tl::unexpected(checked.error());
   const auto begin = std::chrono::steady_clock::now();
-  const auto body = read_body(body_of(options, *choice), {});
-  if (!body) return tl::unexpected(body.error());
-  const auto groom =
-      grow_from(choice->recipe, *body, options.recipe.empty() ? options.output : options.recipe, options.threads);
+  const auto groom = grow(options, *choice, messages);
   if (!groom) return tl::unexpected(groom.error());
   for (const std::string& warning : groom->warnings) messages.warning(warning);
   const auto bytes = encode_strands(*groom, options.output);
@@ -108,6 +120,7 @@ Command add_grow(CLI::App& program) {
   app->add_option("--threads", options->threads, "Threads; the strands do not depend on it")
       ->check(CLI::Range(1u, 256u))
       ->type_name("N");
+  add_source_limits(*app, options->limits);
   app->add_flag("--print-recipe", options->print_recipe,
                 "Print the complete recipe of the style with comments, grow nothing");
   add_format(*app, options->format);

@@ -21,6 +21,7 @@ struct LookOptions {
   std::string output;
   std::optional<std::string> recipe;
   std::vector<std::filesystem::path> roots;
+  SourceLimits limits;
   PixelSize size{LookSettings{}.width, LookSettings{}.height};
   OutputFormat format = OutputFormat::kText;
 };
@@ -29,22 +30,24 @@ struct LookOptions {
 struct LookedAt {
   FileBytes bytes;
   std::vector<std::string> told;
+  std::vector<std::filesystem::path> inputs;  ///< What they were cooked from.
 };
 
 /// A source is cooked as far as it can be seen: the search for draw orders takes longest and changes soft edges alone.
 tl::expected<LookedAt, ToolError> asset_of(const LookOptions& options, const Messages& messages) {
   auto bytes = FileBytes::read(options.file);
   if (!bytes) return tl::unexpected(bytes.error());
-  if (!is_source(options.file, bytes->span())) return LookedAt{std::move(*bytes), {}};
+  if (!is_source(options.file, bytes->span())) return LookedAt{std::move(*bytes), {}, {}};
   auto choice = choose_recipe(options.file, options.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
   choice->recipe.order_method = "head";
   CookOptions cook;
   cook.sources = {options.file};
   cook.roots = options.roots;
+  cook.limits = options.limits;
   const auto cooked = cook_alone(cook, *choice, messages);
   if (!cooked) return tl::unexpected(cooked.error());
-  LookedAt result{FileBytes::copy(cooked->asset), {}};
+  LookedAt result{FileBytes::copy(cooked->asset), {}, files_of(*choice, cooked->inputs)};
   for (const std::string& warning : cooked->report.warnings) {
     messages.warning(options.file + ": " + warning);
     result.told.push_back("WARNING: " + warning);
@@ -78,6 +81,7 @@ tl::expected<Exit, ToolError> run_look(const LookOptions& options, const Message
   if (auto checked = check_output(options.output, {options.file}); !checked) return tl::unexpected(checked.error());
   auto looked = asset_of(options, messages);
   if (!looked) return tl::unexpected(looked.error());
+  if (auto checked = check_output(options.output, looked->inputs); !checked) return tl::unexpected(checked.error());
   const auto file = AssetFile::open(options.file, std::move(looked->bytes));
   if (!file) return tl::unexpected(file.error());
   const Asset& asset = file->asset();
@@ -102,6 +106,7 @@ Command add_look(CLI::App& program) {
   app->add_option("-o,--output", options->output, "The sheet to write")->required()->type_name("SHEET.png");
   app->add_option("--recipe", options->recipe, "For a source (default: STEM.recipe.json beside it, if there is one)")->type_name("R.json");
   add_roots(*app, options->roots);
+  add_source_limits(*app, options->limits);
   add_size(*app, options->size)->description("Pixels of one picture, 64 to 1024 each way");
   add_format(*app, options->format);
   return {app, [options](const Messages& messages) { return run_look(*options, messages); }};

@@ -1,12 +1,14 @@
 #include "base/files.h"
 #include "base/hair_runtime.h"
 #include "base/json.h"
+#include "base/parallel_for.h"
 #include "base/text.h"
 #include "cli/command.h"
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
 #include "cli/picture_options.h"
+#include "cli/source_limits.h"
 #include "cook/size/settle_size.h"
 #include "render/body_textures.h"
 #include "payload_hash.h"
@@ -56,6 +58,7 @@ struct RenderOptions {
   std::string body;
   std::string body_mesh;
   std::vector<std::filesystem::path> roots;
+  SourceLimits limits;
   std::optional<std::string> recipe;
   std::optional<ShadingModel> shading;
   std::uint32_t samples = 8;
@@ -66,6 +69,7 @@ struct RenderOptions {
 struct Body {
   SourceModel model;
   BodyTextures textures;
+  std::vector<std::filesystem::path> files;  ///< It was read from, or that it names.
 };
 
 /// Whether the asset was cooked from this very file.
@@ -79,8 +83,14 @@ bool is_source_of(const Asset& asset, const std::filesystem::path& file) {
 tl::expected<Body, ToolError> read_body(const RenderOptions& options, const Asset& asset, const Messages& messages) {
   const auto choice = choose_recipe(options.body, options.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
-  auto model = import_model(options.body, import_settings(choice->recipe, options.roots));
+  LimitedWork work(options.body, options.limits, all_threads(), messages);
+  auto model = work.run([&] {
+    return import_model(options.body, options.limits.of_import(import_settings(choice->recipe, options.roots), messages));
+  });
   if (!model) return tl::unexpected(model.error());
+  std::vector<std::filesystem::path> files = files_of(*model);
+  const std::vector<std::filesystem::path> of_recipe = files_of(*choice);
+  files.insert(files.end(), of_recipe.begin(), of_recipe.end());
   Findings findings;
   if (auto resized = settle_size(*model, choice->recipe, findings).model) *model = std::move(*resized);
   model = keep_body(std::move(*model), options.body_mesh, choice->recipe, is_source_of(asset, options.body));
@@ -89,7 +99,7 @@ tl::expected<Body, ToolError> read_body(const RenderOptions& options, const Asse
     messages.warning(options.body + ": has nothing but the hair; drawn as without --body");
   BodyTextures textures = read_body_textures(*model, findings);
   for (const std::string& warning : findings.warnings) messages.warning(options.body + ": " + warning);
-  return Body{std::move(*model), std::move(textures)};
+  return Body{std::move(*model), std::move(textures), std::move(files)};
 }
 
 /// As many shaded samples as there may be, the rest of the driver's.
@@ -151,7 +161,7 @@ tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Mes
   }
   const auto file = AssetFile::open(options.file);
   if (!file) return tl::unexpected(file.error());
-  if (auto checked = check_output(options.output, {options.file}); !checked) return tl::unexpected(checked.error());
+  if (auto checked = check_output(options.output, {options.file, clip_file(options.motion)}); !checked) return tl::unexpected(checked.error());
 
   PictureSettings settings = picture_settings(options);
   if (options.shading) settings.material = shaded_material(file->asset(), *options.shading);
@@ -164,6 +174,7 @@ tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Mes
   if (!options.body.empty()) {
     body = read_body(options, file->asset(), messages);
     if (!body) return tl::unexpected(body.error());
+    if (auto checked = check_output(options.output, body->files); !checked) return tl::unexpected(checked.error());
     if (!body->model.meshes.empty()) settings.body = &body->model;
     settings.body_textures = body->textures;
   }
@@ -200,6 +211,7 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
       ->type_name("R.json")
       ->needs(body);
   add_roots(app, options.roots)->needs(body);
+  add_source_limits(app, options.limits);
 }
 
 void add_debug(CLI::App& app, DebugView& debug) {

@@ -136,6 +136,13 @@ tl::expected<AccuracySettings, ToolError> accuracy_settings(const ReportOptions&
   return settings;
 }
 
+tl::expected<void, ToolError> check_report_outputs(const ReportOptions& options) {
+  const NamedOutput outputs[] = {{"--output", options.output}, {"--view", options.view}};
+  std::vector<std::filesystem::path> inputs{options.file, options.page, options.cards.source, options.cards.recipe.value_or("")};
+  if (options.clip) inputs.push_back(options.clip->file);
+  return check_outputs(outputs, inputs);
+}
+
 /// The page of `coif view` that the report links to; empty where none was asked for. Before the minutes of measuring.
 tl::expected<std::string, ToolError> linked_page(const ReportOptions& options, const std::string& suffix,
                                                  const AssetFile& file) {
@@ -145,13 +152,7 @@ tl::expected<std::string, ToolError> linked_page(const ReportOptions& options, c
   }
   if (suffix != kPageSuffix) return usage("--view is for a report that is a page; name one: --output OUT.html");
   if (auto html = choose_suffix(options.view, {kPageSuffix}); !html) return tl::unexpected(html.error());
-  if (auto checked = check_output(options.view, {options.file, options.page}); !checked) {
-    return tl::unexpected(checked.error());
-  }
-  if (std::filesystem::absolute(options.view).lexically_normal() ==
-      std::filesystem::absolute(options.output).lexically_normal()) {
-    return usage("--view and --output name the same file");
-  }
+  if (auto checked = check_report_outputs(options); !checked) return tl::unexpected(checked.error());
   if (const auto drawable = check_drawable(file.asset()); !drawable) {
     return file_failure(drawable.error().kind, options.file, "{}", drawable.error().message);
   }
@@ -173,7 +174,7 @@ tl::expected<Exit, ToolError> run_report(const ReportOptions& options, const Mes
   const auto file = AssetFile::open(options.file);
   if (!file) return tl::unexpected(file.error());
   if (!options.output.empty()) {  // before the minutes of measuring
-    if (auto checked = check_output(options.output, {options.file}); !checked) return tl::unexpected(checked.error());
+    if (auto checked = check_report_outputs(options); !checked) return tl::unexpected(checked.error());
   }
   std::optional<ReportStrands> strands;
   if (options.subject == ReportSubject::kCards) {

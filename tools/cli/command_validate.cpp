@@ -5,6 +5,7 @@
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
+#include "cli/source_limits.h"
 #include "cli/verdict.h"
 #include "cook/cook.h"
 #include "cook/pack/pack.h"
@@ -30,6 +31,7 @@ struct OriginOptions {
   std::string source;                 ///< Empty: nothing is compared.
   std::optional<std::string> recipe;  ///< None: the one beside the source, or the defaults.
   std::vector<fs::path> roots;        ///< ImportSettings::roots.
+  SourceLimits limits;
   bool recook = false;                ///< Compare with the bytes of a new cook, too.
 };
 
@@ -46,11 +48,12 @@ constexpr Choice<Severity> kSeverities[] = {
     {"error", Severity::kError}, {"warning", Severity::kWarning}, {"info", Severity::kInfo}};
 
 Found compare_with_new_cook(const Asset& asset, const SourceModel& model, const RecipeChoice& choice,
-                            std::uint64_t source_hash) {
+                            std::uint64_t source_hash, LimitedWork& work) {
   CookSettings settings;
   settings.threads = all_threads();
   settings.recipe_directory = choice.directory;
   settings.source_hash = source_hash;
+  settings.progress = [&work](const char* pass) { work.begin(pass); };
   const auto result = cook(model, choice.recipe, settings);
   if (!result) return tl::unexpected(result.error());
   const FileBytes bytes = FileBytes::copy(result->asset);
@@ -62,19 +65,20 @@ Found compare_with_new_cook(const Asset& asset, const SourceModel& model, const 
 
 /// Whether the asset still is what a cook of the source would give. Errors: those of reading source and recipe; with
 /// `recook` those of the cook.
-Found compare_with_origin(const Asset& asset, const OriginOptions& options, const Messages& messages) {
+Found compare_with_origin(const Asset& asset, const OriginOptions& options, const Messages& messages, LimitedWork& work) {
   const auto bytes = FileBytes::read(options.source);
   if (!bytes) return tl::unexpected(bytes.error());
   const auto choice = choose_recipe(options.source, options.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
-  const auto model =
-      read_hair_source(options.source, choice->recipe,
-                       {import_settings(choice->recipe, options.roots), choice->directory, all_threads()});
+  const auto model = read_hair_source(
+      options.source, choice->recipe,
+      {options.limits.of_import(import_settings(choice->recipe, options.roots), messages), choice->directory, all_threads(),
+       [&work](const char* part) { work.begin(part); }});
   if (!model) return tl::unexpected(model.error());
   const ProvenanceRecord now = make_provenance(*model, choice->recipe, xxh64(bytes->span()));
   std::vector<Issue> issues = find_origin_issues(asset, now);
   if (!options.recook) return issues;
-  auto differences = compare_with_new_cook(asset, *model, *choice, now.source_hash);
+  auto differences = compare_with_new_cook(asset, *model, *choice, now.source_hash, work);
   if (!differences) return tl::unexpected(differences.error());
   issues.insert(issues.end(), differences->begin(), differences->end());
   return issues;
@@ -86,7 +90,8 @@ Found validate_asset(std::span<const std::byte> bytes, const OriginOptions& orig
   if (!status) return std::vector{refusal_issue(status)};
   std::vector<Issue> issues = find_asset_issues(asset);
   if (origin.source.empty()) return issues;
-  auto differences = compare_with_origin(asset, origin, messages);
+  LimitedWork work(origin.source, origin.limits, all_threads(), messages);
+  auto differences = work.run([&] { return compare_with_origin(asset, origin, messages, work); });
   if (!differences) return differences;
   issues.insert(issues.end(), differences->begin(), differences->end());
   return issues;
@@ -97,8 +102,13 @@ std::vector<Issue> validate_source(const fs::path& path, const OriginOptions& op
   const Recipe used = choice ? choice->recipe : default_recipe();
   std::vector<Issue> issues;
   if (!choice) issues.push_back(make_issue("S103", choice.error().message, "recipe"));
-  const auto model = read_hair_source(
-      path, draft_of(used), {import_settings(used, options.roots), choice ? choice->directory : fs::path(), all_threads()});
+  LimitedWork work(path.string(), options.limits, all_threads(), messages);
+  const auto model = work.run([&] {
+    return read_hair_source(path, draft_of(used),
+                            {options.limits.of_import(import_settings(used, options.roots), messages),
+                             choice ? choice->directory : fs::path(), all_threads(),
+                             [&work](const char* part) { work.begin(part); }});
+  });
   const std::vector<Issue> found = model ? find_source_issues(*model, used) : std::vector{import_issue(model.error())};
   issues.insert(issues.end(), found.begin(), found.end());
   return issues;
@@ -155,7 +165,7 @@ tl::expected<void, ToolError> check_page(const ValidateOptions& options) {
   if (options.report.empty()) return {};
   if (auto suffix = choose_suffix(options.report, {".html"}); !suffix) return tl::unexpected(suffix.error());
   for (const std::string& file : options.files) {
-    if (auto checked = check_output(options.report, {file, options.origin.source}); !checked) return checked;
+    if (auto checked = check_output(options.report, {file, options.origin.source, options.origin.recipe.value_or("")}); !checked) return checked;
   }
   return {};
 }
@@ -229,6 +239,7 @@ void add_origin(CLI::App& app, OriginOptions& origin) {
   app.add_option("--recipe", origin.recipe, "The source's recipe (default: its name with .recipe.json)")
       ->type_name("R.json");
   add_roots(app, origin.roots);
+  add_source_limits(app, origin.limits);
   app.add_flag("--recook", origin.recook, "Cook the source again and compare what comes out")->needs(source);
 }
 

@@ -68,7 +68,7 @@ tl::expected<Exit, ToolError> run_view(const ViewOptions& options, const Message
   if (!bytes) return tl::unexpected(bytes.error());
   const auto file = open_drawable(options.file, std::move(*bytes));
   if (!file) return tl::unexpected(file.error());
-  if (auto checked = check_output(output, {options.file, options.page}); !checked)
+  if (auto checked = check_output(output, {options.file, options.page, clip_file(options.motion)}); !checked)
     return tl::unexpected(checked.error());
 
   const auto place = find_view_page(options.page);
@@ -97,6 +97,7 @@ void add_live(CLI::App& app, ViewOptions& options) {
   add_number(app, "--port", live.port, 0, 65535, "Of a source: the port of the address; 0: any that is free")
       ->type_name("N");
   add_roots(app, live.roots);
+  add_source_limits(app, live.limits);
 }
 
 }  // namespace

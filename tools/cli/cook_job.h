@@ -5,6 +5,7 @@
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
+#include "cli/source_limits.h"
 #include "cook/cook.h"
 #include "import/import.h"
 
@@ -26,6 +27,7 @@ struct CookSummary {
   bool draft = false;       ///< CookSettings::draft.
   bool from_cache = false;  ///< The report's times are those of the cook that filled the cache.
   std::vector<std::filesystem::path> files;  ///< What was read beside the source, or looked for in vain.
+  std::vector<std::filesystem::path> named;  ///< CookInputs::named_files.
 };
 
 /// The result as JSON; the keys are stable.
@@ -52,10 +54,8 @@ struct CookOptions {
   std::optional<std::string> list;  ///< "source" or "patches": print it, and cook nothing.
   unsigned jobs = all_threads();
   std::optional<unsigned> threads;  ///< Of each cook.
-  std::uint64_t max_source_mb = ImportSettings{}.max_file_bytes >> 20;
-  std::uint64_t max_memory_mb = ImportSettings{}.max_memory_bytes >> 20;
-  std::optional<std::uint32_t> max_seconds;  ///< Of the importer and, after it, of the cook; none: what each has by itself.
-  std::optional<std::uint32_t> max_pass_seconds;  ///< Of each pass of the cook; none: as the whole.
+  SourceLimits limits;
+  std::function<void(const ToolError&)> end;  ///< Of LimitedWork.
   OutputFormat format = OutputFormat::kText;
   bool shows_progress = true;
   bool quiet = false;  ///< Errors and warnings only, and what was asked for as JSON.
@@ -66,12 +66,14 @@ struct CookOptions {
   bool warnings_as_errors = false;
 
   [[nodiscard]] const std::string& source() const { return sources.front(); }
-  [[nodiscard]] ImportSettings import_limits(ImportSettings settings) const;
 };
 
-/// Of a model that was imported from the first of `options.sources`: cooks within their limits.
-tl::expected<CookResult, ToolError> cook_model(const SourceModel& model, const Recipe& recipe, CookSettings settings,
-                                               const CookOptions& options, const Messages& messages);
+/// A cook that failed as JSON: source, output, status, exit_code, error; the keys are stable.
+[[nodiscard]] std::string failed_cook_json(const CookOptions& options, const ToolError& error);
+
+/// Writes that to --report, where one is asked for: in place of an earlier report or where there is no file, and never over anything
+/// else, since a failed cook does not know all that its source names.
+void report_failed_cook(const CookOptions& options, const ToolError& error, const Messages& messages);
 
 /// Of the first of `options.sources`: cooks within the limits, without a cache, and writes nothing.
 tl::expected<CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice, const Messages& messages);

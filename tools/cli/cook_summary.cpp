@@ -1,5 +1,7 @@
+#include "base/files.h"
 #include "base/json.h"
 #include "base/text.h"
+#include "cli/command.h"
 #include "cli/cook_job.h"
 
 #include <fmt/format.h>
@@ -89,6 +91,41 @@ std::string cook_json(const CookSummary& summary) {
                     {"draw_order", draw_order_json(report.order)},
                     {"notes", report.notes},
                     {"left_out", left_out_json(report)}});
+}
+
+std::string failed_cook_json(const CookOptions& options, const ToolError& error) {
+  const Exit code = exit_code(error.kind);
+  return json_text({{"source", options.sources.empty() ? "" : options.source()},
+                    {"output", options.output},
+                    {"status", status_word(code)},
+                    {"exit_code", int(code)},
+                    {"error", error.message}});
+}
+
+namespace {
+
+/// A JSON object with what each report has: "output", and beside it the passes or the error.
+bool is_report(const std::filesystem::path& file) {
+  const auto bytes = FileBytes::read(file);
+  if (!bytes) return false;
+  const auto document = parse_shallow_json({reinterpret_cast<const char*>(bytes->span().data()), bytes->span().size()});
+  return document && document->is_object() && document->contains("output") &&
+         (document->contains("passes") || document->contains("error"));
+}
+
+}  // namespace
+
+void report_failed_cook(const CookOptions& options, const ToolError& error, const Messages& messages) {
+  const bool is_for_one = options.sources.size() == 1 && options.manifest.empty();
+  if (options.report.empty() || !is_for_one || error.kind == ToolError::Kind::kUsage) return;
+  std::error_code ignored;
+  if (std::filesystem::exists(options.report, ignored) && std::filesystem::is_regular_file(options.report, ignored) &&
+      !is_report(options.report)) {
+    return messages.warning(options.report + ": is no report of an earlier cook, and was left as it is");
+  }
+  const std::string report = failed_cook_json(options, error);
+  if (auto written = write_output(options.report, std::as_bytes(std::span(report))); !written)
+    messages.warning(written.error().message);
 }
 
 std::string cook_text(const CookSummary& summary, bool in_full) {

@@ -2,7 +2,9 @@
 
 #include "base/asset_refusal.h"
 #include "base/text.h"
+#include "cook/recipe/recipe_keys.h"
 #include "cook/select/select_hair.h"
+#include "cook/texture/source_images.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -64,6 +66,26 @@ tl::expected<RecipeChoice, ToolError> choose_recipe(const fs::path& source, cons
   }
   messages.note(fmt::format("{}: used, as it lies beside the source; --recipe names another", beside.string()));
   return read_choice(beside, beginning);
+}
+
+std::vector<fs::path> files_of(const RecipeChoice& choice) {
+  std::vector<fs::path> files{choice.file};
+  for (const std::string& name : files_named_by(choice.recipe)) files.push_back(choice.directory / name);
+  return files;
+}
+
+std::vector<fs::path> files_of(const RecipeChoice& choice, const CookInputs& inputs) {
+  std::vector<fs::path> files = files_of(choice);
+  for (const auto* const found : {&inputs.source_files, &inputs.recipe_files, &inputs.named_files})
+    files.insert(files.end(), found->begin(), found->end());
+  return files;
+}
+
+std::vector<fs::path> files_of(const SourceModel& model) {
+  std::vector<fs::path> files = named_image_files(model);
+  files.emplace_back(model.path);
+  files.insert(files.end(), model.side_files.begin(), model.side_files.end());
+  return files;
 }
 
 void choose_body(const fs::path& body, RecipeChoice& choice) {

@@ -4,6 +4,7 @@
 #include "base/files.h"
 #include "base/tool_error.h"
 #include "cli/messages.h"
+#include "cook/cook.h"
 #include "cook/recipe/recipe.h"
 #include "import/import.h"
 #include "import/source_model.h"
@@ -54,6 +55,13 @@ struct RecipeChoice {
 tl::expected<RecipeChoice, ToolError> choose_recipe(const std::filesystem::path& source,
                                                     const std::optional<std::string>& named, const Messages& messages,
                                                     const RecipeBeginning& beginning = {});
+
+/// The files that the choice's recipe names, and its own; what no output may be written over.
+[[nodiscard]] std::vector<std::filesystem::path> files_of(const RecipeChoice& choice);
+/// The same, and what a cook with it read and found to be named.
+[[nodiscard]] std::vector<std::filesystem::path> files_of(const RecipeChoice& choice, const CookInputs& inputs);
+/// The files that a model was read from and that it names.
+[[nodiscard]] std::vector<std::filesystem::path> files_of(const SourceModel& model);
 
 /// Puts a body named on the command line in place of the recipe's; nothing where `body` is empty.
 void choose_body(const std::filesystem::path& body, RecipeChoice& choice);

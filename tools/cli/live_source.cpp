@@ -2,7 +2,6 @@
 
 #include "base/files.h"
 #include "base/parallel_for.h"
-#include "cli/cook_job.h"
 #include "cli/input_files.h"
 #include "cli/moved_page.h"
 #include "view/server/live_page.h"
@@ -58,12 +57,20 @@ LiveCooking cooking_of(const LiveOptions& options, const Messages& messages) {
   cooking.draft = options.draft;
   cooking.threads = all_threads();
   cooking.roots = options.roots;
-  cooking.import_settings = import_settings;
-  cooking.cook = [messages](const std::string& source, const SourceModel& model, const Recipe& recipe,
-                            const CookSettings& settings) {
-    CookOptions limits;
-    limits.sources = {source};
-    return cook_model(model, recipe, settings, limits, messages);
+  cooking.import_settings = [messages, limits = options.limits](const Recipe& recipe, const std::vector<fs::path>& roots) {
+    return limits.of_import(import_settings(recipe, roots), messages);
+  };
+  const auto work = std::make_shared<std::optional<LimitedWork>>();  // Of the one cook that runs.
+  cooking.within_limits = [messages, work, limits = options.limits](const std::string& source, const auto& cook) {
+    work->emplace(source, limits, all_threads(), messages);
+    return (*work)->run(cook);
+  };
+  cooking.cook = [work](const std::string&, const SourceModel& model, const Recipe& recipe, CookSettings settings) {
+    settings.progress = [work, show = std::move(settings.progress)](const char* pass) {
+      (*work)->begin(pass);
+      show(pass);
+    };
+    return cook(model, recipe, settings);
   };
   cooking.cooked = [messages](const LiveResult& result) {
     for (const std::string& warning : result.warnings) messages.warning(fmt::format("{}: {}", result.name, warning));

@@ -4,6 +4,7 @@
 #include "cli/command.h"
 #include "cli/messages.h"
 #include "cli/options.h"
+#include "cli/source_limits.h"
 
 #include <tl/expected.hpp>
 
@@ -22,6 +23,7 @@ struct LiveOptions {
   std::vector<std::filesystem::path> roots;
   std::filesystem::path page;        ///< As find_view_page() found it.
   std::optional<HeadMotion> motion;  ///< That it begins with.
+  SourceLimits limits;
   bool draft = true;
   std::uint16_t port = 0;
   OutputFormat format = OutputFormat::kText;

@@ -6,28 +6,42 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <fcntl.h>
 #include <new>
+#include <sstream>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 namespace coif {
 namespace {
 
+/// A result that did not reach its reader (a full disk behind a redirection) is a failure, too. Whoever closed the pipe wants no more,
+/// and is told nothing.
+Exit flush_results(Exit code, const Messages& messages) {
+  const bool is_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (is_written) return code;
+  if (errno != EPIPE) messages.error("standard output: cannot write");
+  return code == Exit::kOk ? Exit::kFileAccess : code;
+}
+
+/// `error` of --help and --version is no error.
 Exit report_usage(const CLI::App& program, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return Exit(program.exit(error));  // --help and --version
+  if (error.get_exit_code() == 0) {
+    std::ostringstream text, none;
+    (void)program.exit(error, text, none);
+    print_result(text.str());
+    return flush_results(Exit::kOk, Messages(""));
+  }
   const auto verbs = program.get_subcommands();
   const std::string verb = verbs.empty() ? "" : verbs.front()->get_name();
   Messages(verb).error(fmt::format("{}; see 'coif {}{}--help'", error.what(), verb, verb.empty() ? "" : " "));
   return Exit::kUsage;
-}
-
-/// A result that did not reach its reader (a full disk behind a redirection) is a failure, too.
-Exit flush_results(Exit code, const Messages& messages) {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
-  messages.error("standard output: cannot write");
-  return code == Exit::kOk ? Exit::kFileAccess : code;
 }
 
 /// What the command line names without an option's name: the files that a command is about.
@@ -39,6 +53,16 @@ std::string named_files(const CLI::App& app) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+constexpr const char* kNoStream =
+    "-: neither reads the standard input nor writes files to the standard output; name a file, or ./- for one of that name";
+
+/// Patterns of names may be anything.
+bool is_standard_stream_named(const CLI::App& app) {
+  return std::ranges::any_of(app.get_options(), [](const CLI::Option* option) {
+    return option->get_type_name() != "PATTERN" && std::ranges::find(option->results(), "-") != option->results().end();
+  });
+}
+
 tl::expected<Exit, ToolError> run_in_memory(const Command& command, const Messages& messages) try {
   return command.run(messages);
 } catch (const std::bad_alloc&) {
@@ -47,7 +71,7 @@ tl::expected<Exit, ToolError> run_in_memory(const Command& command, const Messag
 
 Exit run(const Command& command) {
   const Messages messages(command.app->get_name());
-  const auto result = run_in_memory(command, messages);
+  const auto result = is_standard_stream_named(*command.app) ? tl::expected<Exit, ToolError>(usage(kNoStream)) : run_in_memory(command, messages);
   if (!result) {
     messages.error(result.error().message);
     return flush_results(exit_code(result.error().kind), messages);
@@ -55,7 +79,24 @@ Exit run(const Command& command) {
   return flush_results(*result, messages);
 }
 
+/// Files that are opened later must not take the places of streams that nobody opened: messages would be written into them. What is
+/// written to such a stream fails as before.
+void fill_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
+    if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;  // Takes the lowest number that is free.
+  }
+}
+
+/// What cannot be written is an error where it is written, not the end of the program with half a file left behind.
+void ignore_signals_of_writing() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
 Exit run_program(int argc, char** argv) {
+  fill_standard_streams();
+  ignore_signals_of_writing();
   CLI::App program("Hair for games: cooks polygon hair into an asset, checks, simulates and draws it.", "coif");
   program.set_version_flag("--version", "coif " COIF_VERSION);
   program.require_subcommand(0, 1);
@@ -75,7 +116,7 @@ Exit run_program(int argc, char** argv) {
     return report_usage(program, error);
   }
   if (wants_manual) {
-    fmt::print("{}", manual_page(program));
+    print_result(manual_page(program));
     return flush_results(Exit::kOk, Messages(""));
   }
   for (const Command& command : commands) {

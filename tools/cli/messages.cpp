@@ -1,5 +1,6 @@
 #include "cli/messages.h"
 
+#include "base/text.h"
 #include "cli/command.h"
 
 #include <fmt/format.h>
@@ -28,7 +29,9 @@ Messages Messages::without_notes() const {
 }
 
 void Messages::write(std::string_view severity, std::string_view text) const {
-  fmt::print(stderr, "{}: {}: {}\n", program_, severity, text);
+  // Names of files and of what is in them may hold what a terminal obeys. What cannot be printed changes nothing.
+  const std::string line = fmt::format("{}: {}: {}\n", program_, severity, printable_text(text, std::string_view::npos));
+  (void)std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
 namespace {
@@ -43,14 +46,15 @@ bool is_watched(std::FILE* stream) {
 }  // namespace
 
 ProgressLine::ProgressLine(std::string what, std::FILE* stream)
-    : what_(std::move(what)), stream_(is_watched(stream) ? stream : nullptr) {}
+    : what_(printable_text(what)), stream_(is_watched(stream) ? stream : nullptr) {}
 
 ProgressLine::~ProgressLine() { erase(); }
 
 void ProgressLine::show(const char* step) {
   if (stream_ == nullptr) return;
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-  fmt::print(stream_, "{}{}: {} ({:.1f} s)", kEraseLine, what_, step, elapsed.count());
+  const std::string line = fmt::format("{}{}: {} ({:.1f} s)", kEraseLine, what_, step, elapsed.count());
+  (void)std::fwrite(line.data(), 1, line.size(), stream_);
   std::fflush(stream_);
 }
 

@@ -169,6 +169,11 @@ struct HeadMotion {
   std::optional<ClipChoice> clip{};  ///< Instead of `motion`.
 };
 
+/// Of the clip; empty where there is none.
+[[nodiscard]] inline std::filesystem::path clip_file(const HeadMotion& motion) {
+  return motion.clip ? motion.clip->file : std::filesystem::path();
+}
+
 /// --motion NAME|CLIP[:NODE]; `motion` must outlive the parsing.
 CLI::Option* add_motion(CLI::App& app, HeadMotion& motion, const std::string& help);
 

@@ -118,7 +118,9 @@ std::vector<const CLI::Option*> add_shadow_options(CLI::App& app, ShadowSettings
 }
 
 std::vector<const CLI::Option*> add_cards_options(CLI::App& app, CardsChoice& cards) {
-  return {app.add_option("--source", cards.source, "The strands that the asset was cooked from")->type_name("GROOM"),
+  std::vector<const CLI::Option*> options = add_source_limits(app, cards.limits);
+  for (const CLI::Option* option :
+       {app.add_option("--source", cards.source, "The strands that the asset was cooked from")->type_name("GROOM"),
           app.add_option("--recipe", cards.recipe,
                          "The recipe that it was cooked with (default: GROOM's name with .recipe.json)")
               ->type_name("FILE"),
@@ -127,7 +129,10 @@ std::vector<const CLI::Option*> add_cards_options(CLI::App& app, CardsChoice& ca
               ->capture_default_str(),
           app.add_option("--directions", cards.settings.directions, "To compare cards and strands from")
               ->check(CLI::Range(1u, 512u))
-              ->capture_default_str()};
+              ->capture_default_str()}) {
+    options.push_back(option);
+  }
+  return options;
 }
 
 /// Error (kUsage): one of `only`, which only `subject` takes, was given.

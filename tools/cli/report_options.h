@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cli/options.h"
+#include "cli/source_limits.h"
 #include "report/accuracy/measure_accuracy.h"
 #include "report/cards/measure_cards.h"
 #include "report/cost/measure_cost.h"
@@ -37,6 +38,7 @@ struct CardsChoice {
   std::string source;                 ///< The file of the strands.
   std::optional<std::string> recipe;  ///< None: what lies beside the source, or the defaults.
   CardsSettings settings;             ///< But for what the recipe says.
+  SourceLimits limits;
 };
 
 enum class ReportSubject { kAccuracy, kStability, kOrder, kShadows, kCost, kCards };

@@ -75,6 +75,7 @@ CookInputs inputs_of(const Cooking& c) {
   auto& of_color = c.recipe.base_color_texture.empty() ? inputs.source_files : inputs.recipe_files;
   of_color.insert(of_color.end(), c.color.files.begin(), c.color.files.end());
   inputs.questions = c.color.questions;
+  inputs.named_files = named_image_files(c.source);
   return inputs;
 }
 

@@ -64,11 +64,6 @@ Bytes read_data_uri(const std::string& text, std::size_t wanted) {
   return std::move(*bytes);
 }
 
-/// Whether the file, with links followed, lies in one of the folders.
-bool lies_in(const fs::path& file, std::span<const fs::path> folders) {
-  return std::ranges::any_of(folders, [&](const fs::path& folder) { return std::ranges::mismatch(folder, file).in1 == folder.end(); });
-}
-
 }  // namespace
 
 Bytes GltfBuffers::read_side_file(const std::string& uri, std::size_t wanted) {
@@ -78,14 +73,13 @@ Bytes GltfBuffers::read_side_file(const std::string& uri, std::size_t wanted) {
   if (!is_path) return fault("in '{}', which is not in this file's folder; put it there or export as .glb", shown);
   const fs::path path = path_.parent_path() / name;
   std::error_code code;
-  const fs::path real = fs::weakly_canonical(path, code);
-  const bool is_inside = !code && lies_in(real, folders_of_source(path_, roots_));
-  if (is_inside || name.lexically_normal().begin()->native() != "..") side_files_.insert(path.string());
-  if (!is_inside) {
-    return fault("in '{}', which is not in this file's folder; put it there or export as .glb; where it is a link, allow with --root "
-                 "what it leads to", shown);
-  }
   const auto status = fs::status(path, code);
+  const bool is_inside = fs::exists(status) ? lies_in(path, folders_of_source(path_, roots_)) : *name.lexically_normal().begin() != "..";
+  if (!is_inside) {
+    return fault("in '{}', which is not in this file's folder; put it there or export as .glb; where it lies in another folder or is a link, "
+                 "allow that folder with --root", shown);
+  }
+  side_files_.insert(path.string());
   if (!fs::exists(status)) return fault("in '{}', and there is no such file; put it beside this one or export as .glb", shown);
   std::ifstream file(path, std::ios::binary);
   if (!fs::is_regular_file(status) || !file) return fault("in '{}', which cannot be opened", shown);

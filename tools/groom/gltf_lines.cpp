@@ -114,7 +114,8 @@ class LineScene {
 
 }  // namespace
 
-tl::expected<Groom, std::string> read_gltf_lines(const std::filesystem::path& path) {
+tl::expected<Groom, std::string> read_gltf_lines(const std::filesystem::path& path,
+                                                 std::span<const std::filesystem::path> roots) {
   const auto document = read_gltf_json(path);
   if (!document) return tl::unexpected(document.error());
   Groom groom;
@@ -123,7 +124,7 @@ tl::expected<Groom, std::string> read_gltf_lines(const std::filesystem::path& pa
   groom.space.unit_words = "glTF is in metres";
   groom.space.up = Statement::kDeclared;
   groom.space.up_words = "glTF has Y up";
-  GltfBuffers buffers(path, *document);
+  GltfBuffers buffers(path, *document, roots);
   if (std::string fault = LineScene(*document, buffers, groom).read(); !fault.empty())
     return tl::unexpected(std::move(fault));
   return groom;

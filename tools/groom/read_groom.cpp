@@ -2,6 +2,7 @@
 
 #include "base/files.h"
 #include "base/text.h"
+#include "base/work_limit.h"
 #include "groom/groom_stream.h"
 #include "groom/strand_files.h"
 #include "import/reader_process.h"
@@ -24,9 +25,11 @@ tl::expected<Groom, std::string> with_bytes(const fs::path& path, Read (*read)(s
   return bytes ? read(bytes->span()) : tl::unexpected(bytes.error().message);
 }
 
-Read read_hair(const fs::path& path) { return with_bytes(path, read_hair_file); }
-Read read_tfx(const fs::path& path) { return with_bytes(path, read_tressfx); }
-Read read_obj(const fs::path& path) {
+using Roots = std::span<const fs::path>;
+
+Read read_hair(const fs::path& path, Roots) { return with_bytes(path, read_hair_file); }
+Read read_tfx(const fs::path& path, Roots) { return with_bytes(path, read_tressfx); }
+Read read_obj(const fs::path& path, Roots) {
   return with_bytes(path, [](std::span<const std::byte> bytes) {
     return read_obj_lines({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   });
@@ -35,7 +38,7 @@ Read read_obj(const fs::path& path) {
 struct StrandFormat {
   const char* suffix;
   const char* name;
-  Read (*read)(const fs::path& path);
+  Read (*read)(const fs::path& path, Roots roots);
 };
 constexpr StrandFormat kFormats[] = {{".hair", "HAIR", read_hair},
                                      {".tfx", "TressFX", read_tfx},
@@ -72,7 +75,7 @@ void place(Groom& groom, const ImportSettings& settings) {
 }
 
 GroomOutcome read_here(const fs::path& path, const StrandFormat& format, const ImportSettings& settings) {
-  auto groom = format.read(path);
+  auto groom = format.read(path, settings.roots);
   if (!groom) {
     return file_failure(ToolError::Kind::kBadInput, path, "cannot be read as {}: {}", format.name, groom.error());
   }
@@ -113,6 +116,8 @@ tl::expected<Groom, ToolError> read_groom(const fs::path& path, const ImportSett
   return read_checked(path, settings);
 } catch (const std::bad_alloc&) {
   return file_failure(ToolError::Kind::kBadInput, path, "not enough memory for these strands");
+} catch (const TookTooLong&) {
+  throw;
 } catch (const std::exception& thrown) {
   return file_failure(ToolError::Kind::kInternal, path, "{}", thrown.what());
 }

@@ -28,7 +28,9 @@ namespace coif {
 /// others as one line: what meets end to end is one strand. Objects and groups become groups.
 [[nodiscard]] tl::expected<Groom, std::string> read_obj_lines(std::string_view text);
 
-/// Primitives of lines and line strips of a glTF 2.0 at rest, of all nodes of its scene; a node is a group.
-[[nodiscard]] tl::expected<Groom, std::string> read_gltf_lines(const std::filesystem::path& path);
+/// Primitives of lines and line strips of a glTF 2.0 at rest, of all nodes of its scene; a node is a group. Its buffers
+/// may lie in its own folder or those of ImportSettings::roots.
+[[nodiscard]] tl::expected<Groom, std::string> read_gltf_lines(const std::filesystem::path& path,
+                                                               std::span<const std::filesystem::path> roots);
 
 }  // namespace coif

@@ -1,5 +1,6 @@
 #include "import/assimp_scene.h"
 
+#include "base/files.h"
 #include "base/text.h"
 #include "import/import.h"
 #include "import/raw_mesh.h"
@@ -50,25 +51,31 @@ struct Asked {
   std::vector<std::string> not_opened;  ///< In their order.
 };
 
-/// Files as assimp sees them, with a record.
+/// Files as assimp sees them, with a record: the model, and what really lies in its folders. Nothing else is there for it.
 class AskedFiles : public Assimp::DefaultIOSystem {
  public:
   /// `asked` outlives this object.
-  explicit AskedFiles(Asked& asked) : asked_(asked) {}
+  AskedFiles(std::string model, std::vector<std::filesystem::path> folders, Asked& asked)
+      : model_(std::move(model)), folders_(std::move(folders)), asked_(asked) {}
 
   bool Exists(const char* name) const override {
     asked_.names.insert(name);
-    return DefaultIOSystem::Exists(name);
+    return is_allowed(name) && DefaultIOSystem::Exists(name);
   }
 
   Assimp::IOStream* Open(const char* name, const char* mode) override {
     asked_.names.insert(name);
-    Assimp::IOStream* const file = DefaultIOSystem::Open(name, mode);
+    Assimp::IOStream* const file = is_allowed(name) && is_for_reading(mode) ? DefaultIOSystem::Open(name, mode) : nullptr;
     if (file == nullptr) asked_.not_opened.emplace_back(name);
     return file;
   }
 
  private:
+  [[nodiscard]] bool is_allowed(const char* name) const { return name == model_ || lies_in(name, folders_); }
+  static bool is_for_reading(std::string_view mode) { return mode.find_first_of("wa+") == std::string_view::npos; }
+
+  std::string model_;  ///< May be a link that leads anywhere.
+  std::vector<std::filesystem::path> folders_;
   Asked& asked_;
 };
 
@@ -85,13 +92,14 @@ std::vector<std::string> lost_libraries(const Asked& asked, const std::string& m
 }
 
 /// Of a material library that was not read. assimp goes on without, and the hair would be brown without a word.
-void warn_of_lost_library(const std::string& library, const aiScene& scene, SourceModel& model) {
+void warn_of_lost_library(const std::string& library, bool lies_outside, const aiScene& scene, SourceModel& model) {
   const std::string name = std::filesystem::path(library).lexically_proximate(std::filesystem::path(model.path).parent_path()).string();
   std::error_code error;
   const auto status = std::filesystem::symlink_status(library, error);
   const char* const why = std::filesystem::is_symlink(status) ? "it is a link that leads out of the model's folder, which --root allows"
-                          : std::filesystem::exists(status)   ? "it cannot be opened"
-                                                              : "there is no such file beside the model";
+                          : !std::filesystem::exists(status)  ? "there is no such file beside the model"
+                          : lies_outside                      ? "it lies outside of the model's folder, which --root allows"
+                                                              : "it cannot be opened";
   const bool has_another = std::ranges::any_of(std::span(scene.mMaterials, scene.mNumMaterials), [](const aiMaterial* m) {
     return m->GetName() != aiString(AI_DEFAULT_MATERIAL_NAME);
   });
@@ -107,7 +115,7 @@ std::vector<char> bytes_of(const std::filesystem::path& path) {
 }
 
 std::string cure_for(const std::string& reason) {
-  if (reason.find("referenced file") != std::string::npos) return "put that file beside it or export as .glb; where it is a link, allow with --root what it leads to";
+  if (reason.find("referenced file") != std::string::npos) return "put that file beside it or export as .glb; where it lies in another folder or is a link, allow that folder with --root";
   return kReexport;
 }
 
@@ -130,6 +138,7 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   const Eigen::Affine3d to_model = model_from_scene(scene, suffix.format, settings, model.space, model.warnings);
   SceneNodes nodes = flatten_nodes(scene, to_model, model.warnings);
   convert_materials(scene, suffix.format, model);
+  model.named_images = named_images(scene);
   model.meshes = convert_meshes(scene, nodes, model.warnings);
   model.nodes = std::move(nodes.nodes);
   if (model.meshes.empty()) return no_triangles(path);
@@ -147,7 +156,8 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
   }
   Asked asked;
   Assimp::Importer importer;
-  importer.SetIOHandler(new AskedFiles(asked));  // Owned by the importer.
+  const std::vector<std::filesystem::path> folders = folders_of_source(path, settings.roots);
+  importer.SetIOHandler(new AskedFiles(path.string(), folders, asked));  // Owned by the importer.
   configure(importer, suffix, settings);
   const aiScene* scene = importer.ReadFile(path.string(), kPostProcess);
   if (scene == nullptr || scene->mRootNode == nullptr) {
@@ -157,7 +167,9 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
   asked.names.erase(path.string());
   if (model) model->side_files.assign(asked.names.begin(), asked.names.end());
   if (model && suffix.format == SourceFormat::kObj) {
-    for (const std::string& library : lost_libraries(asked, model->path)) warn_of_lost_library(library, *scene, *model);
+    for (const std::string& library : lost_libraries(asked, model->path)) {
+      warn_of_lost_library(library, !lies_in(library, folders), *scene, *model);
+    }
   }
   return model;
 } catch (const std::bad_alloc&) {

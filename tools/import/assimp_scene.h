@@ -78,4 +78,7 @@ struct SceneNodes {
 /// glTF's alphaMode; in other formats kBlend where a texture is connected to the opacity, else kUnknown.
 void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& model);
 
+/// SourceModel::named_images.
+[[nodiscard]] std::vector<std::string> named_images(const aiScene& scene);
+
 }  // namespace coif

@@ -30,6 +30,15 @@ Eigen::Affine3d model_from_gltf(const json& document, const ImportSettings& sett
   return out;
 }
 
+std::vector<std::string> names_of_images(const json& document) {
+  std::vector<std::string> names;
+  for (const json& image : list_of(member(document, "images"))) {
+    const json& uri = member(image, "uri");
+    if (uri.is_string() && !uri.get_ref<const std::string&>().starts_with("data:")) names.push_back(uri.get<std::string>());
+  }
+  return names;
+}
+
 }  // namespace
 
 tl::expected<SourceModel, ToolError> read_gltf_model(const std::filesystem::path& path, const ImportSettings& settings) {
@@ -48,6 +57,7 @@ tl::expected<SourceModel, ToolError> read_gltf_model(const std::filesystem::path
   const auto uvs = read_gltf_materials(*document, buffers, model);
   std::string bad = uvs ? read_gltf_meshes(*document, buffers, nodes, *uvs, settings.variant, model) : uvs.error();
   if (!bad.empty()) return unreadable(path, fmt::format("{}; {}", bad, kReexport));
+  model.named_images = names_of_images(*document);
   model.side_files.assign(buffers.side_files().begin(), buffers.side_files().end());
   read_vrm_extensions(member(*document, "extensions"), nodes.of_file, to_model, model);
   if (model.meshes.empty()) return no_triangles(path);

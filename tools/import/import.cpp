@@ -1,6 +1,7 @@
 #include "import/import.h"
 
 #include "base/files.h"
+#include "base/work_limit.h"
 #include "import/assimp_scene.h"
 #include "import/gltf_scene.h"
 #include "import/model_stream.h"
@@ -47,6 +48,8 @@ tl::expected<SourceModel, ToolError> import_model(const fs::path& path, const Im
   return import_checked(path, settings);
 } catch (const std::bad_alloc&) {
   return file_failure(ToolError::Kind::kBadInput, path, "not enough memory for this model");
+} catch (const TookTooLong&) {
+  throw;
 } catch (const std::exception& thrown) {
   return file_failure(ToolError::Kind::kInternal, path, "{}", thrown.what());
 }

@@ -29,13 +29,14 @@ struct ImportSettings {
   std::uint64_t max_memory_bytes = std::uint64_t{4} << 30;  ///< Beside what this process has; none under ASan.
   std::uint32_t max_seconds = 120;                          ///< Processor and wall-clock time.
   std::uint64_t max_file_bytes = std::uint64_t{1} << 30;
+  bool requires_sandbox = false;  ///< Where this machine cannot lock up the child process, nothing is read.
 };
 
 /// Name and version of the library that reads sources, for example "assimp 5.2.4".
 [[nodiscard]] std::string importer_name();
 
 /// Reads the meshes of an FBX, glTF, GLB, VRM, OBJ or DAE. The parser runs in a child process under limits: third-party importers crash
-/// on hostile files. Never throws. Errors: kFileAccess (absent, unreadable), kBadInput (not parseable, crash, limit,
+/// on hostile files. Throws TookTooLong alone, where the time of this process (base/work_limit.h) is over. Errors: kFileAccess (absent, unreadable), kBadInput (not parseable, crash, limit,
 /// no triangles), kUnsupported (suffix or variant not known). Blocks; costs a fork, so call it before starting threads
 /// where you can.
 tl::expected<SourceModel, ToolError> import_model(const std::filesystem::path& path,

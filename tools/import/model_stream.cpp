@@ -80,7 +80,8 @@ constexpr auto transfer_model = [](auto& archive, auto& model) {
          archive.list(model.springs, 3 * kCount + 4, transfer_spring) &&
          archive.list(model.colliders, 10 * sizeof(double) + 6, transfer_collider) && archive.plain(model.head_node) &&
          transfer_choice(archive, model.facing, Facing::kBackwards) && transfer_space(archive, model.space) &&
-         archive.list(model.warnings, kCount, transfer_text) && archive.list(model.side_files, kCount, transfer_text);
+         archive.list(model.warnings, kCount, transfer_text) && archive.list(model.side_files, kCount, transfer_text) &&
+         archive.list(model.named_images, kCount, transfer_text);
 };
 
 }  // namespace

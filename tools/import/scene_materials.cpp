@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace coif {
 namespace {
@@ -163,6 +164,21 @@ void add_other_maps(const aiMaterial& material, const aiString& base, TextureTab
 }
 
 }  // namespace
+
+std::vector<std::string> named_images(const aiScene& scene) {
+  std::set<std::string> names;
+  for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
+    const aiMaterial& material = *scene.mMaterials[i];
+    for (int type = aiTextureType_NONE + 1; type <= AI_TEXTURE_TYPE_MAX; ++type) {
+      aiString path;
+      for (unsigned k = 0; material.GetTexture(aiTextureType(type), k, &path) == AI_SUCCESS; ++k) {
+        if (scene.GetEmbeddedTexture(path.C_Str()) == nullptr) names.insert(text_of(path));
+      }
+    }
+  }
+  std::erase_if(names, [](const std::string& name) { return name.empty() || name.starts_with('*'); });
+  return {names.begin(), names.end()};
+}
 
 void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& model) {
   TextureTable textures(scene, model);

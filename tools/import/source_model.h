@@ -185,6 +185,8 @@ struct SourceModel {
   /// Paths of the other files that the importer opened or looked for, absent ones too: buffers, material libraries. Not
   /// textures, which it leaves alone.
   std::vector<std::string> side_files;
+  /// Image files that materials name for any use, as written; what is embedded may be among them.
+  std::vector<std::string> named_images;
 };
 
 /// Of a mesh's material; "" where it has none.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 
 namespace coif {
 namespace {
@@ -181,6 +182,7 @@ constexpr std::size_t kAlignment = 64;  ///< What Asset::open() may ask for.
 OpenedAsset::OpenedAsset(std::span<const std::byte> file, const OpenOptions& options) {
   const std::size_t size = (file.size() + kAlignment - 1) / kAlignment * kAlignment;
   bytes_.reset(static_cast<std::byte*>(std::aligned_alloc(kAlignment, size)));
+  if (!bytes_) throw std::bad_alloc();
   std::memcpy(bytes_.get(), file.data(), file.size());
   status_ = asset_.open({bytes_.get(), file.size()}, options);
 }

@@ -39,6 +39,7 @@ constexpr int kPipeDescriptor = 3;      // in a limited child, after its other d
 constexpr rlim_t kMaxDescriptors = 32;  // model, side files, dynamic loader
 constexpr int kExitOutOfMemory = 112;   // outside the range of ordinary programs and of sanitizers
 constexpr int kExitFailed = 113;
+constexpr int kExitNoDescriptors = 114;
 
 void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
   const rlimit value{soft, hard};
@@ -67,9 +68,14 @@ void reset_signals() {
   sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
+/// Ends the process where it may have no more descriptors.
 void keep_only(int pipe_end) {
-  const int high = fcntl(pipe_end, F_DUPFD, 10);  // out of the way of 0 to 3
+  const int high = fcntl(pipe_end, F_DUPFD, kPipeDescriptor + 1);  // out of the way of 0 to 3
+  if (high < 0) _exit(kExitNoDescriptors);
+  close_range(kPipeDescriptor, unsigned(high) - 1, 0);
+  close_range(unsigned(high) + 1, ~0u, 0);
   const int null = open("/dev/null", O_RDWR);
+  if (null < 0) _exit(kExitNoDescriptors);
   for (const int standard : {0, 1, 2}) dup2(null, standard);
   dup2(high, kPipeDescriptor);
   close_range(kPipeDescriptor + 1, ~0u, 0);
@@ -103,6 +109,7 @@ void judge_status(int status, ChildResult& result) {
   } else if (WEXITSTATUS(status) != 0) {
     result.code = WEXITSTATUS(status);
     result.end = result.code == kExitOutOfMemory ? ChildResult::End::kOutOfMemory : ChildResult::End::kCrashed;
+    if (result.code == kExitNoDescriptors) result = {ChildResult::End::kNotStarted, EMFILE, false, {}};
   }
 }
 

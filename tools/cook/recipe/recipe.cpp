@@ -99,12 +99,16 @@ std::string commented(const Recipe& recipe, bool says_all) {
     const bool first = std::strcmp(section, key.section) != 0;
     if (first) text += fmt::format("{}\n  \"{}\": {{", *section != 0 ? "\n  }," : "", key.section);
     section = key.section;
-    std::string facts = fmt::format("default {}", key.default_json);
+    const std::string value = write_value(key, recipe).dump();
+    const auto shown = [&](const std::string& written) {
+      return !says_all && key.canonical_null != nullptr && written == "null" ? std::string(key.canonical_null) : written;
+    };
+    std::string facts = fmt::format("default {}", shown(key.default_json));
     if (key.choices != nullptr) facts += fmt::format(", one of {}", key.choices);
     if (key.low < key.high)
       facts += fmt::format(", {} to {}{}{}", key.low, key.high, *key.unit != 0 ? " " : "", key.unit);
     text += fmt::format("{}\n    // {}{} ({})\n    \"{}\": {}", first ? "" : ",", key.meaning, says_all ? key.also : "",
-                        facts, key.name, write_value(key, recipe).dump());
+                        facts, key.name, shown(value));
   }
   return text + "\n  }\n}\n";
 }
@@ -124,7 +128,7 @@ Recipe draft_of(Recipe recipe) {
   constexpr std::uint32_t kDraftTexels = 512;
   recipe.order_method = "head";
   recipe.lod_levels = 1;
-  recipe.texture_max_size = std::min(recipe.texture_max_size, kDraftTexels);
+  recipe.texture_max_size = std::min(texture_limit(recipe), kDraftTexels);
   recipe.shift_mask_format = "rg8";
   recipe.occlusion_strength = 0;
   recipe.cards_rounds = std::min(recipe.cards_rounds, 1u);

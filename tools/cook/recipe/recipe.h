@@ -127,7 +127,7 @@ struct Recipe : HairStyle {
   std::string normal_texture;  ///< Path beside the recipe; "": the source's.
   double normal_strength = 0;
   std::string normal_green;  ///< "auto", "up" or "down".
-  std::uint32_t texture_max_size = 0;
+  std::optional<std::uint32_t> texture_max_size;  ///< None: texture_limit(), and cards' textures as large as "cards.texels" says.
   std::uint32_t texture_seed = 0;
   std::string shift_mask_format;  ///< "eac" or "rg8".
   // occlusion
@@ -163,6 +163,9 @@ struct CookSettings {
   bool list_patches = false;                         ///< Fill in CookResult::patches.
   bool draft = false;                                ///< Cook draft_of() the recipe, and do without what takes long.
 };
+
+/// Texels that images may have each way; larger ones are reduced.
+[[nodiscard]] inline std::uint32_t texture_limit(const Recipe& recipe) { return recipe.texture_max_size.value_or(1024); }
 
 /// What shows how hair looks and moves, in a fraction of the time: one level of detail, drawn by distance from the head,
 /// small textures stored as they come, no occlusion, cards fitted once.

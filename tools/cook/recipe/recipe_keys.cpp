@@ -8,6 +8,8 @@ namespace {
 
 using R = Recipe;
 
+constexpr bool kNamesFile = true;
+
 // clang-format off
 const RecipeKey kCookKeys[] = {
   {"scene", "draw", &R::scene_draw, "true", 0, 0, nullptr, "",
@@ -66,7 +68,7 @@ const RecipeKey kCookKeys[] = {
   {"cards", "caps", &R::cards_caps, "0.04", 0, 0.5, nullptr, "",
    "share of triangles and texels, at most, of cards that lie on the scalp and hide the skin between roots; 0: none"},
   {"cards", "body", &R::cards_body, "\"\"", 0, 0, nullptr, "",
-   "model of the head and body that strands belong to, which come without, and that hair grows on; path from the recipe"},
+   "model of the head and body that strands belong to, which come without, and that hair grows on; path from the recipe", "", kNamesFile},
   {"cards", "follow_hairs", &R::cards_follow_hairs, "null", 0, 64, nullptr, "strands",
    "made up around each strand of the file, where these are guides; null: as many as the file asks for (TressFX)"},
   {"cards", "follow_radius", &R::cards_follow_radius, "0", 0, 0.1, nullptr, "m",
@@ -201,19 +203,19 @@ const RecipeKey kCookKeys[] = {
    "which of the runtime's solvers moves the hair in the poses that orders are searched in: the one that the game will run"},
 
   {"textures", "base_color", &R::base_color_texture, "\"\"", 0, 0, nullptr, "",
-   "image with colour and alpha, path from the recipe; empty: the source's own"},
+   "image with colour and alpha, path from the recipe; empty: the source's own", "", kNamesFile},
   {"textures", "shift", &R::shift_texture, "\"\"", 0, 0, nullptr, "",
-   "image whose red moves both highlights along the strand; empty: generated"},
+   "image whose red moves both highlights along the strand; empty: generated", "", kNamesFile},
   {"textures", "mask", &R::mask_texture, "\"\"", 0, 0, nullptr, "",
-   "image whose red scales the secondary highlight; empty: generated"},
+   "image whose red scales the secondary highlight; empty: generated", "", kNamesFile},
   {"textures", "normal", &R::normal_texture, "\"\"", 0, 0, nullptr, "",
-   "image of normals or heights that the hair is lit by; empty: the source's own"},
+   "image of normals or heights that the hair is lit by; empty: the source's own", "", kNamesFile},
   {"textures", "normal_strength", &R::normal_strength, "1", 0, 16, nullptr, "",
    "multiplies the slopes of that image; 0: none is used"},
   {"textures", "normal_green", &R::normal_green, "\"auto\"", 0, 0, "auto|up|down", "",
    "where green of it leads, up the image (OpenGL) or down (DirectX); auto: up in glTF, else what its slopes show"},
-  {"textures", "max_size", &R::texture_max_size, "1024", 1, 16384, nullptr, "texels",
-   "larger images are reduced to this"},
+  {"textures", "max_size", &R::texture_max_size, "null", 1, 16384, nullptr, "texels",
+   "larger images are reduced to this", "; null: 1024, and cards of strands get all of cards.texels", false, "1024"},
   {"textures", "seed", &R::texture_seed, "1", 0, 4294967295.0, nullptr, "",
    "start of the generated shift and mask"},
   {"textures", "shift_mask_format", &R::shift_mask_format, "\"eac\"", 0, 0, "eac|rg8", "",
@@ -267,6 +269,17 @@ const RecipeKey kCookKeys[] = {
 // clang-format on
 
 }  // namespace
+
+std::vector<std::string> files_named_by(const Recipe& recipe) {
+  std::vector<std::string> files;
+  for (const RecipeKey& key : recipe_keys()) {
+    if (!key.names_file) continue;
+    const nlohmann::json value = write_value(key, recipe);
+    const nlohmann::json& file = value.is_object() ? member(value, "file") : value;
+    if (file.is_string() && !file.get_ref<const std::string&>().empty()) files.push_back(file.get<std::string>());
+  }
+  return files;
+}
 
 std::span<const RecipeKey> recipe_keys() {
   static const std::vector<RecipeKey> keys = [] {

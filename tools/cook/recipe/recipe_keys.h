@@ -35,6 +35,12 @@ struct RecipeKey {
   const char* meaning;  ///< What the artist sees, one line.
   const char* also = "";  ///< What more it may be, a clause that follows; no part of canonical_recipe().
 
+  /// The value is the path of a file, a text or, in an object, the member "file", empty for none. Only a recipe on the disk may say
+  /// such a key (view/server), and no output may be that file.
+  bool names_file = false;
+  /// What canonical_recipe() has in place of null, the default: of a key that once could not be null.
+  const char* canonical_null = nullptr;
+
   [[nodiscard]] std::string path() const { return std::string(section) + "." + name; }
 };
 
@@ -42,6 +48,9 @@ struct RecipeKey {
 [[nodiscard]] std::span<const RecipeKey> recipe_keys();
 /// Those of "grow" alone.
 [[nodiscard]] std::span<const RecipeKey> grow_keys();
+
+/// The files that a recipe names, as it writes them: paths from its folder.
+[[nodiscard]] std::vector<std::string> files_named_by(const Recipe& recipe);
 
 // JSON <-> one value of a recipe. The only place that knows how each type of value is written.
 

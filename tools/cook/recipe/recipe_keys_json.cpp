@@ -14,7 +14,7 @@ const char* kind_of(const RecipeKey& key) {
   };
   if (holds(&Recipe::scene_draw)) return "switch";
   if (holds(&Recipe::gravity_scale) || holds(&Recipe::friction)) return "number";
-  if (holds(&Recipe::lod_levels)) return "whole";
+  if (holds(&Recipe::lod_levels) || holds(&Recipe::texture_max_size)) return "whole";
   return key.choices != nullptr && holds(&Recipe::up_axis) ? "choice" : "other";
 }
 

@@ -31,7 +31,7 @@ void report_spared(const Image& whole, const DetailedImage& kept, Findings& find
 
 BaseMips bake_base(const BaseColor& color, const HairMesh& hair, const Recipe& recipe, Transparency& transparency,
                    Findings& findings) {
-  const std::uint32_t max_size = color.max_size.value_or(recipe.texture_max_size);
+  const std::uint32_t max_size = color.max_size.value_or(texture_limit(recipe));
   Image image = *color.image;
   Image used = used_texels(hair, image.width, image.height);
   transparency = choose_transparency(color, &image, used, recipe, findings);
@@ -71,7 +71,7 @@ ShiftMask bake_shift_mask(const BaseColor& color, const RecipeImage& shift, cons
                           bool strands_along_u, const Recipe& recipe) {
   if (color.strands && !shift.image && !mask.image) {
     return {
-        make_mips(shift_mask_of(*color.strands, recipe.texture_seed), recipe.texture_max_size, TexelMeaning::kNumbers),
+        make_mips(shift_mask_of(*color.strands, recipe.texture_seed), texture_limit(recipe), TexelMeaning::kNumbers),
         false};
   }
   const auto pointer = [](const RecipeImage& image) { return image.image ? &*image.image : nullptr; };
@@ -80,7 +80,7 @@ ShiftMask bake_shift_mask(const BaseColor& color, const RecipeImage& shift, cons
   if (color.atlas && !constant) {
     whole = draw_atlas(*color.atlas, std::vector<const Image*>(color.atlas->tiles.size(), &whole));
   }
-  return {make_mips(std::move(whole), recipe.texture_max_size, TexelMeaning::kNumbers), constant};
+  return {make_mips(std::move(whole), texture_limit(recipe), TexelMeaning::kNumbers), constant};
 }
 
 /// One number for all of the hair is the material's: the texture would be read for every pixel to say it again.

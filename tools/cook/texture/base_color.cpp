@@ -162,7 +162,7 @@ BaseColor from_materials(const SourceModel& source, SourceImages& images, const 
     if (const auto green = green_of(recipe)) look.normal_use.green = green;
   }
   if (looks.looks.size() == 1) return whole(looks.looks[0], findings);
-  auto atlas = joined(looks, recipe.texture_max_size, hair, findings);
+  auto atlas = joined(looks, texture_limit(recipe), hair, findings);
   if (atlas) return *atlas;
   const SurfaceLook& main = looks.looks[looks.main];
   findings.warn(
@@ -230,9 +230,9 @@ tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, Ha
     color.files = images.files();
     color.questions = images.questions();
   }
-  // How large cards' texture is the recipe has said already.
-  if (source.made_from_strands && !own->image && color.image && !settings.draft) {
-    color.max_size = std::max({recipe.texture_max_size, color.image->width, color.image->height});
+  // Cards' texture is as large as it should be, unless the recipe says otherwise.
+  if (source.made_from_strands && !own->image && color.image && !recipe.texture_max_size) {
+    color.max_size = std::max({texture_limit(recipe), color.image->width, color.image->height});
   }
   if (auto taken = take_own_normals(recipe, settings, color, findings); !taken) return tl::unexpected(taken.error());
   return color;

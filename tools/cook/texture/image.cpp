@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <new>
 
 // The one home of this header.
 #define STB_IMAGE_RESIZE_IMPLEMENTATION
@@ -74,7 +75,10 @@ tl::expected<Image, std::string> decode_image(std::span<const std::uint8_t> byte
   if (bytes.size() > kMaxImageBytes) {
     return tl::unexpected(fmt::format("larger than {} MiB; reduce it", kMaxImageBytes >> 20));
   }
-  return decode_answer(run_in_child(kDecoderLimits, [bytes] { return encode_answer(decode_texels(bytes)); }));
+  return decode_answer(run_in_child(kDecoderLimits, [bytes] {
+    lock_up({}, {});  // As far as this machine can.
+    return encode_answer(decode_texels(bytes));
+  }));
 }
 
 tl::expected<Image, std::string> read_image(const std::filesystem::path& path) {
@@ -94,10 +98,11 @@ Image shrink(const Image& image, std::uint32_t width, std::uint32_t height, Texe
   Image result{width, height, image.channels, {}};
   result.texels.resize(result.texel_count() * image.channels);
   const bool color = meaning == TexelMeaning::kSrgbColorAlpha;
-  stbir_resize_uint8_generic(image.texels.data(), int(image.width), int(image.height), 0, result.texels.data(),
+  const int done = stbir_resize_uint8_generic(image.texels.data(), int(image.width), int(image.height), 0, result.texels.data(),
                              int(width), int(height), 0, int(image.channels), color ? 3 : STBIR_ALPHA_CHANNEL_NONE, 0,
                              STBIR_EDGE_WRAP, STBIR_FILTER_BOX, color ? STBIR_COLORSPACE_SRGB : STBIR_COLORSPACE_LINEAR,
                              nullptr);
+  if (done == 0) throw std::bad_alloc();
   return result;
 }
 

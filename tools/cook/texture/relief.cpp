@@ -41,14 +41,14 @@ StoredTextures bake_relief(const Image* normals, const Image* strands, const Hai
   StoredTextures stored;
   const TexelFormat format = two_channel_format(recipe);
   const auto keep = [&](TextureRole role, const char* name, Image image) {
-    image = reduce(std::move(image), recipe.texture_max_size, TexelMeaning::kNumbers);
+    image = reduce(std::move(image), texture_limit(recipe), TexelMeaning::kNumbers);
     const Image used = used_texels(hair, image.width, image.height);
     if (rms_of(image, used) < kLeastRms) {
       return findings.leave_out({name, "it says nothing where the hair shows it", bytes_with_mips(format, image)});
     }
     DetailedImage detailed = reduce_to_detail(std::move(image), used, TexelMeaning::kNumbers);
     const std::vector<Image> mips =
-        make_mips(std::move(detailed.image), recipe.texture_max_size, TexelMeaning::kNumbers);
+        make_mips(std::move(detailed.image), texture_limit(recipe), TexelMeaning::kNumbers);
     findings.note(fmt::format("{}: {} x {} texels", name, mips[0].width, mips[0].height));
     stored.append(role, format, mips, threads);
   };

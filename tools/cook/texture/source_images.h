@@ -97,6 +97,10 @@ struct TextureQuestion {
 /// What the folder answers today.
 [[nodiscard]] std::vector<std::string> answer_to(const TextureQuestion& question, const TextureFolder& folder);
 
+/// The image files that a source's materials name for any use: where their paths lead from its folder, and where
+/// they were found.
+[[nodiscard]] std::vector<std::filesystem::path> named_image_files(const SourceModel& source);
+
 /// Finds and decodes the images that a source's materials name: embedded ones, and files beside the source. What cannot
 /// be had is a warning, never an error: hair without a texture is still hair.
 class SourceImages {

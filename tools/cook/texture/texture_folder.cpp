@@ -75,12 +75,7 @@ void TextureFolder::list(const fs::path& folder) {
   }
 }
 
-bool TextureFolder::is_inside(const fs::path& path) const {
-  std::error_code error;
-  const fs::path real = fs::canonical(path, error);
-  if (error) return false;
-  return std::ranges::any_of(real_roots_, [&](const fs::path& root) { return std::ranges::mismatch(root, real).in1 == root.end(); });
-}
+bool TextureFolder::is_inside(const fs::path& path) const { return lies_in(path, real_roots_); }
 
 std::optional<fs::path> TextureFolder::find(const std::string& written) const {
   const std::string slashes = with_slashes(written);
@@ -142,6 +137,17 @@ std::vector<fs::path> TextureFolder::colors_of(std::span<const std::string> name
 
 std::string TextureFolder::short_name(const fs::path& path) const {
   return path.lexically_proximate(root_).generic_string();
+}
+
+std::vector<fs::path> named_image_files(const SourceModel& source) {
+  std::vector<fs::path> files;
+  if (source.named_images.empty()) return files;
+  const TextureFolder folder(source.path, source.roots);
+  for (const std::string& name : source.named_images) {
+    files.push_back(fs::path(source.path).parent_path() / percent_decoded(with_slashes(name)));
+    if (const auto found = folder.find(name)) files.push_back(*found);
+  }
+  return files;
 }
 
 namespace {

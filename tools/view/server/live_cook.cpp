@@ -20,6 +20,13 @@ bool is_same(const ImportSettings& a, const ImportSettings& b) {
   return a.metres_per_unit == b.metres_per_unit && a.up_axis == b.up_axis;
 }
 
+/// Ends what is out of date.
+std::function<void(const char*)> stop_if(const std::atomic<bool>& obsolete) {
+  return [&obsolete](const char*) {
+    if (obsolete) throw TookTooLong();
+  };
+}
+
 /// A file that the page brought lies where nobody put it.
 std::string with_name(std::string message, const fs::path& source, const std::string& name) {
   if (message.starts_with(source.string())) message.replace(0, source.string().size(), name);
@@ -99,7 +106,8 @@ void LiveCook::run(std::uint64_t number, const std::atomic<bool>& obsolete) {
   WorkLimit::lift();  // an interruption may have come when its work had just ended
   const Order current = order();
   state_.begin();
-  auto made = cook(current, obsolete);
+  const auto work = [&] { return cook(current, obsolete); };
+  auto made = cooking_.within_limits ? cooking_.within_limits(current.source.string(), work) : work();
   if (obsolete) return;
   if (made) {
     cooking_.cooked(*made);
@@ -118,29 +126,30 @@ tl::expected<LiveResult, ToolError> LiveCook::cook(const Order& order, const std
   const fs::path recipe_file = order.recipe_file();
   auto recipe = live_recipe(recipe_file, order.changes);
   if (!recipe) return tl::unexpected(recipe.error());
-  const auto imported = import(order, recipe->recipe);
+  const auto imported = import(order, recipe->recipe, obsolete);
   if (!imported) return tl::unexpected(imported.error());
   CookSettings settings;
   settings.threads = cooking_.threads;
   settings.recipe_directory = order.recipe_directory();
   settings.source_hash = (*imported)->hash;
   settings.draft = cooking_.draft;
-  settings.progress = [&obsolete](const char*) {
-    if (obsolete) throw TookTooLong();
-  };
+  settings.progress = stop_if(obsolete);
   auto cooked = cooking_.cook(order.source.string(), (*imported)->model, recipe->recipe, settings);
   if (!cooked) return tl::unexpected(cooked.error());
   watch(order, cooked->inputs, since);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   return LiveResult{order.name,    std::move(cooked->asset),           std::move(recipe->file),
                     order.changes, std::move(cooked->report.warnings), seconds.count()};
-} catch (const TookTooLong&) {  // while importing
+} catch (const TookTooLong&) {
+  if (!obsolete && cooking_.within_limits) throw;
   return failure(ToolError::Kind::kBadInput, "what was cooked is out of date");
 } catch (const std::bad_alloc&) {
+  if (cooking_.within_limits) throw;
   return file_failure(ToolError::Kind::kBadInput, order.source, "not enough memory for this");
 }
 
-tl::expected<const LiveCook::Imported*, ToolError> LiveCook::import(const Order& order, const Recipe& recipe) {
+tl::expected<const LiveCook::Imported*, ToolError> LiveCook::import(const Order& order, const Recipe& recipe,
+                                                                const std::atomic<bool>& obsolete) {
   ImportSettings settings = cooking_.import_settings(recipe, cooking_.roots);
   const bool is_stale = is_stale_.exchange(false);
   std::string values = source_values(recipe);
@@ -150,7 +159,7 @@ tl::expected<const LiveCook::Imported*, ToolError> LiveCook::import(const Order&
   imported_.reset();
   const auto bytes = FileBytes::read(order.source);
   if (!bytes) return tl::unexpected(bytes.error());
-  auto model = read_hair_source(order.source, cooking_.draft ? draft_of(recipe) : recipe, {settings, order.recipe_directory(), all_threads()});
+  auto model = read_hair_source(order.source, cooking_.draft ? draft_of(recipe) : recipe, {settings, order.recipe_directory(), cooking_.threads, stop_if(obsolete)});
   if (!model) return tl::unexpected(model.error());
   imported_ = Imported{order.source, std::move(settings), std::move(values), std::move(*model), xxh64(bytes->span())};
   return &*imported_;

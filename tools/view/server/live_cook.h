@@ -27,10 +27,14 @@ struct LiveCooking {
   unsigned threads = 1;
   std::vector<std::filesystem::path> roots;  ///< ImportSettings::roots.
   std::function<ImportSettings(const Recipe& recipe, const std::vector<std::filesystem::path>& roots)> import_settings;
-  /// cook() within limits.
+  /// cook().
   std::function<tl::expected<CookResult, ToolError>(const std::string& source, const SourceModel& model,
                                                     const Recipe& recipe, const CookSettings& settings)>
       cook;
+  /// Calls `work`, which imports and cooks, within limits. Empty: without.
+  std::function<tl::expected<LiveResult, ToolError>(const std::string& source,
+                                                    const std::function<tl::expected<LiveResult, ToolError>()>& work)>
+      within_limits{};
   // What became of a cook, unless it was obsolete. Always set.
   std::function<void(const LiveResult& result)> cooked;
   std::function<void(const std::string& problem)> failed;
@@ -84,7 +88,7 @@ class LiveCook {
 
   [[nodiscard]] Order order() const;
   tl::expected<LiveResult, ToolError> cook(const Order& order, const std::atomic<bool>& obsolete);
-  tl::expected<const Imported*, ToolError> import(const Order& order, const Recipe& recipe);
+  tl::expected<const Imported*, ToolError> import(const Order& order, const Recipe& recipe, const std::atomic<bool>& obsolete);
   void watch(const Order& order, const CookInputs& inputs, FileWatch::Time since);
 
   LiveCooking cooking_;

@@ -4,19 +4,11 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
-#include <variant>
 
 namespace coif {
 namespace {
 
 constexpr const char* kChanges = "changes of the page";
-
-/// In a section of images, text that is none of some words is a file's name.
-bool names_file(const RecipeKey& key) {
-  return std::strcmp(key.section, "textures") == 0 && key.choices == nullptr &&
-         std::holds_alternative<std::string Recipe::*>(key.field);
-}
 
 /// Of a file that is a recipe by itself; empty where there is none.
 tl::expected<nlohmann::json, ToolError> json_of(const std::filesystem::path& file) {
@@ -43,7 +35,7 @@ tl::expected<nlohmann::json, ToolError> read_changes(std::string_view text) {
                    fmt::format("{}: a recipe is a JSON object, such as {{\"dynamics\": {{...}}}}", kChanges));
   }
   for (const RecipeKey& key : recipe_keys()) {
-    if (!names_file(key) || member(member(*changes, key.section), key.name).is_null()) continue;
+    if (!key.names_file || member(member(*changes, key.section), key.name).is_null()) continue;
     return failure(ToolError::Kind::kBadInput,
                    fmt::format("{}: \"{}\" names a file; only a recipe's file may", kChanges, key.path()));
   }
