@@ -80,7 +80,7 @@ TEST(BaseColor, AnOpacityTextureOfItsOwnIsMissedOnce) {
   folder.write_flat("strands.png", kRed);
   SourceModel model = model_beside(folder, "wig.obj");
   add_surface(model, "strands").base_texture.path = "strands.png";
-  model.materials[0].opacity_texture = "strands_alpha.png";
+  model.materials[0].opacity_texture.path = "strands_alpha.png";
   const SaidColor color = base_color_of(model);
   const auto count = std::ranges::count_if(color.warnings, [](const std::string& warning) {
     return warning.find("opacity texture 'strands_alpha.png' is not read") != std::string::npos;

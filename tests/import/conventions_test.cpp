@@ -266,7 +266,7 @@ TEST_F(Conventions, AnOpacityTextureIsNamedUnlessItIsTheBaseTexture) {
       folder_.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl own\nf 1 2 3\nusemtl same\nf 1 3 2\n"));
   for (const SourceMesh& mesh : model.meshes) {
     const SourceMaterial& material = model.materials.at(mesh.material);
-    EXPECT_EQ(material.opacity_texture, material.name == "own" ? "alpha.png" : "");
+    EXPECT_EQ(material.opacity_texture.path, material.name == "own" ? "alpha.png" : "");
   }
 }
 

@@ -214,6 +214,7 @@ SourceModel small_source_model() {
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.normals.assign(3, {0, 0, 1});
   mesh.uvs = {{0, 0}, {1, 0}, {0, 1}};
+  mesh.colors.assign(3, {1, 0.5f, 0.25f, 1});
   mesh.influence_begin = {0, 1, 2, 4};
   mesh.influences = {{0, 1.0f}, {1, 1.0f}, {0, 0.75f}, {1, 0.25f}};
   mesh.triangles = {0, 1, 2};
@@ -223,6 +224,10 @@ SourceModel small_source_model() {
   material.base_texture = {"hair.png", 0};
   material.normal_texture = {"hair_n.png", kNoIndex};
   material.normal_strength = 0.5f;
+  material.base_texture.wrap[1] = TextureWrap::kMirror;
+  material.opacity_texture = {"hair_a.png", kNoIndex};
+  material.opacity_channel = TextureChannel::kGreen;
+  material.opacity_inverted = true;
   material.alpha_use = AlphaUse::kMask;
   material.alpha_cutoff = 0.25f;
   material.double_sided = true;

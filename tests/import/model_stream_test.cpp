@@ -24,6 +24,12 @@ TEST(ModelStream, ModelComesBackAsItWas) {
   EXPECT_EQ(back->materials[0].alpha_use, AlphaUse::kMask);
   EXPECT_EQ(back->materials[0].alpha_cutoff, 0.25f);
   EXPECT_EQ(back->materials[0].normal_strength, 0.5f);
+  EXPECT_EQ(back->meshes[0].colors[2].y(), 0.5f);
+  EXPECT_EQ(back->materials[0].base_texture.wrap[0], TextureWrap::kRepeat);
+  EXPECT_EQ(back->materials[0].base_texture.wrap[1], TextureWrap::kMirror);
+  EXPECT_EQ(back->materials[0].opacity_texture.path, "hair_a.png");
+  EXPECT_EQ(back->materials[0].opacity_channel, TextureChannel::kGreen);
+  EXPECT_TRUE(back->materials[0].opacity_inverted);
   EXPECT_EQ(back->springs[0].joints[0].length, 1.0);
   EXPECT_EQ(back->springs[0].colliders, (std::vector<std::uint32_t>{0, 1}));
   EXPECT_EQ(back->colliders[1].radius, 0.5);
@@ -123,6 +129,10 @@ INSTANTIATE_TEST_SUITE_P(Model, BrokenPromise,
                                                 [](SourceModel& m) { m.meshes[0].normals.pop_back(); },
                                                 [](SourceModel& m) { m.meshes[0].uvs[1].y() = kNan; },
                                                 [](SourceModel& m) { m.meshes[0].uvs.pop_back(); },
+                                                [](SourceModel& m) { m.meshes[0].colors.pop_back(); },
+                                                [](SourceModel& m) { m.meshes[0].colors[1].w() = kNan; },
+                                                [](SourceModel& m) { m.meshes[0].colors[1].w() = -1; },
+                                                [](SourceModel& m) { m.materials[0].opacity_texture.image = 1; },
                                                 [](SourceModel& m) {
                                                   m.meshes[0].influence_begin = {0, 2, 1, 4};
                                                 },

@@ -19,15 +19,22 @@ constexpr auto transfer_node = [](auto& archive, auto& node) {
 constexpr auto transfer_mesh = [](auto& archive, auto& mesh) {
   return archive.sequence(mesh.name) && archive.plain(mesh.node) && archive.plain(mesh.material) &&
          archive.sequence(mesh.positions) && archive.sequence(mesh.normals) && archive.sequence(mesh.uvs) &&
-         archive.sequence(mesh.influence_begin) && archive.sequence(mesh.influences) &&
+         archive.sequence(mesh.colors) && archive.sequence(mesh.influence_begin) && archive.sequence(mesh.influences) &&
          archive.sequence(mesh.triangles);
+};
+
+constexpr auto transfer_texture = [](auto& archive, auto& texture) {
+  return archive.sequence(texture.path) && archive.plain(texture.image) &&
+         transfer_choice(archive, texture.wrap[0], TextureWrap::kMirror) &&
+         transfer_choice(archive, texture.wrap[1], TextureWrap::kMirror);
 };
 
 constexpr auto transfer_material = [](auto& archive, auto& material) {
   return archive.sequence(material.name) && archive.raw(material.base_color.data(), 4 * sizeof(float)) &&
-         archive.sequence(material.base_texture.path) && archive.plain(material.base_texture.image) &&
-         archive.sequence(material.normal_texture.path) && archive.plain(material.normal_texture.image) &&
-         archive.plain(material.normal_strength) && archive.sequence(material.opacity_texture) &&
+         transfer_texture(archive, material.base_texture) && transfer_texture(archive, material.normal_texture) &&
+         archive.plain(material.normal_strength) && transfer_texture(archive, material.opacity_texture) &&
+         transfer_choice(archive, material.opacity_channel, TextureChannel::kLuminance) &&
+         transfer_flag(archive, material.opacity_inverted) &&
          archive.list(material.other_textures, sizeof(std::uint64_t), transfer_text) &&
          transfer_choice(archive, material.alpha_use, AlphaUse::kBlend) && archive.plain(material.alpha_cutoff) &&
          archive.plain(material.roughness) && transfer_flag(archive, material.double_sided);
@@ -67,8 +74,8 @@ constexpr auto transfer_model = [](auto& archive, auto& model) {
   return archive.sequence(model.path) && archive.sequence(model.importer) &&
          archive.raw(model.importer_version, sizeof model.importer_version) &&
          archive.list(model.nodes, kCount + 132, transfer_node) &&
-         archive.list(model.meshes, 7 * kCount + 8, transfer_mesh) &&
-         archive.list(model.materials, 2 * kCount + 26, transfer_material) &&
+         archive.list(model.meshes, 8 * kCount + 8, transfer_mesh) &&
+         archive.list(model.materials, 5 * kCount + 44, transfer_material) &&
          archive.list(model.images, 2 * kCount, transfer_image) &&
          archive.list(model.springs, 3 * kCount + 4, transfer_spring) &&
          archive.list(model.colliders, 10 * sizeof(double) + 6, transfer_collider) && archive.plain(model.head_node) &&

@@ -59,10 +59,10 @@ float normal_strength(const aiMaterial& material) {
 }
 
 // Empty where it is the base colour's own, as exporters write it for an image with alpha.
-std::string opacity_path(const aiMaterial& material, const aiString& base) {
+aiString opacity_path(const aiMaterial& material, const aiString& base) {
   aiString path;
-  if (material.GetTexture(aiTextureType_OPACITY, 0, &path) != AI_SUCCESS || path == base) return {};
-  return text_of(path);
+  if (material.GetTexture(aiTextureType_OPACITY, 0, &path) != AI_SUCCESS || path == base) return aiString();
+  return path;
 }
 
 struct MapKind {
@@ -175,7 +175,7 @@ void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& m
     out.base_texture = textures.find(path);
     out.normal_texture = textures.find(normal_texture_path(material));
     out.normal_strength = normal_strength(material);
-    out.opacity_texture = opacity_path(material, path);
+    out.opacity_texture = textures.find(opacity_path(material, path));
     add_other_maps(material, path, textures, out);
     out.base_color = base_color(material, format, path.length != 0);
     convert_alpha(material, format, out);

@@ -24,6 +24,7 @@ std::string vertex_arrays_fault(const SourceMesh& mesh) {
   const std::size_t count = mesh.positions.size();
   if (!mesh.normals.empty() && mesh.normals.size() != count) return "normals of another size than positions";
   if (!mesh.uvs.empty() && mesh.uvs.size() != count) return "uvs of another size than positions";
+  if (!mesh.colors.empty() && mesh.colors.size() != count) return "colours of another size than positions";
   for (const auto& position : mesh.positions) {
     if (!position.allFinite()) return "position not finite";
   }
@@ -32,6 +33,9 @@ std::string vertex_arrays_fault(const SourceMesh& mesh) {
   }
   for (const auto& uv : mesh.uvs) {
     if (!uv.allFinite()) return "uv not finite";
+  }
+  for (const auto& color : mesh.colors) {
+    if (!color.allFinite() || !(color.minCoeff() >= 0)) return "vertex colour not finite or below zero";
   }
   return {};
 }
@@ -89,8 +93,8 @@ bool is_unit(const Eigen::Vector3d& direction) {
 bool is_length(double value) { return std::isfinite(value) && value >= 0; }
 
 std::string material_fault(const SourceModel& model, const SourceMaterial& material) {
-  for (const std::uint32_t image :
-       {material.base_texture.image, material.normal_texture.image, material.strand_texture.image}) {
+  for (const std::uint32_t image : {material.base_texture.image, material.normal_texture.image,
+                                    material.strand_texture.image, material.opacity_texture.image}) {
     if (image != kNoIndex && image >= model.images.size()) return "absent image";
   }
   if (!material.base_color.allFinite()) return "colour not finite";

@@ -35,17 +35,29 @@ struct SourceMesh {
   std::uint32_t material = kNoIndex;
   std::vector<Eigen::Vector3f> positions;  ///< Model space, rest pose (skinning applied), metres.
   std::vector<Eigen::Vector3f> normals;    ///< Model space, unit; empty when the file has none.
-  std::vector<Eigen::Vector2f> uvs;        ///< V grows downwards in the image, as in glTF; empty when none.
+  /// Of the set that the material's base texture names, with its transform applied; V grows downwards in the image, as in
+  /// glTF. Empty when none.
+  std::vector<Eigen::Vector2f> uvs;
+  std::vector<Eigen::Vector4f> colors;  ///< Linear RGBA, >= 0, that multiply the material's; empty when none.
   /// positions.size() + 1 entries into `influences`, or empty: rigid to `node`.
   std::vector<std::uint32_t> influence_begin;
   std::vector<SourceInfluence> influences;
   std::vector<std::uint32_t> triangles;  ///< Three indices each, counter-clockwise seen from outside.
 };
 
+/// What a texture shows outside 0..1: itself again, its edge, or itself turned over.
+enum class TextureWrap : std::uint8_t { kRepeat, kClamp, kMirror };
+
 struct SourceTexture {
   std::string path;                ///< As written in the file; for messages, and for finding it beside the source.
   std::uint32_t image = kNoIndex;  ///< Into SourceModel::images when embedded.
+  TextureWrap wrap[2] = {TextureWrap::kRepeat, TextureWrap::kRepeat};  ///< Along U and V.
+
+  [[nodiscard]] bool is_there() const { return !path.empty() || image != kNoIndex; }
 };
+
+/// Where in an image a single number stands. kAuto: in alpha where that says anything, else in the luminance.
+enum class TextureChannel : std::uint8_t { kAuto, kRed, kGreen, kBlue, kAlpha, kLuminance };
 
 /// How a material uses the alpha of its base colour, where the file says so.
 enum class AlphaUse { kUnknown, kOpaque, kMask, kBlend };
@@ -61,7 +73,9 @@ struct SourceMaterial {
   /// others it is; blue and alpha how it runs, as TextureRole::kStrandAxis has it. Embedded or none; no file format has it.
   SourceTexture strand_texture;
   float normal_strength = 1;    ///< What the map's slopes are multiplied with, 0..kMostNormalStrength.
-  std::string opacity_texture;  ///< Another image that holds the alpha, as written; for messages. Empty: none.
+  SourceTexture opacity_texture;  ///< Another image, whose numbers multiply the alpha of the base colour; none where there is none.
+  TextureChannel opacity_channel = TextureChannel::kAuto;
+  bool opacity_inverted = false;            ///< 1 is transparent.
   std::vector<std::string> other_textures;  ///< "occlusion map 'ao.png'": maps of what is computed here; for messages.
   AlphaUse alpha_use = AlphaUse::kUnknown;
   float alpha_cutoff = 0.5f;  ///< For kMask.
@@ -108,7 +122,7 @@ struct SourceSpring {
   std::vector<std::uint32_t> colliders;  ///< Into SourceModel::colliders, ascending.
 };
 
-/// An image as stored in the file: encoded bytes (PNG, JPEG, TGA), not decoded here.
+/// An image as stored in the file: encoded bytes (PNG, JPEG, TGA, WebP), not decoded here.
 struct SourceImage {
   std::string name;
   std::vector<std::uint8_t> bytes;

@@ -23,7 +23,10 @@ template <>
 inline constexpr bool kIsPlain<Eigen::Vector3f> = true;
 template <>
 inline constexpr bool kIsPlain<Eigen::Vector2f> = true;
+template <>
+inline constexpr bool kIsPlain<Eigen::Vector4f> = true;
 
+static_assert(sizeof(Eigen::Vector4f) == 16);
 static_assert(sizeof(Eigen::Vector3f) == 12 && sizeof(Eigen::Vector2f) == 8 && sizeof(SourceInfluence) == 8);
 
 inline constexpr auto transfer_text = [](auto& archive, auto& text) { return archive.sequence(text); };

@@ -30,7 +30,7 @@ std::string listed(const TextureFolder& folder, std::span<const fs::path> images
 }  // namespace
 
 const Image* SourceImages::of(const SourceMaterial& material) {
-  if (!material.opacity_texture.empty()) warn_of_opacity(material);
+  if (material.opacity_texture.is_there()) warn_of_opacity(material);
   tell_other_maps(material);
   if (material.base_texture.image < source_.images.size()) return embedded(material, material.base_texture.image);
   return material.base_texture.path.empty() ? nullptr : beside(material);
