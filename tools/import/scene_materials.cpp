@@ -1,4 +1,5 @@
 #include "import/assimp_scene.h"
+#include "import/scene_surface.h"
 
 #include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
@@ -33,12 +34,17 @@ Eigen::Vector4f base_color(const aiMaterial& material, SourceFormat format, bool
   return out.allFinite() ? Eigen::Vector4f(out.cwiseMax(0.0f)) : white;
 }
 
-aiString base_texture_path(const aiMaterial& material) {
-  aiString path;
+struct NamedMap {
+  aiString path;  ///< Empty: none.
+  aiTextureType type = aiTextureType_NONE;
+};
+
+NamedMap base_map(const aiMaterial& material) {
+  NamedMap map;
   for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
-    if (material.GetTexture(type, 0, &path) == AI_SUCCESS && path.length != 0) return path;
+    if (material.GetTexture(type, 0, &map.path) == AI_SUCCESS && map.path.length != 0) return {map.path, type};
   }
-  return aiString();
+  return {};
 }
 
 // Exporters write one or the other under several names: what matters is where it is steep.
@@ -168,14 +174,17 @@ void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& m
   TextureTable textures(scene, model);
   for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
     const aiMaterial& material = *scene.mMaterials[i];
-    const aiString path = base_texture_path(material);
+    const NamedMap base = base_map(material);
+    const aiString& path = base.path;
     SourceMaterial out;
     aiString name;
     if (material.Get(AI_MATKEY_NAME, name) == AI_SUCCESS) out.name = text_of(name);
     out.base_texture = textures.find(path);
+    read_wrap(material, base.type, out.base_texture);
     out.normal_texture = textures.find(normal_texture_path(material));
     out.normal_strength = normal_strength(material);
     out.opacity_texture = textures.find(opacity_path(material, path));
+    read_wrap(material, aiTextureType_OPACITY, out.opacity_texture);
     add_other_maps(material, path, textures, out);
     out.base_color = base_color(material, format, path.length != 0);
     convert_alpha(material, format, out);

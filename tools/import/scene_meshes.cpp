@@ -1,4 +1,5 @@
 #include "import/assimp_scene.h"
+#include "import/scene_surface.h"
 
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -106,15 +107,20 @@ std::vector<std::uint32_t> keep_used_vertices(std::vector<std::uint32_t>& triang
   return kept;
 }
 
-void copy_uvs(const aiMesh& mesh, std::span<const std::uint32_t> kept, const std::string& label, SourceMesh& out,
-              std::vector<std::string>& warnings) {
-  if (!mesh.HasTextureCoords(0)) return;
+void copy_uvs(const aiMesh& mesh, const TexturePlace& place, std::span<const std::uint32_t> kept, const std::string& label,
+              SourceMesh& out, std::vector<std::string>& warnings) {
+  const unsigned set = mesh.HasTextureCoords(place.uv_set) ? place.uv_set : 0;
+  if (!mesh.HasTextureCoords(set)) return;
+  if (set != place.uv_set) {
+    warnings.push_back(fmt::format("{}: its texture names UV set {}, which the mesh lacks; the first is taken", label, place.uv_set));
+  }
   std::size_t unusable = 0;
   std::string first;
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    const aiVector3D& given = mesh.mTextureCoords[0][kept[i]];
+    const aiVector3D& given = mesh.mTextureCoords[set][kept[i]];
+    const Eigen::Vector2f placed = place({given.x, given.y});
     // assimp's V grows upwards whatever the file, this project's downwards.
-    Eigen::Vector2f uv(given.x, 1.0f - given.y);
+    Eigen::Vector2f uv(placed.x(), 1.0f - placed.y());
     // Not the maximum, which Eigen may take of a number and NaN as the number.
     if (!uv.allFinite() || uv.cwiseAbs().maxCoeff() > kFarthestUv) {
       const Eigen::Vector3f& at = out.positions[i];
@@ -163,7 +169,7 @@ void repair_normals(SourceMesh& mesh, const std::string& label, std::vector<std:
 }
 
 SourceMesh convert_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, const SceneNodes& nodes,
-                        std::vector<std::string>& warnings) {
+                        const SourceSurface& surface, std::vector<std::string>& warnings) {
   SourceMesh out;
   out.name = text_of(mesh.mName);
   if (out.name.empty()) out.name = nodes.nodes[node].name;
@@ -182,7 +188,12 @@ SourceMesh convert_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t 
     out.positions.push_back(placed.positions[v]);
     if (!placed.normals.empty()) out.normals.push_back(placed.normals[v]);
   }
-  copy_uvs(mesh, kept, label, out, warnings);
+  const bool is_gltf = surface.format == SourceFormat::kGltf;
+  const TexturePlace place = is_gltf || out.material == kNoIndex
+                                 ? TexturePlace{}
+                                 : texture_place(*scene.mMaterials[out.material], surface, label, warnings);
+  copy_uvs(mesh, place, kept, label, out, warnings);
+  out.colors = vertex_colors(mesh, kept, is_gltf, label, warnings);
   copy_influences(binding, kept, out);
   repair_normals(out, label, warnings);
   return out;
@@ -190,7 +201,7 @@ SourceMesh convert_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t 
 
 }  // namespace
 
-std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes,
+std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes, const SourceSurface& surface,
                                        std::vector<std::string>& warnings) {
   std::vector<SourceMesh> meshes;
   for (std::uint32_t n = 0; n < nodes.nodes.size(); ++n) {
@@ -200,7 +211,7 @@ std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& n
         warnings.push_back(fmt::format("node '{}': refers to an absent mesh", nodes.nodes[n].name));
         continue;
       }
-      SourceMesh mesh = convert_mesh(scene, *scene.mMeshes[index], n, nodes, warnings);
+      SourceMesh mesh = convert_mesh(scene, *scene.mMeshes[index], n, nodes, surface, warnings);
       if (!mesh.triangles.empty())
         meshes.push_back(std::move(mesh));
       else

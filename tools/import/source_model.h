@@ -2,6 +2,8 @@
 
 // What every supported file becomes: a plain model in metres, Y up, right-handed, in its rest pose.
 
+#include "base/texture_channel.h"
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -56,9 +58,6 @@ struct SourceTexture {
   [[nodiscard]] bool is_there() const { return !path.empty() || image != kNoIndex; }
 };
 
-/// Where in an image a single number stands. kAuto: in alpha where that says anything, else in the luminance.
-enum class TextureChannel : std::uint8_t { kAuto, kRed, kGreen, kBlue, kAlpha, kLuminance };
-
 /// How a material uses the alpha of its base colour, where the file says so.
 enum class AlphaUse { kUnknown, kOpaque, kMask, kBlend };
 
@@ -73,7 +72,7 @@ struct SourceMaterial {
   /// others it is; blue and alpha how it runs, as TextureRole::kStrandAxis has it. Embedded or none; no file format has it.
   SourceTexture strand_texture;
   float normal_strength = 1;    ///< What the map's slopes are multiplied with, 0..kMostNormalStrength.
-  SourceTexture opacity_texture;  ///< Another image, whose numbers multiply the alpha of the base colour; none where there is none.
+  SourceTexture opacity_texture;  ///< Another image, whose numbers are the alpha instead of the base texture's; or none.
   TextureChannel opacity_channel = TextureChannel::kAuto;
   bool opacity_inverted = false;            ///< 1 is transparent.
   std::vector<std::string> other_textures;  ///< "occlusion map 'ao.png'": maps of what is computed here; for messages.

@@ -91,11 +91,13 @@ tl::expected<void, std::string> begin_from_style(const json& chosen, Recipe& rec
   return {};
 }
 
-/// `says_all`: with RecipeKey::also.
+/// `says_all`: with RecipeKey::also, and keys of later versions at their defaults.
 std::string commented(const Recipe& recipe, bool says_all) {
   std::string text = "{";
   const char* section = "";
   for (const RecipeKey& key : recipe_keys()) {
+    const json value = write_value(key, recipe);
+    if (!says_all && key.is_later && value == json::parse(key.default_json)) continue;
     const bool first = std::strcmp(section, key.section) != 0;
     if (first) text += fmt::format("{}\n  \"{}\": {{", *section != 0 ? "\n  }," : "", key.section);
     section = key.section;
@@ -104,7 +106,7 @@ std::string commented(const Recipe& recipe, bool says_all) {
     if (key.low < key.high)
       facts += fmt::format(", {} to {}{}{}", key.low, key.high, *key.unit != 0 ? " " : "", key.unit);
     text += fmt::format("{}\n    // {}{} ({})\n    \"{}\": {}", first ? "" : ",", key.meaning, says_all ? key.also : "",
-                        facts, key.name, write_value(key, recipe).dump());
+                        facts, key.name, value.dump());
   }
   return text + "\n  }\n}\n";
 }

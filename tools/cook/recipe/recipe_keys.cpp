@@ -8,6 +8,8 @@ namespace {
 
 using R = Recipe;
 
+constexpr const char* kOrChannel = "; or {\"file\": ..., \"channel\": \"r\", \"g\", \"b\", \"a\" or \"luminance\", \"invert\": true}";
+
 // clang-format off
 const RecipeKey kCookKeys[] = {
   {"scene", "draw", &R::scene_draw, "true", 0, 0, nullptr, "",
@@ -201,11 +203,22 @@ const RecipeKey kCookKeys[] = {
    "which of the runtime's solvers moves the hair in the poses that orders are searched in: the one that the game will run"},
 
   {"textures", "base_color", &R::base_color_texture, "\"\"", 0, 0, nullptr, "",
-   "image with colour and alpha, path from the recipe; empty: the source's own"},
+   "image with colour and alpha, path from the recipe; empty: the source's own", kOrChannel},
+  {"textures", "opacity", &R::opacity_texture, "\"\"", 0, 0, nullptr, "",
+   "image whose numbers are the hair's alpha, path from the recipe; empty: the source's own", kOrChannel, true},
   {"textures", "shift", &R::shift_texture, "\"\"", 0, 0, nullptr, "",
-   "image whose red moves both highlights along the strand; empty: generated"},
+   "image whose red moves both highlights along the strand; empty: generated", kOrChannel},
   {"textures", "mask", &R::mask_texture, "\"\"", 0, 0, nullptr, "",
-   "image whose red scales the secondary highlight; empty: generated"},
+   "image whose red scales the secondary highlight; empty: generated", kOrChannel},
+  {"textures", "strand_id", &R::strand_id_texture, "\"\"", 0, 0, nullptr, "",
+   "image with a number for each strand, as packed hair atlases have it: shift and mask then follow the painted strands", kOrChannel,
+   true},
+  {"textures", "root_to_tip", &R::root_to_tip_texture, "\"\"", 0, 0, nullptr, "",
+   "image that grows from 0 at the root to 1 at the tip, as packed hair atlases have it: says which end of each card is the root",
+   kOrChannel, true},
+  {"textures", "vertex_colors", &R::vertex_colors, "\"auto\"", 0, 0, "auto|multiply|ignore", "",
+   "whether the source's vertex colours multiply colour and alpha, as glTF says; auto: unless all are black or clear, which are"
+   " numbers for something else", "", true},
   {"textures", "normal", &R::normal_texture, "\"\"", 0, 0, nullptr, "",
    "image of normals or heights that the hair is lit by; empty: the source's own"},
   {"textures", "normal_strength", &R::normal_strength, "1", 0, 16, nullptr, "",

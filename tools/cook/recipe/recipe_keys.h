@@ -20,7 +20,7 @@ using RecipeField =
                  std::optional<NumberOrCurve> Recipe::*, std::optional<std::array<double, 3>> Recipe::*,
                  std::optional<std::array<double, 2>> Recipe::*, std::optional<std::uint32_t> Recipe::*,
                  std::vector<PatchOverride> Recipe::*, std::vector<RecipeBodyCollider> Recipe::*,
-                 std::vector<RecipeBoneLimit> Recipe::*, RecipeLinks Recipe::*>;
+                 std::vector<RecipeBoneLimit> Recipe::*, RecipeLinks Recipe::*, RecipeTexture Recipe::*>;
 
 /// One key of a recipe: everything that reading, checking and printing it needs.
 struct RecipeKey {
@@ -34,6 +34,7 @@ struct RecipeKey {
   const char* unit;     ///< "" where there is none.
   const char* meaning;  ///< What the artist sees, one line.
   const char* also = "";  ///< What more it may be, a clause that follows; no part of canonical_recipe().
+  bool is_later = false;  ///< canonical_recipe() has it only where it says something else than its default.
 
   [[nodiscard]] std::string path() const { return std::string(section) + "." + name; }
 };
@@ -95,6 +96,9 @@ tl::expected<void, std::string> read_body_colliders(const nlohmann::json& json, 
 /// Of "dynamics.limits".
 tl::expected<void, std::string> read_bone_limits(const nlohmann::json& json, std::vector<RecipeBoneLimit>& out);
 [[nodiscard]] nlohmann::json write_bone_limits(const std::vector<RecipeBoneLimit>& limits);
+/// Of those of "textures" that name an image.
+tl::expected<void, std::string> read_recipe_texture(const nlohmann::json& json, RecipeTexture& out);
+[[nodiscard]] nlohmann::json write_recipe_texture(const RecipeTexture& texture);
 /// Of "dynamics.links".
 tl::expected<void, std::string> read_chain_links(const nlohmann::json& json, RecipeLinks& out);
 [[nodiscard]] nlohmann::json write_chain_links(const RecipeLinks& links);

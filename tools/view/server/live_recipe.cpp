@@ -14,8 +14,9 @@ constexpr const char* kChanges = "changes of the page";
 
 /// In a section of images, text that is none of some words is a file's name.
 bool names_file(const RecipeKey& key) {
-  return std::strcmp(key.section, "textures") == 0 && key.choices == nullptr &&
-         std::holds_alternative<std::string Recipe::*>(key.field);
+  return std::holds_alternative<RecipeTexture Recipe::*>(key.field) ||
+         (std::strcmp(key.section, "textures") == 0 && key.choices == nullptr &&
+          std::holds_alternative<std::string Recipe::*>(key.field));
 }
 
 /// Of a file that is a recipe by itself; empty where there is none.
