@@ -27,6 +27,17 @@ coif_cli_case(cook_absent_recipe EXIT 2 STDERR "coif cook: error: r.json: "
   ARGS cook ${sample} --recipe r.json -o out.coif)
 coif_cli_case(cook_misspelt_recipe_key EXIT 3 STDERR "r.json: .*did you mean"
   TEXT r.json "{\"dynamics\": {\"fricton\": 1}}" ARGS cook ${sample} --recipe r.json -o out.coif)
+coif_cli_case(cook_opacity_of_no_channel EXIT 3
+  STDERR "r.json: \"textures.opacity\" wants a path, or {\"file\": \"hair.png\", \"channel\": .*}, found {\"channel\":\"q\",\"file\":\"a.png\"}"
+  TEXT r.json "{\"textures\": {\"opacity\": {\"file\": \"a.png\", \"channel\": \"q\"}}}"
+  ARGS cook ${sample} --recipe r.json -o out.coif)
+coif_cli_case(cook_opacity_that_is_not_there EXIT 3 STDERR "a.png: recipe key \"textures.opacity\": no such file"
+  TEXT r.json "{\"textures\": {\"opacity\": {\"file\": \"a.png\", \"channel\": \"r\"}}}"
+  ARGS cook ${sample} --recipe r.json -o out.coif)
+coif_cli_case(cook_opacity_of_a_kind_that_is_not_read EXIT 3
+  STDERR "a.png: recipe key \"textures.opacity\": a GIF image, which is not read; make a PNG of it: convert hair.gif hair.png"
+  TEXT r.json "{\"textures\": {\"opacity\": \"a.png\"}}" a.png "GIF89a"
+  ARGS cook ${sample} --recipe r.json -o out.coif)
 coif_cli_case(cook_names_body_bones_that_are_not_there EXIT 3
   STDERR "\"body.colliders\" \\[0\\]: no bone is called 'LeftSholder'; "
   TEXT r.json "{\"body\": {\"colliders\": [{\"bone\": \"LeftSholder\", \"radius\": 0.1}]}}"

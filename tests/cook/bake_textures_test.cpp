@@ -237,8 +237,8 @@ TEST(BakeTextures, ShiftAndMaskThatAreTheSameEverywhereAreNumbersInstead) {
   store("one_differs.png", true);
   Recipe recipe = default_recipe();
   const auto baked_from = [&](const char* shift, const char* mask) {
-    recipe.shift_texture = shift;
-    recipe.mask_texture = mask;
+    recipe.shift_texture.file = shift;
+    recipe.mask_texture.file = mask;
     return baked(BaseColor{}, left_half(), recipe, {.recipe_directory = folder.path()});
   };
   EXPECT_EQ(baked_from("one_differs.png", "same.png").stored.records.size(), 1u);
@@ -261,6 +261,29 @@ TEST(BakeTextures, ShiftAndMaskThatAreTheSameEverywhereAreNumbersInstead) {
   EXPECT_NEAR(said.secondary_shift, plain.secondary_shift - 0.3f, 1.0e-6);
   EXPECT_NEAR(said.secondary_color[0], 0.2f * plain.secondary_color[0], 1.0e-6);
   EXPECT_EQ(said.primary_color[0], plain.primary_color[0]) << "the mask is the secondary highlight's";
+}
+
+TEST(BakeTextures, NumbersOfStrandsThatTheRecipeNamesShiftTheirHighlights) {
+  const ImageFolder folder;
+  folder.write("packed.png", encoded(painted(16, 16, [](std::uint32_t x, std::uint32_t) {
+                                       return Rgba{9, 9, std::uint8_t(x < 4 ? 0 : 255), 255};
+                                     }), FileFormat::kPng));
+  SourceModel model;
+  model.path = folder.source("wig.glb").string();
+  add_surface(model, "hair");
+  HairMesh hair = whole_hair(model);
+  Recipe recipe = default_recipe();
+  recipe.strand_id_texture = {"packed.png", TextureChannel::kBlue, false};
+  recipe.shift_mask_format = "rg8";
+  const CookSettings settings{.recipe_directory = folder.path()};
+  const auto color = find_base_color(model, hair, recipe, settings, unheard());
+  ASSERT_TRUE(color);
+  const SaidTextures textures = baked(*color, hair, recipe, settings);
+  ASSERT_EQ(textures.stored.records.size(), 1u);
+  EXPECT_EQ(textures.stored.records[0].width, 16u);
+  const auto shift_at = [&](std::size_t x) { return int(std::uint8_t(textures.stored.texels[2 * x])); };
+  EXPECT_LT(shift_at(1), 60) << "strand 0";
+  EXPECT_GT(shift_at(8), 195) << "strand 1";
 }
 
 TEST(BakeTextures, WithoutTextureCoordinatesNothingIsStored) {

@@ -193,7 +193,7 @@ TEST(Cook, RigidHairLeavesDynamicsOut) {
 
 TEST(Cook, ATextureThatTheRecipeNamesMustBeThere) {
   Recipe recipe = default_recipe();
-  recipe.shift_texture = "absent.png";
+  recipe.shift_texture.file = "absent.png";
   const auto result = cook(make_wig(), recipe, {});
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().message, "absent.png: recipe key \"textures.shift\": no such file");

@@ -276,4 +276,36 @@ TEST(NamePattern, ManyStarsStayFast) {
   EXPECT_FALSE(matches(std::string(5000, 'a'), std::string("*a*a*a*a*a*a*a*a*a*a*a*a*a*a*a*a*a*a*b")));
 }
 
+TEST(Recipe, ATextureIsAPathOrAFileWithAChannel) {
+  const auto opacity_of = [](const std::string& json) {
+    return parse_recipe(R"({"textures": {"opacity": )" + json + "}}", "r.json");
+  };
+  const auto path = opacity_of(R"("a.png")");
+  ASSERT_TRUE(path) << path.error().message;
+  EXPECT_EQ(path->opacity_texture.file, "a.png");
+  EXPECT_EQ(path->opacity_texture.channel, TextureChannel::kAuto);
+  const auto chosen = opacity_of(R"({"file": "a.png", "channel": "g", "invert": true})");
+  ASSERT_TRUE(chosen) << chosen.error().message;
+  EXPECT_EQ(chosen->opacity_texture.channel, TextureChannel::kGreen);
+  EXPECT_TRUE(chosen->opacity_texture.is_inverted);
+  const auto again = parse_recipe(print_recipe(*chosen), "r.json");
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(again->opacity_texture.channel, TextureChannel::kGreen);
+  EXPECT_TRUE(again->opacity_texture.is_inverted);
+  for (const char* wrong : {R"({"channel": "g"})", R"({"file": "a.png", "channel": "x"})", R"({"file": "a.png", "chanel": "g"})",
+                            R"({"file": 3})", "7", R"({"file": "a.png", "invert": 1})"}) {
+    const auto refused = opacity_of(wrong);
+    ASSERT_FALSE(refused) << wrong;
+    EXPECT_NE(refused.error().message.find("\"textures.opacity\" wants a path, or {\"file\""), std::string::npos) << refused.error().message;
+  }
+}
+
+TEST(Recipe, KeysOfLaterVersionsChangeNoHashUnlessTheySaySomething) {
+  Recipe recipe = default_recipe();
+  EXPECT_EQ(canonical_recipe(recipe).find("\"opacity\""), std::string::npos);
+  EXPECT_NE(print_recipe(recipe).find("\"opacity\""), std::string::npos);
+  recipe.opacity_texture.file = "a.png";
+  EXPECT_NE(canonical_recipe(recipe).find("\"opacity\": \"a.png\""), std::string::npos);
+}
+
 }  // namespace coif::recipe_test

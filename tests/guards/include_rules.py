@@ -64,6 +64,7 @@ HOMES = {
     "fmt/": ["tools/", "tests/"],
     "tl/": ["tools/", "tests/"],
     "stb/stb_easy_font.h": ["tools/render"],
+    "webp/decode.h": ["tools/cook/texture/image_kinds.cpp"],
     "stb/stb_image.h": ["tools/cook/texture", "tests/"],
     "stb/stb_image_resize.h": ["tools/cook/texture"],
     "stb/stb_image_write.h": ["tools/base", "tests/cook"],

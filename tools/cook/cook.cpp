@@ -17,6 +17,7 @@
 #include "cook/texture/alpha.h"
 #include "cook/texture/patch_coverage.h"
 #include "cook/texture/strand_lines.h"
+#include "cook/texture/vertex_colors.h"
 
 #include <algorithm>
 #include <chrono>
@@ -44,8 +45,15 @@ Done keep(tl::expected<Part, ToolError> made, Part& part) {
   return keep(std::move(*made), part);
 }
 
+/// What the recipe, the source or a map says of roots.
+std::vector<std::string> said_roots(const Cooking& c) {
+  std::vector<std::string> roots = declared_roots(c.recipe, c.source, c.hair);
+  if (c.color.root_to_tip) read_root_to_tip(c.hair, *c.color.root_to_tip, roots);
+  return roots;
+}
+
 StrandField find_strands(const Cooking& c, Findings& findings) {
-  const StrandSettings settings{declared_roots(c.recipe, c.source, c.hair), c.extracted.chosen != "position",
+  const StrandSettings settings{said_roots(c), c.extracted.chosen != "position",
                                 depths_below(c.source, c.head_bone.node),
                                 find_strand_lines(c.hair, c.color, c.settings.threads), c.settings.threads};
   return find_strand_direction(c.hair, c.head, settings, findings);
@@ -107,7 +115,7 @@ const Pass kPasses[] = {
      [](Cooking& c) -> Done {
        Findings of_whole;
        c.hair.strands = find_strands(c, of_whole);
-       if (split_partings(c.hair, c.head, declared_roots(c.recipe, c.source, c.hair), c.report) > 0) {
+       if (split_partings(c.hair, c.head, said_roots(c), c.report) > 0) {
          c.hair.strands = find_strands(c, c.report);
        } else {
          c.report.append(of_whole);
@@ -199,6 +207,12 @@ const Pass kPasses[] = {
        return keep(card_levels(c.source, c.hair, c.rig, c.head, settings, c.report), c.levels);
      },
      [](const Cooking& c) { return has_card_levels(c.source, c.hair); }},
+    {"vertex colors",
+     [](Cooking& c) -> Done {
+       keep_vertex_colors(texture_limit(c.recipe), c.color, c.hair.mesh, c.report);
+       return {};
+     },
+     [](const Cooking& c) { return !c.hair.mesh.colors.empty(); }},
     {"textures",
      [](Cooking& c) { return keep(bake_textures(c.color, c.hair, c.recipe, c.settings, c.report), c.textures); }},
     {"tips",

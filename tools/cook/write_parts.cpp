@@ -72,8 +72,8 @@ CookInputs inputs_of(const Cooking& c) {
   inputs.source_files.assign(c.source.side_files.begin(), c.source.side_files.end());
   inputs.recipe_files = c.textures.files;
   if (!c.recipe.cards_body.empty()) inputs.recipe_files.push_back(c.settings.recipe_directory / c.recipe.cards_body);
-  auto& of_color = c.recipe.base_color_texture.empty() ? inputs.source_files : inputs.recipe_files;
-  of_color.insert(of_color.end(), c.color.files.begin(), c.color.files.end());
+  inputs.source_files.insert(inputs.source_files.end(), c.color.files.begin(), c.color.files.end());
+  inputs.recipe_files.insert(inputs.recipe_files.end(), c.color.recipe_files.begin(), c.color.recipe_files.end());
   inputs.questions = c.color.questions;
   inputs.named_files = named_image_files(c.source);
   return inputs;

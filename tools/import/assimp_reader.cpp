@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "import/import.h"
 #include "import/raw_mesh.h"
+#include "import/scene_surface.h"
 
 #include <assimp/BaseImporter.h>
 #include <assimp/DefaultIOSystem.h>
@@ -79,6 +80,15 @@ class AskedFiles : public Assimp::DefaultIOSystem {
   Asked& asked_;
 };
 
+/// The material libraries that a model names and that were opened.
+std::vector<std::string> opened_libraries(const Asked& asked) {
+  std::vector<std::string> opened(asked.names.begin(), asked.names.end());
+  std::erase_if(opened, [&](const std::string& name) {
+    return std::ranges::find(asked.not_opened, name) != asked.not_opened.end() || !std::filesystem::is_regular_file(name);
+  });
+  return opened;
+}
+
 /// The material libraries that a model names and that were not opened, each once. After each of them assimp tries one of the
 /// model's own name, which nobody may have named.
 std::vector<std::string> lost_libraries(const Asked& asked, const std::string& model) {
@@ -139,7 +149,7 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   SceneNodes nodes = flatten_nodes(scene, to_model, model.warnings);
   convert_materials(scene, suffix.format, model);
   model.named_images = named_images(scene);
-  model.meshes = convert_meshes(scene, nodes, model.warnings);
+  model.meshes = convert_meshes(scene, nodes, {suffix.format, model.space.generator}, model.warnings);
   model.nodes = std::move(nodes.nodes);
   if (model.meshes.empty()) return no_triangles(path);
   keep_finest_levels(model);
@@ -150,8 +160,9 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
 
 tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::path& path, const SourceSuffix& suffix,
                                                       const ImportSettings& settings) try {
+  std::vector<char> text;
   if (suffix.format == SourceFormat::kDae) {
-    const std::vector<char> text = bytes_of(path);
+    text = bytes_of(path);
     if (auto fault = overrun_array({text.data(), text.size()})) return refusal(path, suffix, fault->c_str());
   }
   Asked asked;
@@ -166,7 +177,9 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
   auto model = convert_scene(*scene, path, suffix, settings);
   asked.names.erase(path.string());
   if (model) model->side_files.assign(asked.names.begin(), asked.names.end());
+  if (model && suffix.format == SourceFormat::kDae) apply_collada_opacity({text.data(), text.size()}, *model);
   if (model && suffix.format == SourceFormat::kObj) {
+    apply_obj_options(opened_libraries(asked), *model);
     for (const std::string& library : lost_libraries(asked, model->path)) {
       warn_of_lost_library(library, !lies_in(library, folders), *scene, *model);
     }

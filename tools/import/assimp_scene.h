@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "import/import.h"
+#include "import/scene_surface.h"
 #include "import/source_model.h"
 
 #include <Eigen/Geometry>
@@ -70,7 +71,7 @@ struct SceneNodes {
 /// elsewhere. Points and lines, triangles with absent or non-finite vertices and vertices without a triangle are
 /// dropped; meshes with no triangle left are too. Mesh names fall back to the node's.
 [[nodiscard]] std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes,
-                                                     std::vector<std::string>& warnings);
+                                                     const SourceSurface& surface, std::vector<std::string>& warnings);
 
 /// Fills `materials`, one per material of the scene, and `images` with the embedded base-colour textures that they
 /// use. Colours: glTF's base colour factor; else the diffuse colour, which FBX and COLLADA replace by a texture where

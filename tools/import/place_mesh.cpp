@@ -125,17 +125,18 @@ void copy_uvs(const RawMesh& mesh, std::span<const std::uint32_t> kept, const st
   }
 }
 
+// Those that are all white and opaque say nothing.
 void copy_colors(const RawMesh& mesh, std::span<const std::uint32_t> kept, const std::string& label, SourceMesh& out,
                  std::vector<std::string>& warnings) {
   if (mesh.colors.empty()) return;
   std::size_t unusable = 0;
   for (const std::uint32_t v : kept) {
     const Eigen::Vector4f& color = mesh.colors[v];
-    const bool is_color = color.allFinite() && color.minCoeff() >= 0;
-    unusable += is_color ? 0 : 1;
-    out.colors.push_back(is_color ? color : Eigen::Vector4f::Ones());
+    unusable += color.allFinite() ? 0 : 1;
+    out.colors.push_back(color.allFinite() ? Eigen::Vector4f(color.cwiseMax(0.0f)) : Eigen::Vector4f::Ones());
   }
-  warn_count(unusable, label, "vertex colours that are none made white", warnings);
+  warn_count(unusable, label, "vertex colours that are no numbers taken for white", warnings);
+  if (std::ranges::all_of(out.colors, [](const Eigen::Vector4f& color) { return color == Eigen::Vector4f::Ones(); })) out.colors.clear();
 }
 
 void copy_influences(const SkinBinding& binding, std::span<const std::uint32_t> kept, SourceMesh& out) {

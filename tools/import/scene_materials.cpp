@@ -1,4 +1,5 @@
 #include "import/assimp_scene.h"
+#include "import/scene_surface.h"
 
 #include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
@@ -20,26 +21,27 @@ constexpr float kObjFiller = 0.6f;
 Eigen::Vector4f base_color(const aiMaterial& material, SourceFormat format, bool textured) {
   const Eigen::Vector4f white = Eigen::Vector4f::Ones();
   aiColor4D color(1, 1, 1, 1);
-  if (format == SourceFormat::kGltf) {
-    if (material.Get(AI_MATKEY_BASE_COLOR, color) != AI_SUCCESS) return white;
-  } else {
-    const bool replaced = textured && format != SourceFormat::kObj;
-    if (replaced || material.Get(AI_MATKEY_COLOR_DIFFUSE, color) != AI_SUCCESS) return white;
-    if (format == SourceFormat::kObj && color.r == kObjFiller && color.g == kObjFiller && color.b == kObjFiller) {
-      return white;
-    }
-    color.a = 1;
+  const bool replaced = textured && format != SourceFormat::kObj;
+  if (replaced || material.Get(AI_MATKEY_COLOR_DIFFUSE, color) != AI_SUCCESS) return white;
+  if (format == SourceFormat::kObj && color.r == kObjFiller && color.g == kObjFiller && color.b == kObjFiller) {
+    return white;
   }
+  color.a = 1;
   const Eigen::Vector4f out(color.r, color.g, color.b, color.a);
   return out.allFinite() ? Eigen::Vector4f(out.cwiseMax(0.0f)) : white;
 }
 
-aiString base_texture_path(const aiMaterial& material) {
-  aiString path;
+struct NamedMap {
+  aiString path;  ///< Empty: none.
+  aiTextureType type = aiTextureType_NONE;
+};
+
+NamedMap base_map(const aiMaterial& material) {
+  NamedMap map;
   for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
-    if (material.GetTexture(type, 0, &path) == AI_SUCCESS && path.length != 0) return path;
+    if (material.GetTexture(type, 0, &map.path) == AI_SUCCESS && map.path.length != 0) return {map.path, type};
   }
-  return aiString();
+  return {};
 }
 
 // Exporters write one or the other under several names: what matters is where it is steep.
@@ -84,28 +86,9 @@ constexpr MapKind kOtherMaps[] = {{aiTextureType_AMBIENT_OCCLUSION, "occlusion"}
                                   {aiTextureType_EMISSIVE, "emission"},
                                   {aiTextureType_EMISSION_COLOR, "emission"}};
 
-// glTF says it; elsewhere a texture of its own for opacity is the only sign that exporters agree on.
-void convert_alpha(const aiMaterial& material, SourceFormat format, SourceMaterial& out) {
-  if (format != SourceFormat::kGltf) {
-    if (material.GetTextureCount(aiTextureType_OPACITY) != 0) out.alpha_use = AlphaUse::kBlend;
-    return;
-  }
-  aiString mode;
-  if (material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) != AI_SUCCESS) return;
-  const std::string word = text_of(mode);
-  if (word == "OPAQUE") out.alpha_use = AlphaUse::kOpaque;
-  if (word == "MASK") out.alpha_use = AlphaUse::kMask;
-  if (word == "BLEND") out.alpha_use = AlphaUse::kBlend;
-  float cutoff = 0;
-  if (material.Get(AI_MATKEY_GLTF_ALPHACUTOFF, cutoff) != AI_SUCCESS || !std::isfinite(cutoff)) return;
-  out.alpha_cutoff = std::clamp(cutoff, 0.0f, 1.0f);
-}
-
-// Other formats say it in numbers of their own, or not at all.
-void convert_roughness(const aiMaterial& material, SourceFormat format, SourceMaterial& out) {
-  float roughness = 0;
-  if (format != SourceFormat::kGltf || material.Get(AI_MATKEY_ROUGHNESS_FACTOR, roughness) != AI_SUCCESS) return;
-  if (std::isfinite(roughness)) out.roughness = std::clamp(roughness, 0.0f, 1.0f);
+// A texture of its own for opacity is the only sign that exporters agree on. Roughness they say in numbers of their own, or not at all.
+void convert_alpha(const aiMaterial& material, SourceMaterial& out) {
+  if (material.GetTextureCount(aiTextureType_OPACITY) != 0) out.alpha_use = AlphaUse::kBlend;
 }
 
 class TextureTable {
@@ -184,18 +167,20 @@ void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& m
   TextureTable textures(scene, model);
   for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
     const aiMaterial& material = *scene.mMaterials[i];
-    const aiString path = base_texture_path(material);
+    const NamedMap base = base_map(material);
+    const aiString& path = base.path;
     SourceMaterial out;
     aiString name;
     if (material.Get(AI_MATKEY_NAME, name) == AI_SUCCESS) out.name = text_of(name);
     out.base_texture = textures.find(path);
+    read_wrap(material, base.type, out.base_texture);
     out.normal_texture = textures.find(normal_texture_path(material));
     out.normal_strength = normal_strength(material);
     out.opacity_texture = textures.find(opacity_path(material, path));
+    read_wrap(material, aiTextureType_OPACITY, out.opacity_texture);
     add_other_maps(material, path, textures, out);
     out.base_color = base_color(material, format, path.length != 0);
-    convert_alpha(material, format, out);
-    convert_roughness(material, format, out);
+    convert_alpha(material, out);
     int two_sided = 0;
     out.double_sided = material.Get(AI_MATKEY_TWOSIDED, two_sided) == AI_SUCCESS && two_sided != 0;
     model.materials.push_back(std::move(out));

@@ -1,4 +1,5 @@
 #include "import/assimp_scene.h"
+#include "import/scene_surface.h"
 
 #include "import/raw_mesh.h"
 
@@ -52,8 +53,23 @@ void move_to_bound_space(RawMesh& mesh) {
   mesh.node_from_mesh.setIdentity();
 }
 
+std::vector<Eigen::Vector2f> uvs_of(const aiMesh& mesh, const TexturePlace& place, const std::string& label, std::vector<std::string>& warnings) {
+  std::vector<Eigen::Vector2f> uvs;
+  const unsigned set = mesh.HasTextureCoords(place.uv_set) ? place.uv_set : 0;
+  if (!mesh.HasTextureCoords(set)) return uvs;
+  if (set != place.uv_set) {
+    warnings.push_back(fmt::format("{}: its texture names UV set {}, which the mesh lacks; the first is taken", label, place.uv_set));
+  }
+  for (const aiVector3D& given : std::span(mesh.mTextureCoords[set], mesh.mNumVertices)) {
+    const Eigen::Vector2f placed = place({given.x, given.y});
+    // assimp's V grows upwards whatever the file, this project's downwards.
+    uvs.emplace_back(placed.x(), 1.0f - placed.y());
+  }
+  return uvs;
+}
+
 RawMesh raw_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, const SceneNodes& nodes,
-                 std::vector<std::string>& warnings) {
+                 const SourceSurface& surface, std::vector<std::string>& warnings) {
   RawMesh out;
   out.name = text_of(mesh.mName);
   if (out.name.empty()) out.name = nodes.nodes[node].name;
@@ -65,19 +81,20 @@ RawMesh raw_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, c
   for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
     out.positions.push_back(vector(mesh.mVertices[v]));
     if (mesh.HasNormals()) out.normals.push_back(vector(mesh.mNormals[v]));
-    // assimp's V grows upwards whatever the file, this project's downwards.
-    if (mesh.HasTextureCoords(0)) out.uvs.emplace_back(mesh.mTextureCoords[0][v].x, 1.0f - mesh.mTextureCoords[0][v].y);
   }
   add_bones(mesh, nodes, label, out, warnings);
   out.node_from_mesh = nodes.node_from_mesh[node];
   if (!out.bones.empty()) move_to_bound_space(out);
   add_triangles(mesh, out);
+  out.colors = vertex_colors(mesh);
+  const TexturePlace place = out.material == kNoIndex ? TexturePlace{} : texture_place(*scene.mMaterials[out.material], surface, label, warnings);
+  out.uvs = uvs_of(mesh, place, label, warnings);
   return out;
 }
 
 }  // namespace
 
-std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes,
+std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes, const SourceSurface& surface,
                                        std::vector<std::string>& warnings) {
   std::vector<SourceMesh> meshes;
   std::vector<std::string> hidden;
@@ -92,7 +109,7 @@ std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& n
         warnings.push_back(fmt::format("node '{}': refers to an absent mesh", nodes.nodes[n].name));
         continue;
       }
-      SourceMesh mesh = place_mesh(raw_mesh(scene, *scene.mMeshes[index], n, nodes, warnings), n, nodes.nodes, warnings);
+      SourceMesh mesh = place_mesh(raw_mesh(scene, *scene.mMeshes[index], n, nodes, surface, warnings), n, nodes.nodes, warnings);
       if (!mesh.triangles.empty())
         meshes.push_back(std::move(mesh));
       else

@@ -99,11 +99,6 @@ void read_format(const aiScene& scene, SourceFormat format, SourceSpace& space) 
       space.unit = space.up = Statement::kUsual;
       space.up_words = "the file's axes";
       break;
-    case SourceFormat::kGltf:
-      space.unit = space.up = Statement::kDeclared;
-      space.unit_words = "glTF is in metres";
-      space.up_words = "glTF has Y up";
-      break;
     case SourceFormat::kDae:
       space.metres_per_unit = unit_in_root(scene);
       space.unit = std::abs(space.metres_per_unit - 1) < 1.0e-6 ? Statement::kUsual : Statement::kDeclared;
@@ -117,9 +112,10 @@ void read_format(const aiScene& scene, SourceFormat format, SourceSpace& space) 
       space.unit_words = "OBJ has no unit";
       space.up_words = "OBJ has no up axis";
       break;
+    case SourceFormat::kGltf:
     case SourceFormat::kHair:
     case SourceFormat::kTressFx:
-      break;  // strands, of which no scene is made
+      break;  // of which assimp makes no scene
   }
 }
 

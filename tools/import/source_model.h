@@ -2,6 +2,8 @@
 
 // What every supported file becomes: a plain model in metres, Y up, right-handed, in its rest pose.
 
+#include "base/texture_channel.h"
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -77,7 +79,7 @@ struct SourceMaterial {
   /// others it is; blue and alpha how it runs, as TextureRole::kStrandAxis has it. Embedded or none; no file format has it.
   SourceTexture strand_texture;
   float normal_strength = 1;    ///< What the map's slopes are multiplied with, 0..kMostNormalStrength.
-  SourceTexture opacity_texture;  ///< Another image, whose numbers multiply the alpha of the base colour; none where there is none.
+  SourceTexture opacity_texture;  ///< Another image, whose numbers are the alpha instead of the base texture's; or none.
   TextureChannel opacity_channel = TextureChannel::kAuto;
   bool opacity_inverted = false;            ///< 1 is transparent.
   std::vector<std::string> other_textures;  ///< "occlusion map 'ao.png'": maps of what is computed here; for messages.

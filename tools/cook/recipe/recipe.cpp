@@ -91,15 +91,17 @@ tl::expected<void, std::string> begin_from_style(const json& chosen, Recipe& rec
   return {};
 }
 
-/// `says_all`: with RecipeKey::also.
+/// `says_all`: with RecipeKey::also, and keys of later versions at their defaults.
 std::string commented(const Recipe& recipe, bool says_all) {
   std::string text = "{";
   const char* section = "";
   for (const RecipeKey& key : recipe_keys()) {
+    const json given = write_value(key, recipe);
+    if (!says_all && key.is_later && given == json::parse(key.default_json)) continue;
     const bool first = std::strcmp(section, key.section) != 0;
     if (first) text += fmt::format("{}\n  \"{}\": {{", *section != 0 ? "\n  }," : "", key.section);
     section = key.section;
-    const std::string value = write_value(key, recipe).dump();
+    const std::string value = given.dump();
     const auto shown = [&](const std::string& written) {
       return !says_all && key.canonical_null != nullptr && written == "null" ? std::string(key.canonical_null) : written;
     };

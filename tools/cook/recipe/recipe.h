@@ -8,6 +8,7 @@
 #include "cook/recipe/chain_links.h"
 #include "cook/recipe/hair_style.h"
 #include "cook/recipe/patch_override.h"
+#include "cook/recipe/recipe_texture.h"
 
 #include <tl/expected.hpp>
 
@@ -38,6 +39,7 @@ struct Recipe : HairStyle {
   // source
   double metres_per_unit = 0;  ///< 0: from the file.
   std::string up_axis;         ///< "file", "x", "y" or "z".
+  std::string source_variant;
   // hair: patterns with * and ?, letters of either case
   std::vector<std::string> hair_meshes;
   std::vector<std::string> hair_materials;
@@ -121,9 +123,13 @@ struct Recipe : HairStyle {
   double order_cut_budget = 0;  ///< Share of the triangles.
   std::string order_solver;   ///< "coif", "cascade", "passive" or "thesis".
   // textures
-  std::string base_color_texture;  ///< Path beside the recipe; "": the source's.
-  std::string shift_texture;
-  std::string mask_texture;
+  RecipeTexture base_color_texture;  ///< None: the source's.
+  RecipeTexture opacity_texture;     ///< None: the source's.
+  RecipeTexture shift_texture;
+  RecipeTexture mask_texture;
+  RecipeTexture strand_id_texture;
+  RecipeTexture root_to_tip_texture;
+  std::string vertex_colors;  ///< "auto", "multiply" or "ignore".
   std::string normal_texture;  ///< Path beside the recipe; "": the source's.
   double normal_strength = 0;
   std::string normal_green;  ///< "auto", "up" or "down".

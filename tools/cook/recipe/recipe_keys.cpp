@@ -9,6 +9,8 @@ namespace {
 using R = Recipe;
 
 constexpr bool kNamesFile = true;
+constexpr bool kIsLater = true;
+constexpr const char* kOrChannel = "; or {\"file\": ..., \"channel\": \"r\", \"g\", \"b\", \"a\" or \"luminance\", \"invert\": true}";
 
 // clang-format off
 const RecipeKey kCookKeys[] = {
@@ -38,6 +40,8 @@ const RecipeKey kCookKeys[] = {
    "size of the file's unit; 0 takes the file's own, unless the model's size speaks clearly for another; OBJ has none"},
   {"source", "up_axis", &R::up_axis, "\"file\"", 0, 0, "file|x|y|z", "",
    "axis that points up in the file; file: the one it says, unless bones and hair speak clearly for another"},
+  {"source", "variant", &R::source_variant, "\"\"", 0, 0, nullptr, "",
+   "which look of a glTF with KHR_materials_variants, by its name; empty: the materials that its meshes have", "", false, nullptr, kIsLater},
 
   {"hair", "meshes", &R::hair_meshes, "[]", 0, 0, nullptr, "",
    "names of the meshes that are hair; * and ? are wildcards; all empty: whatever is called hair, else everything"},
@@ -203,11 +207,22 @@ const RecipeKey kCookKeys[] = {
    "which of the runtime's solvers moves the hair in the poses that orders are searched in: the one that the game will run"},
 
   {"textures", "base_color", &R::base_color_texture, "\"\"", 0, 0, nullptr, "",
-   "image with colour and alpha, path from the recipe; empty: the source's own", "", kNamesFile},
+   "image with colour and alpha, path from the recipe; empty: the source's own", kOrChannel, kNamesFile},
+  {"textures", "opacity", &R::opacity_texture, "\"\"", 0, 0, nullptr, "",
+   "image whose numbers are the hair's alpha, path from the recipe; empty: the source's own", kOrChannel, kNamesFile, nullptr, kIsLater},
   {"textures", "shift", &R::shift_texture, "\"\"", 0, 0, nullptr, "",
-   "image whose red moves both highlights along the strand; empty: generated", "", kNamesFile},
+   "image whose red moves both highlights along the strand; empty: generated", kOrChannel, kNamesFile},
   {"textures", "mask", &R::mask_texture, "\"\"", 0, 0, nullptr, "",
-   "image whose red scales the secondary highlight; empty: generated", "", kNamesFile},
+   "image whose red scales the secondary highlight; empty: generated", kOrChannel, kNamesFile},
+  {"textures", "strand_id", &R::strand_id_texture, "\"\"", 0, 0, nullptr, "",
+   "image with a number for each strand, as packed hair atlases have it: shift and mask then follow the painted strands", kOrChannel,
+   kNamesFile, nullptr, kIsLater},
+  {"textures", "root_to_tip", &R::root_to_tip_texture, "\"\"", 0, 0, nullptr, "",
+   "image that grows from 0 at the root to 1 at the tip, as packed hair atlases have it: says which end of each card is the root",
+   kOrChannel, kNamesFile, nullptr, kIsLater},
+  {"textures", "vertex_colors", &R::vertex_colors, "\"auto\"", 0, 0, "auto|multiply|ignore", "",
+   "whether the source's vertex colours multiply colour and alpha, as glTF says; auto: unless all are black or clear, which are"
+   " numbers for something else", "", false, nullptr, kIsLater},
   {"textures", "normal", &R::normal_texture, "\"\"", 0, 0, nullptr, "",
    "image of normals or heights that the hair is lit by; empty: the source's own", "", kNamesFile},
   {"textures", "normal_strength", &R::normal_strength, "1", 0, 16, nullptr, "",

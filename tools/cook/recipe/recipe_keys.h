@@ -20,7 +20,7 @@ using RecipeField =
                  std::optional<NumberOrCurve> Recipe::*, std::optional<std::array<double, 3>> Recipe::*,
                  std::optional<std::array<double, 2>> Recipe::*, std::optional<std::uint32_t> Recipe::*,
                  std::vector<PatchOverride> Recipe::*, std::vector<RecipeBodyCollider> Recipe::*,
-                 std::vector<RecipeBoneLimit> Recipe::*, RecipeLinks Recipe::*>;
+                 std::vector<RecipeBoneLimit> Recipe::*, RecipeLinks Recipe::*, RecipeTexture Recipe::*>;
 
 /// One key of a recipe: everything that reading, checking and printing it needs.
 struct RecipeKey {
@@ -40,6 +40,7 @@ struct RecipeKey {
   bool names_file = false;
   /// What canonical_recipe() has in place of null, the default: of a key that once could not be null.
   const char* canonical_null = nullptr;
+  bool is_later = false;  ///< canonical_recipe() has it only where it says something else than its default.
 
   [[nodiscard]] std::string path() const { return std::string(section) + "." + name; }
 };
@@ -104,6 +105,9 @@ tl::expected<void, std::string> read_body_colliders(const nlohmann::json& json, 
 /// Of "dynamics.limits".
 tl::expected<void, std::string> read_bone_limits(const nlohmann::json& json, std::vector<RecipeBoneLimit>& out);
 [[nodiscard]] nlohmann::json write_bone_limits(const std::vector<RecipeBoneLimit>& limits);
+/// Of those of "textures" that name an image.
+tl::expected<void, std::string> read_recipe_texture(const nlohmann::json& json, RecipeTexture& out);
+[[nodiscard]] nlohmann::json write_recipe_texture(const RecipeTexture& texture);
 /// Of "dynamics.links".
 tl::expected<void, std::string> read_chain_links(const nlohmann::json& json, RecipeLinks& out);
 [[nodiscard]] nlohmann::json write_chain_links(const RecipeLinks& links);

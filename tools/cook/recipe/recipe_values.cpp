@@ -107,6 +107,8 @@ Outcome read(const RecipeKey&, const json& value, std::vector<RecipeBoneLimit>& 
 
 Outcome read(const RecipeKey&, const json& value, RecipeLinks& out) { return read_chain_links(value, out); }
 
+Outcome read(const RecipeKey&, const json& value, RecipeTexture& out) { return read_recipe_texture(value, out); }
+
 template <std::size_t kCount>
 Outcome read(const RecipeKey& key, const json& value, std::array<double, kCount>& out) {
   const std::string what = fmt::format("{} numbers {}", kCount, number_range(key));
@@ -152,6 +154,8 @@ json write(const std::vector<RecipeBodyCollider>& colliders) { return write_body
 json write(const std::vector<RecipeBoneLimit>& limits) { return write_bone_limits(limits); }
 
 json write(const RecipeLinks& links) { return write_chain_links(links); }
+
+json write(const RecipeTexture& texture) { return write_recipe_texture(texture); }
 
 template <typename Value>
 json write(const std::optional<Value>& value) {

@@ -17,6 +17,7 @@ struct HairMesh {
   std::vector<Eigen::Vector3f> positions;
   std::vector<Eigen::Vector3f> normals;
   std::vector<Eigen::Vector2f> uvs;
+  std::vector<Eigen::Vector4f> colors;  ///< Linear RGBA, until a texture or a factor has them.
   std::vector<std::uint32_t> influence_begin;   ///< positions.size() + 1 entries.
   std::vector<SourceInfluence> influences;      ///< Nodes of the source; each vertex's weights add up to one.
   std::vector<std::uint32_t> triangles;         ///< Three vertices each.
@@ -40,6 +41,7 @@ struct HairMesh {
     positions.push_back(Eigen::Vector3f(from.positions[vertex]));
     if (!from.normals.empty()) normals.push_back(Eigen::Vector3f(from.normals[vertex]));
     if (!from.uvs.empty()) uvs.push_back(Eigen::Vector2f(from.uvs[vertex]));
+    if (!from.colors.empty()) colors.push_back(Eigen::Vector4f(from.colors[vertex]));
     for (std::uint32_t k = from.influence_begin[vertex]; k < from.influence_begin[vertex + 1]; ++k) {
       influences.push_back(SourceInfluence(from.influences[k]));
     }

@@ -88,6 +88,9 @@ std::string vertex_key(const HairMesh& mesh, std::uint32_t v) {
   if (!mesh.uvs.empty()) {
     for (int k = 0; k < 2; ++k) append(mesh.uvs[v][k]);
   }
+  if (!mesh.colors.empty()) {
+    for (int k = 0; k < 4; ++k) append(mesh.colors[v][k]);
+  }
   for (const SourceInfluence& influence : mesh.influences_of(v)) {
     key.append(reinterpret_cast<const char*>(&influence.node), sizeof influence.node);
     append(influence.weight);

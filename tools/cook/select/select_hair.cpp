@@ -18,17 +18,26 @@ bool is_degenerate(const SourceMesh& mesh, std::size_t t) {
   return edge1.cross(edge2).squaredNorm() <= 1.0e-20f;
 }
 
-/// Appends all vertices of `mesh`; attributes that only some meshes have are filled with zeros and mended later.
-void append_vertices(const SourceMesh& mesh, bool with_normals, bool with_uvs, HairMesh& out) {
+/// Which attributes any of the meshes has.
+struct WantedAttributes {
+  bool normals = false, uvs = false, colors = false;
+};
+
+/// Appends all vertices of `mesh`; attributes that only some meshes have are filled with zeros and mended later, colours with white.
+void append_vertices(const SourceMesh& mesh, const WantedAttributes& wanted, HairMesh& out) {
   const std::size_t count = mesh.positions.size();
   out.positions.insert(out.positions.end(), mesh.positions.begin(), mesh.positions.end());
-  if (with_normals) {
+  if (wanted.normals) {
     if (mesh.normals.empty()) out.normals.resize(out.normals.size() + count, Eigen::Vector3f::Zero());
     out.normals.insert(out.normals.end(), mesh.normals.begin(), mesh.normals.end());
   }
-  if (with_uvs) {
+  if (wanted.uvs) {
     if (mesh.uvs.empty()) out.uvs.resize(out.uvs.size() + count, Eigen::Vector2f::Zero());
     out.uvs.insert(out.uvs.end(), mesh.uvs.begin(), mesh.uvs.end());
+  }
+  if (wanted.colors) {
+    if (mesh.colors.empty()) out.colors.resize(out.colors.size() + count, Eigen::Vector4f::Ones());
+    out.colors.insert(out.colors.end(), mesh.colors.begin(), mesh.colors.end());
   }
   for (std::uint32_t v = 0; v < count; ++v) {
     if (mesh.influence_begin.empty()) {
@@ -102,15 +111,16 @@ Gathered gather(const SourceModel& source, const HairChoice& choice, Findings& f
     }
     return false;
   };
-  const bool with_normals = any([](const SourceMesh& m) { return !m.normals.empty(); });
-  const bool with_uvs = any([](const SourceMesh& m) { return !m.uvs.empty(); });
+  const WantedAttributes wanted{any([](const SourceMesh& m) { return !m.normals.empty(); }),
+                                any([](const SourceMesh& m) { return !m.uvs.empty(); }),
+                                any([](const SourceMesh& m) { return !m.colors.empty(); })};
   Gathered gathered;
   gathered.mesh.influence_begin.push_back(0);
   gathered.taken.assign(source.meshes.size(), 0);
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     if (choice.taken[m].empty()) continue;
     const auto base = std::uint32_t(gathered.mesh.positions.size());
-    append_vertices(source.meshes[m], with_normals, with_uvs, gathered.mesh);
+    append_vertices(source.meshes[m], wanted, gathered.mesh);
     const TakenTriangles counts = append_triangles(source, m, choice, base, gathered.mesh);
     gathered.taken[m] = counts.taken;
     gathered.degenerate += counts.degenerate;

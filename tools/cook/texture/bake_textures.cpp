@@ -3,6 +3,7 @@
 #include "base/parallel_for.h"
 #include "cook/texture/relief.h"
 #include "cook/texture/texture_atlas.h"
+#include "cook/texture/texture_channel.h"
 #include "cook/texture/transparency.h"
 
 #include <fmt/format.h>
@@ -69,10 +70,9 @@ bool is_constant(const Image& image) {
 
 ShiftMask bake_shift_mask(const BaseColor& color, const RecipeImage& shift, const RecipeImage& mask,
                           bool strands_along_u, const Recipe& recipe) {
-  if (color.strands && !shift.image && !mask.image) {
-    return {
-        make_mips(shift_mask_of(*color.strands, recipe.texture_seed), texture_limit(recipe), TexelMeaning::kNumbers),
-        false};
+  const std::optional<Image>& strands = color.strand_ids ? color.strand_ids : color.strands;
+  if (strands && !shift.image && !mask.image) {
+    return {make_mips(shift_mask_of(*strands, recipe.texture_seed), texture_limit(recipe), TexelMeaning::kNumbers), false};
   }
   const auto pointer = [](const RecipeImage& image) { return image.image ? &*image.image : nullptr; };
   Image whole = combine_shift_mask(pointer(shift), pointer(mask), recipe.texture_seed, strands_along_u);
@@ -114,11 +114,13 @@ tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, con
   ShiftMask shift_mask;
   parallel_for(2, settings.threads, [&](std::size_t i) {
     if (i == 0 && textured) base = bake_base(color, hair.mesh, recipe, baked.transparency, findings);
-    if (i == 1) shift_mask = bake_shift_mask(color, *shift, *mask, hair.strands.along_u, recipe);
+    if (i == 1 && !color.is_of_vertex_colors) shift_mask = bake_shift_mask(color, *shift, *mask, hair.strands.along_u, recipe);
   });
   const TexelFormat format = two_channel_format(recipe);
   if (textured) baked.stored.append(TextureRole::kBaseColor, TexelFormat::kSrgb8Alpha8, base.color, settings.threads);
-  if (shift_mask.is_constant) {
+  if (color.is_of_vertex_colors) {
+    findings.leave_out({"texture of shift and mask", "the hair has no texture coordinates"});
+  } else if (shift_mask.is_constant) {
     keep_constants(shift_mask.mips, format, baked, findings);
   } else {
     baked.stored.append(TextureRole::kShiftMask, format, shift_mask.mips, settings.threads);
@@ -130,6 +132,13 @@ tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, con
   }
   baked.used = std::move(base.used);
   return baked;
+}
+
+tl::expected<RecipeImage, ToolError> read_recipe_image(const RecipeTexture& chosen, const char* key,
+                                                       const CookSettings& settings) {
+  auto read = read_recipe_image(chosen.file, key, settings);
+  if (read && read->image) read->image = as_chosen(std::move(*read->image), chosen);
+  return read;
 }
 
 tl::expected<RecipeImage, ToolError> read_recipe_image(const std::string& name, const char* key,

@@ -17,6 +17,10 @@ struct RecipeImage {
 
 /// Reads the image that the recipe's "textures.KEY" names, a path from the recipe's folder. Error (kBadInput): it cannot
 /// be read; the artist asked for it.
+/// As `chosen` says it: with the numbers of its channel in all of red, green and blue, where it names one.
+tl::expected<RecipeImage, ToolError> read_recipe_image(const RecipeTexture& chosen, const char* key,
+                                                       const CookSettings& settings);
+/// One that the recipe names by its path alone.
 tl::expected<RecipeImage, ToolError> read_recipe_image(const std::string& name, const char* key,
                                                        const CookSettings& settings);
 

@@ -1,7 +1,10 @@
 #include "cook/texture/base_color.h"
 
 #include "cook/texture/bake_textures.h"
+#include "cook/texture/recipe_maps.h"
 #include "cook/texture/source_images.h"
+#include "cook/texture/texture_wrap.h"
+#include "cook/texture/vertex_colors.h"
 
 #include <fmt/format.h>
 
@@ -41,6 +44,7 @@ std::vector<ImageSize> sizes_at(std::span<const SurfaceLook> looks, double scale
   std::vector<ImageSize> sizes;
   for (const SurfaceLook& look : looks) {
     ImageSize size;
+    for (std::size_t axis = 0; axis < 2; ++axis) size.clamped[axis] = look.wrap[axis] == TextureWrap::kClamp;
     for (const Image* image : {look.image, look.normals, look.strands}) {
       if (image == nullptr) continue;
       size.width = std::max(size.width, scaled(image->width));
@@ -143,8 +147,9 @@ tl::expected<BaseColor, std::string> joined(SurfaceLooks& looks, std::uint32_t m
   color.alpha_cutoff = alpha.cutoff;
   color.atlas = *layout;
   move_uvs_to_atlas(*layout, looks.of_triangle, hair);
-  findings.note(
-      fmt::format("{} surfaces share an atlas of {} x {} texels", looks.looks.size(), layout->width, layout->height));
+  const std::string who = looks.looks.size() == 1 ? "one surface has a clamped texture and fills"
+                                                  : fmt::format("{} surfaces share", looks.looks.size());
+  findings.note(fmt::format("{} an atlas of {} x {} texels", who, layout->width, layout->height));
   return color;
 }
 
@@ -153,15 +158,34 @@ std::optional<GreenAxis> green_of(const Recipe& recipe) {
   return recipe.normal_green == "up" ? GreenAxis::kUp : GreenAxis::kDown;
 }
 
-BaseColor from_materials(const SourceModel& source, SourceImages& images, const Recipe& recipe, HairMesh& hair,
-                         Findings& findings) {
+/// What the materials say of the hair.
+SurfaceLooks looks_of_materials(const SourceModel& source, SourceImages& images, const HairMesh& hair, const Recipe& recipe) {
   const bool are_replaced = !recipe.normal_texture.empty() || recipe.normal_strength <= 0;
-  SurfaceLooks looks = find_looks(source, images, hair, are_replaced ? NormalMaps::kIgnored : NormalMaps::kOfSource);
+  SurfaceLooks looks = find_looks(source, images, hair, {!are_replaced, recipe.opacity_texture.empty()});
   for (SurfaceLook& look : looks.looks) {
     look.normal_use.strength *= recipe.normal_strength;
     if (const auto green = green_of(recipe)) look.normal_use.green = green;
   }
-  if (looks.looks.size() == 1) return whole(looks.looks[0], findings);
+  return looks;
+}
+
+/// The image that the recipe names, on all of the hair.
+SurfaceLooks looks_of_image(const SourceModel& source, const HairMesh& hair, Image image) {
+  SurfaceLooks looks;
+  SurfaceLook look;
+  look.image = &looks.made.emplace_back(std::move(image));
+  if (hair.material < source.materials.size()) look.factor = color_factor(source.materials[hair.material]);
+  looks.looks.push_back(look);
+  looks.of_triangle.assign(hair.triangle_count(), 0);
+  return looks;
+}
+
+/// All looks in one image.
+BaseColor in_one_image(SurfaceLooks& looks, const Recipe& recipe, HairMesh& hair, Findings& findings) {
+  const bool is_clamped = std::ranges::find(looks.looks[0].wrap, TextureWrap::kClamp) != std::end(looks.looks[0].wrap);
+  if (looks.looks.size() == 1 && !(is_clamped && looks.looks[0].image != nullptr && !hair.uvs.empty())) {
+    return whole(looks.looks[0], findings);
+  }
   auto atlas = joined(looks, texture_limit(recipe), hair, findings);
   if (atlas) return *atlas;
   const SurfaceLook& main = looks.looks[looks.main];
@@ -170,6 +194,12 @@ BaseColor from_materials(const SourceModel& source, SourceImages& images, const 
                   "that with most triangles ('{}')",
                   looks.looks.size(), atlas.error(), main.name));
   return whole(main, findings);
+}
+
+BaseColor color_of(SurfaceLooks& looks, const Recipe& recipe, HairMesh& hair, Findings& findings) {
+  settle_wraps(looks, hair, findings);
+  split_by_vertex_colors(looks, hair, texture_limit(recipe), findings);
+  return in_one_image(looks, recipe, hair, findings);
 }
 
 /// White or grey without an image: what importers put where the exporter said nothing.
@@ -196,7 +226,7 @@ tl::expected<void, ToolError> take_own_normals(const Recipe& recipe, const CookS
   auto own = read_recipe_image(recipe.normal_texture, "normal", settings);
   if (!own) return tl::unexpected(own.error());
   if (!own->image) return {};
-  color.files.push_back(own->path);
+  color.recipe_files.push_back(own->path);
   if (recipe.normal_strength <= 0) return {};
   auto map = read_normal_map(*own->image, {green_of(recipe), recipe.normal_strength});
   if (!map) {
@@ -217,21 +247,27 @@ tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, Ha
                                                    const CookSettings& settings, Findings& findings) {
   auto own = read_recipe_image(recipe.base_color_texture, "base_color", settings);
   if (!own) return tl::unexpected(own.error());
+  auto maps = read_recipe_maps(recipe, settings);
+  if (!maps) return tl::unexpected(maps.error());
+  judge_vertex_colors(recipe, hair, findings);
   BaseColor color;
-  if (own->image) {
-    if (hair.material < source.materials.size()) color.factor = color_factor(source.materials[hair.material]);
-    color.image = std::move(own->image);
-    color.files = {own->path};
+  SourceImages images(source);
+  const bool has_own = own->image.has_value();
+  SurfaceLooks looks = has_own ? looks_of_image(source, hair, std::move(*own->image)) : looks_of_materials(source, images, hair, recipe);
+  take_opacity(*maps, looks, findings);
+  color = color_of(looks, recipe, hair, findings);
+  if (has_own) {
+    color.recipe_files = {own->path};
   } else {
-    SourceImages images(source);
-    color = from_materials(source, images, recipe, hair, findings);
-    if (is_colourless(color) && !says_what_it_lacks(source) && !names_color(recipe)) dye(color, findings);
+    const bool is_dyed = is_colourless(color) && hair.colors.empty() && !says_what_it_lacks(source) && !names_color(recipe);
+    if (is_dyed) dye(color, findings);
     findings.append(images.findings());
     color.files = images.files();
     color.questions = images.questions();
   }
+  place_maps(std::move(*maps), color);
   // Cards' texture is as large as it should be, unless the recipe says otherwise.
-  if (source.made_from_strands && !own->image && color.image && !recipe.texture_max_size) {
+  if (source.made_from_strands && !has_own && color.image && !recipe.texture_max_size) {
     color.max_size = std::max({texture_limit(recipe), color.image->width, color.image->height});
   }
   if (auto taken = take_own_normals(recipe, settings, color, findings); !taken) return tl::unexpected(taken.error());

@@ -8,6 +8,8 @@
 #include "cook/texture/source_images.h"
 #include "cook/texture/texture_atlas.h"
 
+#include <list>
+
 namespace coif {
 
 /// What a part of the hair looks like: materials that agree in it are one look.
@@ -18,12 +20,14 @@ struct SurfaceLook {
   const Image* normals = nullptr;  ///< A normal or bump map; null: none.
   NormalMapUse normal_use;
   const Image* strands = nullptr;  ///< SourceMaterial::strand_texture; null: none.
+  TextureWrap wrap[2] = {TextureWrap::kRepeat, TextureWrap::kRepeat};  ///< Along U and V.
   Eigen::Vector4f factor = Eigen::Vector4f::Ones();
   AlphaUse alpha_use = AlphaUse::kUnknown;
   float alpha_cutoff = 0.5f;
 };
 
 struct SurfaceLooks {
+  std::list<Image> made;           ///< Images that looks show and no file has.
   std::vector<SurfaceLook> looks;  ///< At least one, in the order of the hair's triangles.
   std::vector<std::uint32_t> of_triangle;
   std::uint32_t main = 0;  ///< The one with most triangles.
@@ -32,13 +36,16 @@ struct SurfaceLooks {
 /// Linear, 0..1.
 [[nodiscard]] Eigen::Vector4f color_factor(const SourceMaterial& material);
 
-/// Whether the source's normal maps are looked for. Where nobody will see them they are not missed either.
-enum class NormalMaps { kOfSource, kIgnored };
+/// Which of the source's maps are looked for. Where the recipe replaces them they are not missed either.
+struct WantedMaps {
+  bool normals = true;
+  bool opacity = true;
+};
 
 /// The looks of the hair's triangles; their images live in `images`. Where the file cannot say (it names no image for any
 /// part of the hair, and is no glTF, which would say so on purpose), an image beside the source may be taken.
 [[nodiscard]] SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const HairMesh& hair,
-                                      NormalMaps normals);
+                                      const WantedMaps& wanted);
 
 /// True for glTF: a file without a texture or a colour means white, where other formats' exporters leave things out.
 [[nodiscard]] bool says_what_it_lacks(const SourceModel& source);
@@ -68,7 +75,11 @@ struct BaseColor {
   std::optional<AtlasLayout> atlas;                  ///< Set where surfaces of several materials share the image.
   std::optional<Image> normals;                      ///< Two channels, as NormalMap has them; none: the surface's own.
   std::optional<Image> strands;                      ///< RGBA, SourceMaterial::strand_texture.
-  std::vector<std::filesystem::path> files;          ///< Image files that were read.
+  bool is_of_vertex_colors = false;                  ///< `image` is make_color_squares(): coordinates are colours, not places.
+  std::optional<Image> strand_ids;                   ///< As `strands`, of which the recipe knows red alone.
+  std::optional<Image> root_to_tip;                  ///< One channel, in the coordinates of `image`: how far along a strand.
+  std::vector<std::filesystem::path> files;          ///< Image files beside the source that were read.
+  std::vector<std::filesystem::path> recipe_files;   ///< Image files of the recipe that were read.
   std::vector<TextureQuestion> questions;            ///< How they were found; none for an image of the recipe.
 };
 

@@ -1,4 +1,4 @@
-#include "cook/texture/image.h"
+#include "cook/texture/image_kinds.h"
 
 #include <fmt/format.h>
 
@@ -44,14 +44,12 @@ tl::unexpected<std::string> unreadable() {
 }  // namespace
 
 tl::expected<Image, std::string> decode_texels(std::span<const std::uint8_t> bytes) {
+  if (is_webp(bytes)) return decode_webp(bytes);
+  if (std::string kind = foreign_kind(bytes); !kind.empty()) return tl::unexpected(std::move(kind));
   const int size = int(bytes.size());
   int width = 0, height = 0, channels = 0;
   if (stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) == 0) return unreadable();
-  if (width < 1 || height < 1 || std::max(width, height) > int(kMaxImageSide) ||
-      std::uint64_t(width) * std::uint64_t(height) > kMaxImageTexels) {
-    return tl::unexpected(fmt::format("{} x {} texels; an image has 1 to {} a side and at most {} million; reduce it",
-                                      width, height, kMaxImageSide, kMaxImageTexels / 1000000));
-  }
+  if (std::string fault = size_fault(width, height); !fault.empty()) return tl::unexpected(std::move(fault));
   const std::unique_ptr<stbi_uc, void (*)(void*)> data(
       stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, kRgba), stbi_image_free);
   if (!data) return unreadable();

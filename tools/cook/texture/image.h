@@ -33,7 +33,7 @@ inline constexpr std::uintmax_t kMaxImageBytes = std::uintmax_t{256} << 20;  ///
 inline constexpr std::uint32_t kMaxImageSide = 16384;
 inline constexpr std::uint64_t kMaxImageTexels = std::uint64_t{1} << 26;  ///< 8192 x 8192.
 
-/// Decodes PNG, JPEG, TGA or BMP to RGBA. Bytes may be hostile: they are decoded in a process of their own under limits
+/// Decodes PNG, JPEG, TGA, BMP or WebP to RGBA. Bytes may be hostile: they are decoded in a process of their own under limits
 /// (decode_texels() says which hold inside). The error is a sentence without the file's name.
 tl::expected<Image, std::string> decode_image(std::span<const std::uint8_t> bytes);
 tl::expected<Image, std::string> read_image(const std::filesystem::path& path);
@@ -46,6 +46,9 @@ enum class TexelMeaning {
 
 /// A smaller copy, box-filtered. The image repeats at its borders, as hair textures do.
 [[nodiscard]] Image shrink(const Image& image, std::uint32_t width, std::uint32_t height, TexelMeaning meaning);
+
+/// A larger copy, interpolated between texels; the image repeats at its borders. An image of that size comes back as it is.
+[[nodiscard]] Image enlarge(Image image, std::uint32_t width, std::uint32_t height, TexelMeaning meaning);
 
 /// The image, halved until no side is longer than `max_size`.
 [[nodiscard]] Image reduce(Image image, std::uint32_t max_size, TexelMeaning meaning);

@@ -30,7 +30,6 @@ std::string listed(const TextureFolder& folder, std::span<const fs::path> images
 }  // namespace
 
 const Image* SourceImages::of(const SourceMaterial& material) {
-  if (material.opacity_texture.is_there()) warn_of_opacity(material);
   tell_other_maps(material);
   if (material.base_texture.image < source_.images.size()) return embedded(material, material.base_texture.image);
   return material.base_texture.path.empty() ? nullptr : beside(material);
@@ -173,9 +172,9 @@ void SourceImages::warn_of_absent(const SourceMaterial& material) {
 
 namespace {
 
-constexpr std::string_view kRead[] = {".png", ".tga", ".jpg", ".jpeg", ".bmp"};
-constexpr std::string_view kNotRead[] = {".psd", ".dds",  ".tif", ".tiff", ".exr",
-                                         ".hdr", ".webp", ".ktx", ".ktx2", ".gif"};
+constexpr std::string_view kRead[] = {".png", ".tga", ".jpg", ".jpeg", ".bmp", ".webp"};
+constexpr std::string_view kNotRead[] = {".psd", ".dds", ".tif",   ".tiff", ".exr",
+                                         ".hdr", ".ktx", ".ktx2", ".basis", ".gif"};
 
 // Whole words, as artists end names with them ("hair_n"), and beginnings of words.
 constexpr std::string_view kOtherWords[] = {"n", "nm", "nrm", "r", "m", "s", "ao", "orm", "rma", "id", "flow", "depth"};

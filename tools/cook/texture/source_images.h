@@ -110,6 +110,9 @@ class SourceImages {
   /// The base image of a material; null where it names none or has none that can be read. Valid as long as this object.
   [[nodiscard]] const Image* of(const SourceMaterial& material);
 
+  /// The base image of a material with its opacity texture as alpha; as of() where it has none, or none that can be read.
+  [[nodiscard]] const Image* with_opacity(const SourceMaterial& material);
+
   /// Its normal or bump map; null where it names none or has none that can be read.
   [[nodiscard]] const Image* normals_of(const SourceMaterial& material);
 
@@ -137,11 +140,12 @@ class SourceImages {
   const Image* keep(const std::string& key, tl::expected<Image, std::string> image, const std::string& for_what);
   void note_question(TextureQuestion::Kind kind, std::vector<std::string> words);
   void warn_of_absent(const SourceMaterial& material);
-  void warn_of_opacity(const SourceMaterial& material);
+  const Image* opacity_of(const SourceMaterial& material);
   void tell_other_maps(const SourceMaterial& material);  ///< Each once.
 
   const SourceModel& source_;
   TextureFolder folder_;
+  std::map<std::string, Image> joined_;  ///< Base images with their opacity, by both names.
   Decoded decoded_;  ///< By file or number, so that two materials share what they show.
   Findings findings_;
   std::vector<std::filesystem::path> files_;

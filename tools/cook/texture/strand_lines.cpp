@@ -147,4 +147,23 @@ std::vector<SeenStrands> find_strand_lines(const HairStrips& hair, const BaseCol
   return seen;
 }
 
+void read_root_to_tip(const HairStrips& hair, const Image& map, std::vector<std::string>& roots) {
+  constexpr double kClearGrowth = 0.1;  // of the way, between the quarters at both ends
+  if (hair.mesh.uvs.empty()) return;
+  constexpr const char* kEnds[2][2] = {{"low_u", "high_u"}, {"low_v", "high_v"}};
+  const std::vector<PatchView> views = hair.views();
+  for (std::size_t p = 0; p < views.size(); ++p) {
+    if (roots[p] != "auto") continue;
+    Ends ends;
+    for (const std::uint32_t v : views[p].vertices) ends.range.extend(hair.mesh.uvs[v]);
+    for_each_place(hair.mesh, views[p], map, [&](const Vector2f& uv) {
+      const std::uint8_t number = map.texels[repeated(uv.y(), map.height) * map.width + repeated(uv.x(), map.width)];
+      ends.add(uv, Eigen::Vector4d::Constant(number / 255.0));
+    });
+    const double along[2] = {ends.difference(0).x(), ends.difference(1).x()};
+    const int axis = std::abs(along[1]) >= std::abs(along[0]) ? 1 : 0;
+    if (std::abs(along[axis]) >= kClearGrowth) roots[p] = kEnds[axis][along[axis] > 0 ? 1 : 0];
+  }
+}
+
 }  // namespace coif

@@ -14,4 +14,8 @@ namespace coif {
 [[nodiscard]] std::vector<SeenStrands> find_strand_lines(const HairStrips& hair, const BaseColor& color,
                                                          unsigned threads);
 
+/// Says of each patch for which `roots` (StrandSettings::roots) has "auto" at which end of the texture the map that grows from root to
+/// tip (one channel) has its root. Patches across which it does not grow clearly stay "auto".
+void read_root_to_tip(const HairStrips& hair, const Image& map, std::vector<std::string>& roots);
+
 }  // namespace coif

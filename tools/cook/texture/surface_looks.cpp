@@ -14,7 +14,7 @@ namespace {
 bool same(const SurfaceLook& a, const SurfaceLook& b) {
   const bool is_lit_alike = a.normals == nullptr || b.normals == nullptr ||
                             (a.normals == b.normals && a.normal_use.strength == b.normal_use.strength);
-  return is_lit_alike && a.image == b.image && a.strands == b.strands && a.lacks_image == b.lacks_image && a.factor == b.factor &&
+  return is_lit_alike && a.image == b.image && a.strands == b.strands && std::ranges::equal(a.wrap, b.wrap) && a.lacks_image == b.lacks_image && a.factor == b.factor &&
          a.alpha_use == b.alpha_use && a.alpha_cutoff == b.alpha_cutoff;
 }
 
@@ -44,16 +44,18 @@ bool names_texture(const SourceModel& source, std::uint32_t material) {
   return texture.image != kNoIndex || !texture.path.empty();
 }
 
-SurfaceLook look_of(const SourceModel& source, SourceImages& images, NormalMaps normals, std::uint32_t index) {
+SurfaceLook look_of(const SourceModel& source, SourceImages& images, const WantedMaps& wanted, std::uint32_t index) {
   SurfaceLook look;
   if (index >= source.materials.size()) return look;
   const SourceMaterial& material = source.materials[index];
   look.name = material.name;
-  look.image = images.of(material);
+  look.image = wanted.opacity ? images.with_opacity(material) : images.of(material);
   look.lacks_image = look.image == nullptr && names_texture(source, index);
-  if (normals == NormalMaps::kOfSource) look.normals = images.normals_of(material);
+  if (wanted.normals) look.normals = images.normals_of(material);
   look.normal_use.strength = double(material.normal_strength);
   look.strands = images.strands_of(material);
+  const SourceTexture& shown = material.base_texture.is_there() ? material.base_texture : material.opacity_texture;
+  std::ranges::copy(shown.wrap, look.wrap);
   if (says_what_it_lacks(source)) look.normal_use.green = GreenAxis::kUp;  // glTF 2.0, 3.9.3
   look.factor = color_factor(material);
   look.alpha_use = material.alpha_use;
@@ -91,7 +93,7 @@ Eigen::Vector4f color_factor(const SourceMaterial& material) {
   return material.base_color.cwiseMax(0.0f).cwiseMin(1.0f);
 }
 
-SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const HairMesh& hair, NormalMaps normals) {
+SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const HairMesh& hair, const WantedMaps& wanted) {
   const std::vector<std::uint32_t> materials = material_of_triangle(source, hair);
   SurfaceLooks result;
   std::vector<std::uint32_t> look_of_material(source.materials.size() + 1, kNoIndex);
@@ -99,7 +101,7 @@ SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const H
   for (const std::uint32_t material : materials) {
     std::uint32_t& look = look_of_material[std::min<std::size_t>(material, source.materials.size())];
     if (look == kNoIndex) {
-      const SurfaceLook found = look_of(source, images, normals, material);
+      const SurfaceLook found = look_of(source, images, wanted, material);
       const auto known = std::ranges::find_if(result.looks, [&](const SurfaceLook& l) { return same(l, found); });
       look = std::uint32_t(known - result.looks.begin());
       if (known == result.looks.end()) {
@@ -116,7 +118,8 @@ SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const H
   result.main = std::uint32_t(std::ranges::max_element(triangles) - triangles.begin());
   const bool untold = result.looks.size() == 1 && !says_what_it_lacks(source) &&
                       std::ranges::none_of(materials, [&](std::uint32_t m) { return names_texture(source, m); });
-  if (!untold || hair.uvs.empty()) return result;
+  // Vertex colours and a map of opacity say what it looks like.
+  if (!untold || hair.uvs.empty() || !hair.colors.empty() || result.looks[0].image != nullptr) return result;
   SurfaceLook& only = result.looks[0];
   only.image = images.guess(names_of_hair(source, hair, materials));
   // The grey that exporters fill in where a texture was is no colour that anybody chose.

@@ -77,14 +77,18 @@ void place_in_shelves(AtlasLayout& layout) {
   layout.height = y + shelf;
 }
 
+std::size_t texel_at(float coordinate, std::uint32_t size, bool is_clamped) {
+  return is_clamped ? std::size_t(std::clamp(coordinate, 0.0f, 1.0f - 0.5f / float(size)) * float(size)) : repeated(coordinate, size);
+}
+
 void draw_tile(const AtlasTile& tile, const Image& image, Image& atlas) {
   const std::uint32_t left = tile.x - kGutter, top = tile.y - kGutter;
   for (std::uint32_t y = top; y < top + cell_size(tile.height); ++y) {
     const float v = (float(y) + 0.5f - float(tile.y)) / float(tile.height) * tile.uv_size.y() + tile.uv_low.y();
-    const std::size_t row = repeated(v, image.height) * image.width;
+    const std::size_t row = texel_at(v, image.height, tile.clamped[1]) * image.width;
     for (std::uint32_t x = left; x < left + cell_size(tile.width); ++x) {
       const float u = (float(x) + 0.5f - float(tile.x)) / float(tile.width) * tile.uv_size.x() + tile.uv_low.x();
-      const std::size_t from = (row + repeated(u, image.width)) * image.channels;
+      const std::size_t from = (row + texel_at(u, image.width, tile.clamped[0])) * image.channels;
       const std::size_t to = (std::size_t(y) * atlas.width + x) * atlas.channels;
       std::copy_n(&image.texels[from], image.channels, &atlas.texels[to]);
     }
@@ -105,6 +109,7 @@ tl::expected<AtlasLayout, std::string> lay_out_atlas(const HairMesh& hair,
       return tl::unexpected(fmt::format("texture coordinates that repeat an image more than {} times", kMaxRepeats));
     }
     layout.tiles.push_back(plain ? tile_of_plain_color(ranges[i]) : tile_of_image(ranges[i], images[i]));
+    std::copy_n(images[i].clamped, 2, layout.tiles.back().clamped);
   }
   place_in_shelves(layout);
   const bool fits = std::max(layout.width, layout.height) <= kMaxImageSide &&

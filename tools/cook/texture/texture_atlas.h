@@ -13,6 +13,7 @@ struct AtlasTile {
   std::uint32_t height = 1;
   Eigen::Vector2f uv_low = Eigen::Vector2f::Zero();  ///< The surface's own coordinates at the tile's first corner.
   Eigen::Vector2f uv_size = Eigen::Vector2f::Ones();
+  bool clamped[2] = {false, false};  ///< Along U and V: outside 0..1 the image's edge goes on.
 };
 
 struct AtlasLayout {
@@ -25,6 +26,7 @@ struct AtlasLayout {
 struct ImageSize {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
+  bool clamped[2] = {false, false};  ///< AtlasTile::clamped.
 };
 
 /// Lays out the parts of the images that the triangles of each surface show, in shelves, with gutters that keep mips of
@@ -35,7 +37,7 @@ tl::expected<AtlasLayout, std::string> lay_out_atlas(const HairMesh& hair,
                                                      std::span<const ImageSize> images);
 
 /// The atlas's texels out of one RGBA or other image per tile, all of the same number of channels. Images repeat at their
-/// borders, in gutters too. An image whose size differs from that of the layout is sampled at the nearest texel.
+/// borders, in gutters too, but for those that are clamped. An image whose size differs from that of the layout is sampled at the nearest texel.
 [[nodiscard]] Image draw_atlas(const AtlasLayout& layout, std::span<const Image* const> images);
 
 /// Moves the hair's texture coordinates into the atlas. A vertex that two surfaces share becomes two.

@@ -18,12 +18,4 @@ void SourceImages::tell_other_maps(const SourceMaterial& material) {
     leave_out(map, "it is not read; light is computed from the hair's form");
 }
 
-void SourceImages::warn_of_opacity(const SourceMaterial& material) {
-  std::string text = fmt::format(
-      "material '{}': its opacity texture '{}' is not read; put what it holds into the alpha of the base texture",
-      material.name, material.opacity_texture.path);
-  const bool is_new = std::ranges::find(findings_.warnings, text) == findings_.warnings.end();
-  if (is_new) findings_.warn(std::move(text));
-}
-
 }  // namespace coif

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "base/texture_channel.h"
+
+#include <string>
+
+namespace coif {
+
+/// An image that the recipe names, and which of its numbers are meant. In JSON a path alone, or
+/// {"file": "hair_packed.png", "channel": "g", "invert": true}.
+struct RecipeTexture {
+  std::string file;  ///< Path beside the recipe; "": none.
+  TextureChannel channel = TextureChannel::kAuto;
+  bool is_inverted = false;  ///< 1 means what 0 does else.
+
+  [[nodiscard]] bool empty() const { return file.empty(); }
+};
+
+/// "r", "g", "b", "a", "luminance" or "auto".
+[[nodiscard]] const char* channel_word(TextureChannel channel);
+
+}  // namespace coif

@@ -1,0 +1,89 @@
+#include "import/scene_surface.h"
+
+#include "base/srgb.h"
+
+#include <assimp/material.h>
+#include <assimp/scene.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace coif {
+namespace {
+
+std::optional<aiTextureType> first_type(const aiMaterial& material, std::span<const aiTextureType> types) {
+  const auto* const found = std::ranges::find_if(types.data(), types.data() + types.size(), [&](aiTextureType type) {
+    aiString path;
+    return material.GetTexture(type, 0, &path) == AI_SUCCESS && path.length != 0;
+  });
+  return found == types.data() + types.size() ? std::nullopt : std::optional(*found);
+}
+
+/// COLLADA moves the coordinates over the texture. FBX moves the texture over the surface, so that a scale of 2 shows half of it; but
+/// Blender undoes the scale alone and adds the offset as it is.
+TexturePlace stated_place(const aiMaterial& material, aiTextureType type, const SourceSurface& surface) {
+  TexturePlace place;
+  int uv_set = 0;
+  if (material.Get(AI_MATKEY_UVWSRC(type, 0), uv_set) == AI_SUCCESS && uv_set > 0) place.uv_set = unsigned(uv_set);
+  aiUVTransform moved;
+  if (material.Get(AI_MATKEY_UVTRANSFORM(type, 0), moved) != AI_SUCCESS) return place;
+  const Eigen::Vector2f scale(moved.mScaling.x, moved.mScaling.y), offset(moved.mTranslation.x, moved.mTranslation.y);
+  const bool is_usable = scale.allFinite() && offset.allFinite() && std::isfinite(moved.mRotation) &&
+                         (scale.array() != 0).all() && scale.cwiseAbs().minCoeff() > 1e-6f;
+  if (!is_usable) return place;
+  if (surface.format != SourceFormat::kFbx) {
+    place.linear = Eigen::Rotation2Df(moved.mRotation).toRotationMatrix() * scale.asDiagonal();
+    place.offset = offset;
+    return place;
+  }
+  const Eigen::Rotation2Df turned_back(-moved.mRotation);
+  const Eigen::Vector2f shrunk = scale.cwiseInverse();
+  place.linear = shrunk.asDiagonal() * turned_back.toRotationMatrix();
+  place.offset = surface.generator.find("Blender") != std::string::npos ? offset : Eigen::Vector2f(-(place.linear * offset));
+  return place;
+}
+
+TextureWrap wrap_of(const aiMaterial& material, const char* key, unsigned type) {
+  int mode = aiTextureMapMode_Wrap;
+  if (material.Get(key, type, 0, mode) != AI_SUCCESS) return TextureWrap::kRepeat;
+  if (mode == aiTextureMapMode_Mirror) return TextureWrap::kMirror;
+  // A decal is nothing outside; its edge, which is clear where that matters, is nearest to it.
+  return mode == aiTextureMapMode_Clamp || mode == aiTextureMapMode_Decal ? TextureWrap::kClamp : TextureWrap::kRepeat;
+}
+
+float linear_of(float stored) { return stored <= 1 ? float(decode_srgb(double(stored))) : stored; }
+
+}  // namespace
+
+TexturePlace texture_place(const aiMaterial& material, const SourceSurface& surface, const std::string& label,
+                           std::vector<std::string>& warnings) {
+  constexpr aiTextureType kBase[] = {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE};
+  constexpr aiTextureType kOpacity[] = {aiTextureType_OPACITY};
+  const auto base = first_type(material, kBase), opacity = first_type(material, kOpacity);
+  if (!base && !opacity) return {};
+  const TexturePlace place = stated_place(material, base ? *base : *opacity, surface);
+  if (base && opacity && !(stated_place(material, *opacity, surface) == place)) {
+    warnings.push_back(fmt::format("{}: its opacity texture has other texture coordinates than its base texture, whose are taken for "
+                                   "both; give both the same UV map and mapping, and export again",
+                                   label));
+  }
+  return place;
+}
+
+void read_wrap(const aiMaterial& material, unsigned type, SourceTexture& texture) {
+  texture.wrap[0] = wrap_of(material, _AI_MATKEY_MAPPINGMODE_U_BASE, type);
+  texture.wrap[1] = wrap_of(material, _AI_MATKEY_MAPPINGMODE_V_BASE, type);
+}
+
+std::vector<Eigen::Vector4f> vertex_colors(const aiMesh& mesh) {
+  std::vector<Eigen::Vector4f> colors;
+  if (!mesh.HasVertexColors(0)) return colors;
+  for (const aiColor4D& given : std::span(mesh.mColors[0], mesh.mNumVertices)) {
+    colors.emplace_back(linear_of(given.r), linear_of(given.g), linear_of(given.b), given.a);
+  }
+  return colors;
+}
+
+}  // namespace coif

@@ -1,0 +1,60 @@
+#pragma once
+
+// What a texture of assimp's scene says of coordinates, and what its meshes say of colours.
+
+#include "import/import.h"
+#include "import/source_model.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct aiMaterial;
+struct aiMesh;
+struct aiScene;
+
+namespace coif {
+
+/// Which coordinates a texture is looked up at. V grows upwards.
+struct TexturePlace {
+  unsigned uv_set = 0;
+  /// From the set's coordinates to the texture's.
+  Eigen::Matrix2f linear = Eigen::Matrix2f::Identity();
+  Eigen::Vector2f offset = Eigen::Vector2f::Zero();
+
+  [[nodiscard]] bool operator==(const TexturePlace&) const = default;
+  [[nodiscard]] Eigen::Vector2f operator()(const Eigen::Vector2f& uv) const { return linear * uv + offset; }
+};
+
+/// What is needed of the file to read its surfaces.
+struct SourceSurface {
+  SourceFormat format;
+  std::string generator;  ///< SourceSpace::generator: programs disagree about FBX.
+};
+
+/// Of the base texture that convert_materials() takes; of the opacity texture where there is no other. A warning where both are
+/// there and differ, since a mesh keeps one set alone. assimp 5.2 hands on the transforms of FBX and COLLADA; an OBJ's library is
+/// read by apply_obj_options().
+[[nodiscard]] TexturePlace texture_place(const aiMaterial& material, const SourceSurface& surface, const std::string& label,
+                                         std::vector<std::string>& warnings);
+
+/// How the first texture of one of assimp's types goes on outside 0..1. Of FBX assimp 5.2 does not say.
+void read_wrap(const aiMaterial& material, unsigned type, SourceTexture& texture);
+
+/// Colours of the first set, linear, of each vertex; empty where there are none. Formats other than glTF store what a screen shows, as
+/// Blender, Maya and MeshLab write them.
+[[nodiscard]] std::vector<Eigen::Vector4f> vertex_colors(const aiMesh& mesh);
+
+/// What assimp 5.2 drops or misreads of an OBJ's material libraries: options of map_Kd and map_d (-s and -o, of which it drops the
+/// numbers, and takes the path for one where there are two; -imfchan). Moves the coordinates of the meshes; `libraries` are paths of
+/// files that were opened.
+void apply_obj_options(std::span<const std::string> libraries, SourceModel& model);
+
+/// Which numbers of an opacity texture count in a COLLADA document, and whether 1 is clear in it (<transparent opaque="RGB_ZERO">).
+void apply_collada_opacity(std::string_view document, SourceModel& model);
+
+}  // namespace coif
