@@ -189,7 +189,7 @@ std::string content_digits(std::span<const std::byte> bytes) {
 }
 
 std::string cook_key(const CookIdentity& identity) {
-  constexpr const char* kLayout = "coif cache 3";  // of the entries, too: another layout never meets this one's
+  constexpr const char* kLayout = "coif cache 4";  // of the entries, too: another layout never meets this one's
   std::vector<std::string> parts{kLayout, identity.tool, identity.importer, identity.place.source.filename().string(),
                                  content_digits(identity.source_bytes), identity.recipe, identity.draft ? "draft" : ""};
   for (const fs::path& root : identity.place.roots) {

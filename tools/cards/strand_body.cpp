@@ -208,6 +208,7 @@ void add_body(SourceModel body, SourceModel& cards) {
   cards.space = body.space;
   cards.side_files.insert(cards.side_files.end(), body.side_files.begin(), body.side_files.end());
   cards.warnings.insert(cards.warnings.end(), body.warnings.begin(), body.warnings.end());
+  cards.doubts.insert(cards.doubts.end(), body.doubts.begin(), body.doubts.end());
 }
 
 }  // namespace coif

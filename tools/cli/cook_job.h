@@ -64,10 +64,14 @@ struct CookOptions {
   bool draft = false;  ///< CookSettings::draft.
   bool list_patches = false;  ///< CookSettings::list_patches.
   bool warnings_as_errors = false;
+  std::vector<std::string> ignored;  ///< Codes, beside the recipe's "warnings.acknowledged".
 
   [[nodiscard]] const std::string& source() const { return sources.front(); }
   [[nodiscard]] ImportSettings import_limits(ImportSettings settings) const;
 };
+
+/// Adds the codes that the command line ignores to those that the recipe does. Error (kUsage, kBadInput): one is no warning.
+tl::expected<void, ToolError> acknowledge(const CookOptions& options, RecipeChoice& choice);
 
 /// Of a model that was imported from the first of `options.sources`: cooks within their limits.
 tl::expected<CookResult, ToolError> cook_model(const SourceModel& model, const Recipe& recipe, CookSettings settings,

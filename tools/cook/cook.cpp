@@ -13,6 +13,7 @@
 #include "cook/select/mesh_topology.h"
 #include "cook/select/select_hair.h"
 #include "cook/size/settle_size.h"
+#include "cook/strands/odd_hair.h"
 #include "cook/strands/strand_direction.h"
 #include "cook/texture/alpha.h"
 #include "cook/texture/patch_coverage.h"
@@ -56,10 +57,15 @@ const Pass kPasses[] = {
     // The hair, out of the model and with one texture. Joining textures moves texture coordinates and splits vertices, so
     // it comes before anything that numbers them.
     {"select",
-     [](Cooking& c) {
-       if (!c.selected) return keep(select_hair(c.source, c.recipe, c.report), c.hair.mesh);
-       c.report.append(c.selected->findings);
-       return keep(std::move(c.selected->mesh), c.hair.mesh);
+     [](Cooking& c) -> Done {
+       if (c.selected) {
+         c.report.append(c.selected->findings);
+         c.hair.mesh = std::move(c.selected->mesh);
+       } else if (auto done = keep(select_hair(c.source, c.recipe, c.report), c.hair.mesh); !done) {
+         return done;
+       }
+       warn_of_odd_size(c.hair.mesh, c.report);
+       return {};
      }},
     {"base color",
      [](Cooking& c) { return keep(find_base_color(c.source, c.hair.mesh, c.recipe, c.settings, c.report), c.color); }},
@@ -68,7 +74,11 @@ const Pass kPasses[] = {
     {"places",
      [](Cooking& c) { return keep(weld_places(c.hair.mesh.positions, c.recipe.patch_weld_distance), c.hair.welded); }},
     {"patches",
-     [](Cooking& c) { return keep(find_patches(c.hair, c.recipe.patch_connectivity, c.report), c.extracted); }},
+     [](Cooking& c) -> Done {
+       c.extracted = find_patches(c.hair, c.recipe.patch_connectivity, c.report);
+       warn_of_fragments(c.hair.mesh, c.extracted.patches.count, c.extracted.chosen, c.report);
+       return {};
+     }},
     {"overrides",
      [](Cooking& c) {
        c.listings = list_patches(c.source, c.hair);
@@ -230,6 +240,15 @@ const Pass kPasses[] = {
        return {};
      },
      [](const Cooking& c) { return c.recipe.scene_draw; }},
+    // With the threshold that the hair has before a search for orders, so that what is said does not depend on that.
+    {"coverage",
+     [](Cooking& c) -> Done {
+       const auto texels = c.contents.texels;
+       keep_coverage(c.textures.used, c.contents);
+       report_coverage(c.textures.used, c.contents, c.report);
+       c.contents.texels = texels;
+       return {};
+     }},
     {"draw order",
      [](Cooking& c) {
        return keep(choose_order(c.recipe, c.textures.used, c.settings.threads, c.contents, c.report), c.report.order);
@@ -238,7 +257,6 @@ const Pass kPasses[] = {
     {"mips",
      [](Cooking& c) -> Done {
        keep_coverage(c.textures.used, c.contents);
-       report_coverage(c.textures.used, c.contents, c.report);
        return {};
      }},
     {"write", write_parts}};
@@ -264,7 +282,8 @@ Done run(const Pass& pass, Cooking& cooking) {
 tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe& recipe,
                                          const CookSettings& settings) {
   CookResult result;
-  result.report.warnings = source.warnings;
+  for (const std::string& warning : source.warnings) result.report.warn("S201", warning);
+  for (const SourceDoubt& doubt : source.doubts) result.report.warn(doubt.code.c_str(), doubt.text);
   const Recipe used = settings.draft ? draft_of(recipe) : recipe;
   // Before all passes, which take the model for one in metres with Y up.
   SettledSource settled =
@@ -276,6 +295,7 @@ tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe
     if (const Done done = run(pass, cooking); !done) return tl::unexpected(done.error());
   }
   fill_figures(cooking);
+  result.report.acknowledge(used.acknowledged_warnings);
   result.inputs = inputs_of(cooking);
   result.patches = patches_of(cooking);
   result.asset = std::move(cooking.asset);

@@ -1,4 +1,5 @@
 #include "import/assimp_scene.h"
+#include "import/gltf_checks.h"
 
 #include "base/text.h"
 #include "import/import.h"
@@ -139,9 +140,12 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   const Eigen::Affine3d to_model = model_from_scene(scene, suffix.format, settings, model.space, model.warnings);
   SceneNodes nodes = flatten_nodes(scene, to_model, model.warnings);
   convert_materials(scene, suffix.format, model);
-  model.meshes = convert_meshes(scene, nodes, model.warnings);
+  model.meshes = convert_meshes(scene, nodes, model.doubts, model.warnings);
   model.nodes = std::move(nodes.nodes);
-  if (suffix.format == SourceFormat::kGltf) read_vrm_extensions(path, to_model, model);
+  if (suffix.format == SourceFormat::kGltf) {
+    read_vrm_extensions(path, to_model, model);
+    for (SourceDoubt& doubt : check_gltf(path)) model.doubts.push_back(std::move(doubt));
+  }
   if (model.meshes.empty()) {
     return file_failure(ToolError::Kind::kBadInput, path,
                         "no usable triangles; convert curves and hair particles to polygon strips before the export");

@@ -106,8 +106,8 @@ class SkinBinding {
 
 /// One SourceMesh per mesh and node that shows it, in the order of nodes: instances are copied, since each stands
 /// elsewhere. Points and lines, triangles with absent or non-finite vertices and vertices without a triangle are
-/// dropped; meshes with no triangle left are too. Mesh names fall back to the node's.
-[[nodiscard]] std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes,
+/// dropped; meshes with no triangle left are too. Mesh names fall back to the node's. Points and lines are told of as kLinesLeftOut.
+[[nodiscard]] std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes, std::vector<SourceDoubt>& doubts,
                                                      std::vector<std::string>& warnings);
 
 /// Fills `materials`, one per material of the scene, and `images` with the embedded base-colour textures that they

@@ -56,9 +56,8 @@ PlacedVertices place_vertices(const aiMesh& mesh, const SkinBinding& binding) {
 
 // The importer's triangles that can be used, wound counter-clockwise after placement.
 std::vector<std::uint32_t> usable_triangles(const aiMesh& mesh, const PlacedVertices& placed, const std::string& label,
-                                            std::vector<std::string>& warnings) {
+                                            std::size_t& not_triangles, std::vector<std::string>& warnings) {
   std::vector<std::uint32_t> triangles;
-  std::size_t not_triangles = 0;
   std::size_t out_of_range = 0;
   std::size_t misplaced = 0;
   std::uint32_t first_misplaced = kNoIndex;
@@ -80,7 +79,6 @@ std::vector<std::uint32_t> usable_triangles(const aiMesh& mesh, const PlacedVert
       triangles.insert(triangles.end(), corner, corner + 3);
     }
   }
-  warn_count(not_triangles, label, "points or lines dropped", warnings);
   warn_count(out_of_range, label, "triangles dropped: vertex index out of range", warnings);
   if (misplaced != 0) {
     const Eigen::Vector3f& at = placed.positions[first_misplaced];
@@ -162,7 +160,8 @@ void repair_normals(SourceMesh& mesh, const std::string& label, std::vector<std:
   warn_count(repaired, label, "unusable normals replaced", warnings);
 }
 
-SourceMesh convert_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, const SceneNodes& nodes,
+// `lines`: faces that are none of triangles, which may be strands of hair.
+SourceMesh convert_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, const SceneNodes& nodes, std::size_t& lines,
                         std::vector<std::string>& warnings) {
   SourceMesh out;
   out.name = text_of(mesh.mName);
@@ -176,7 +175,7 @@ SourceMesh convert_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t 
 
   const SkinBinding binding(mesh, node, nodes, label, warnings);
   const PlacedVertices placed = place_vertices(mesh, binding);
-  out.triangles = usable_triangles(mesh, placed, label, warnings);
+  out.triangles = usable_triangles(mesh, placed, label, lines, warnings);
   const std::vector<std::uint32_t> kept = keep_used_vertices(out.triangles, placed.positions.size());
   for (const std::uint32_t v : kept) {
     out.positions.push_back(placed.positions[v]);
@@ -190,7 +189,7 @@ SourceMesh convert_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t 
 
 }  // namespace
 
-std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes,
+std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes, std::vector<SourceDoubt>& doubts,
                                        std::vector<std::string>& warnings) {
   std::vector<SourceMesh> meshes;
   for (std::uint32_t n = 0; n < nodes.nodes.size(); ++n) {
@@ -200,10 +199,12 @@ std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& n
         warnings.push_back(fmt::format("node '{}': refers to an absent mesh", nodes.nodes[n].name));
         continue;
       }
-      SourceMesh mesh = convert_mesh(scene, *scene.mMeshes[index], n, nodes, warnings);
+      std::size_t lines = 0;
+      SourceMesh mesh = convert_mesh(scene, *scene.mMeshes[index], n, nodes, lines, warnings);
+      if (lines > 0) doubts.push_back({kLinesLeftOut, fmt::format("mesh '{}': {} points or lines left out", mesh.name, lines)});
       if (!mesh.triangles.empty())
         meshes.push_back(std::move(mesh));
-      else
+      else if (lines == 0)
         warnings.push_back(fmt::format("mesh '{}' left out: it has no triangles", mesh.name));
     }
   }

@@ -91,11 +91,12 @@ tl::expected<void, std::string> begin_from_style(const json& chosen, Recipe& rec
   return {};
 }
 
-/// `says_all`: with RecipeKey::also.
+/// `says_all`: with RecipeKey::also, and keys that the asset does not depend on.
 std::string commented(const Recipe& recipe, bool says_all) {
   std::string text = "{";
   const char* section = "";
   for (const RecipeKey& key : recipe_keys()) {
+    if (!says_all && !key.shapes_asset) continue;
     const bool first = std::strcmp(section, key.section) != 0;
     if (first) text += fmt::format("{}\n  \"{}\": {{", *section != 0 ? "\n  }," : "", key.section);
     section = key.section;

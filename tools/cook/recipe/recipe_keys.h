@@ -34,6 +34,7 @@ struct RecipeKey {
   const char* unit;     ///< "" where there is none.
   const char* meaning;  ///< What the artist sees, one line.
   const char* also = "";  ///< What more it may be, a clause that follows; no part of canonical_recipe().
+  bool shapes_asset = true;  ///< false: the asset's bytes do not depend on it, and it is no part of canonical_recipe().
 
   [[nodiscard]] std::string path() const { return std::string(section) + "." + name; }
 };

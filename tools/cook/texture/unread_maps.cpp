@@ -23,7 +23,7 @@ void SourceImages::warn_of_opacity(const SourceMaterial& material) {
       "material '{}': its opacity texture '{}' is not read; put what it holds into the alpha of the base texture",
       material.name, material.opacity_texture);
   const bool is_new = std::ranges::find(findings_.warnings, text) == findings_.warnings.end();
-  if (is_new) findings_.warn(std::move(text));
+  if (is_new) findings_.warn("C148", std::move(text));
 }
 
 }  // namespace coif
