@@ -57,18 +57,16 @@ const Pass kPasses[] = {
     // The hair, out of the model and with one texture. Joining textures moves texture coordinates and splits vertices, so
     // it comes before anything that numbers them.
     {"select",
-     [](Cooking& c) -> Done {
-       if (c.selected) {
-         c.report.append(c.selected->findings);
-         c.hair.mesh = std::move(c.selected->mesh);
-       } else if (auto done = keep(select_hair(c.source, c.recipe, c.report), c.hair.mesh); !done) {
-         return done;
-       }
-       warn_of_odd_size(c.hair.mesh, c.report);
-       return {};
+     [](Cooking& c) {
+       if (!c.selected) return keep(select_hair(c.source, c.recipe, c.report), c.hair.mesh);
+       c.report.append(c.selected->findings);
+       return keep(std::move(c.selected->mesh), c.hair.mesh);
      }},
     {"base color",
-     [](Cooking& c) { return keep(find_base_color(c.source, c.hair.mesh, c.recipe, c.settings, c.report), c.color); }},
+     [](Cooking& c) {
+       warn_of_odd_size(c.hair.mesh, c.report);
+       return keep(find_base_color(c.source, c.hair.mesh, c.recipe, c.settings, c.report), c.color);
+     }},
 
     // Its strips, and what the recipe says of some of them alone.
     {"places",
@@ -243,10 +241,7 @@ const Pass kPasses[] = {
     // With the threshold that the hair has before a search for orders, so that what is said does not depend on that.
     {"coverage",
      [](Cooking& c) -> Done {
-       const auto texels = c.contents.texels;
-       keep_coverage(c.textures.used, c.contents);
-       report_coverage(c.textures.used, c.contents, c.report);
-       c.contents.texels = texels;
+       judge_coverage(c);
        return {};
      }},
     {"draw order",
