@@ -22,6 +22,7 @@ TEST(CacheEntry, ComesBackAsItWas) {
   EXPECT_EQ(back->questions[0].answer, std::vector<std::string>{"hair.png"});
   EXPECT_EQ(back->report.passes[0].ms, 12.5);
   EXPECT_EQ(back->report.warnings, small_entry().report.warnings);
+  EXPECT_EQ(back->report.warnings[0].code, "C144");
   EXPECT_EQ(back->report.left_out[0].ns_per_frame, 3.5);
   EXPECT_EQ(back->report.triangles, 7u);
   EXPECT_EQ(back->report.simulated_bones, 9u);

@@ -175,11 +175,13 @@ TEST_F(CookCacheTest, ACacheThatCannotBeWrittenIsAnErrorThatNamesIt) {
 
 TEST_F(CookCacheTest, MessagesNameTheFilesOfTheCheckoutInUse) {
   const ImageFolder other;
-  result_.report.warnings = {folder_.path().string() + "/hair.png: cannot read"};
+  result_.report.warnings = {{"C147", folder_.path().string() + "/hair.png: cannot read"}};
   store();
   const auto found = cache().find(kKey, {other.source(), other.path()});
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->report.warnings, std::vector{other.path().string() + "/hair.png: cannot read"});
+  ASSERT_EQ(found->report.warnings.size(), 1u);
+  EXPECT_EQ(found->report.warnings[0], other.path().string() + "/hair.png: cannot read");
+  EXPECT_EQ(found->report.warnings[0].code, "C147");
 }
 
 std::vector<std::byte> bytes_of(const std::string& text) {

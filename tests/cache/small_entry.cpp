@@ -8,7 +8,7 @@ CacheEntry small_entry() {
                         {Dependency::Base::kRecipe, "maps/mask.png", std::nullopt}};
   entry.questions = {{TextureQuestion::Kind::kColors, {"wig"}, {"hair.png"}}};
   entry.report.passes = {{"import", 12.5}};
-  entry.report.warnings = {"name \xFF of no encoding"};
+  entry.report.warnings = {{"C144", "name \xFF of no encoding"}};
   entry.report.notes = {"a note"};
   entry.report.left_out = {{"twist", "not needed", 1, 2, 3.5}};
   entry.report.triangles = 7;

@@ -53,3 +53,11 @@ coif_cli_case(validate_page_of_bad EXIT 3 WRITES out.html STDOUT "notes.coif: in
   TEXT notes.coif "this text is long enough for a header" ARGS validate notes.coif --report out.html)
 coif_cli_script(validate_draws_patches)
 coif_cli_script(size_is_judged TIMEOUT 120)
+
+# A warning has its code in both verbs, and is acknowledged by it, on the command line or in the recipe.
+coif_cli_script(warnings_are_acknowledged TIMEOUT 180)
+# A head without hair.
+coif_cli_case(cook_bare_head EXIT 3 STDERR "coif cook: error: .*portrait.glb: there is no hair, only what looks like a body: mesh 'skin' .*Object > Convert > Mesh"
+  ARGS cook ${PROJECT_SOURCE_DIR}/sample_assets/portrait/portrait.glb -o bald.coif)
+coif_cli_case(validate_bare_head EXIT 3 STDERR "there is no hair.*\\[S104\\]" STDOUT "portrait.glb: invalid"
+  ARGS validate ${PROJECT_SOURCE_DIR}/sample_assets/portrait/portrait.glb)

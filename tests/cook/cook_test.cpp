@@ -253,7 +253,7 @@ std::vector<std::byte> cooked_wig() {
   recipe.texture_max_size = 4;
   const auto result = cook(model, recipe, {});
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
-  EXPECT_TRUE(result && result->report.warnings.empty()) << (result ? result->report.warnings[0] : "");
+  EXPECT_TRUE(result && result->report.warnings.empty()) << (result ? std::string(result->report.warnings[0]) : "");
   return result ? result->asset : std::vector<std::byte>{};
 }
 

@@ -3,6 +3,7 @@
 #include "cook/rig/skeleton.h"
 #include "cook/select/hair_evidence.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace coif::select_hair_test {

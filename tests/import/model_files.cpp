@@ -248,6 +248,7 @@ SourceModel small_source_model() {
   model.facing = Facing::kBackwards;
   model.materials[0].other_textures = {"gloss map"};
   model.warnings = {"one", "two"};
+  model.doubts = {{"S115", "three"}};
   model.side_files = {"strip.bin"};
   return model;
 }

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -16,7 +18,7 @@ TEST(IssueCodes, AreUniqueAndGrouped) {
   IssueGroup group = IssueGroup::kContainer;
   for (const IssueCode& row : issue_codes()) {
     EXPECT_TRUE(codes.insert(row.code).second) << row.code << " twice";
-    EXPECT_TRUE(std::regex_match(row.code, std::regex("[FARS][0-9]{3}"))) << row.code;
+    EXPECT_TRUE(std::regex_match(row.code, std::regex("[FARSC][0-9]{3}"))) << row.code;
     EXPECT_GE(row.group, group) << row.code;
     group = row.group;
   }
@@ -47,6 +49,41 @@ TEST(IssueCodes, CuresNameOnlyKeysOfTheRecipe) {
     }
   }
   EXPECT_GT(keys, 10);
+}
+
+/// Every code that a pass warns by, in the source itself, is a row; and every row of the cook's is warned by.
+TEST(IssueCodes, EveryWarningOfTheCookHasItsRow) {
+  namespace fs = std::filesystem;
+  const std::regex site("(warn\\(\\s*|push_back\\(\\{)\"([A-Z][0-9]{3})\"");
+  std::set<std::string> used;
+  std::size_t without = 0;
+  for (const char* folder : {"cook", "cards", "render"}) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(COIF_ISSUES_PAGE).parent_path().parent_path() / folder)) {
+      if (entry.path().extension() != ".cpp") continue;
+      std::ifstream file(entry.path());
+      const std::string text((std::istreambuf_iterator<char>(file)), {});
+      for (std::sregex_iterator match(text.begin(), text.end(), site), end; match != end; ++match) used.insert((*match)[2]);
+    }
+  }
+  for (const std::string& code : used) {
+    const IssueCode* row = find_issue_code(code);
+    ASSERT_NE(row, nullptr) << code;
+    EXPECT_TRUE(may_ignore(code)) << code << " cannot be acknowledged";
+  }
+  for (const IssueCode& row : cook_codes()) without += used.contains(row.code) ? 0 : 1;
+  EXPECT_EQ(without, 0u) << "rows that nothing warns by";
+}
+
+TEST(IssueCodes, WhatACookRepairsIsAnErrorOfTheFileThatMayBeAcknowledged) {
+  std::size_t repaired = 0;
+  for (const IssueCode& row : issue_codes()) {
+    if (!row.is_repaired) continue;
+    ++repaired;
+    EXPECT_EQ(row.severity, Severity::kError) << row.code;
+    EXPECT_FALSE(judge({make_issue(row.code, "")}, {}).valid()) << row.code;
+    EXPECT_TRUE(judge({make_issue(row.code, "")}, {.ignored = {row.code}}).valid()) << row.code;
+  }
+  EXPECT_GE(repaired, 8u);
 }
 
 TEST(IssueCodes, PageIsTheTable) {

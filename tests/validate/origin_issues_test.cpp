@@ -95,6 +95,35 @@ TEST(SourceIssues, WarningsOfTheImportAreKept) {
   EXPECT_EQ(issues[1].message, model.warnings[1]);
 }
 
+TEST(SourceIssues, DoubtsOfTheImportKeepTheirCodesAndAreAcknowledged) {
+  SourceModel model = make_wig();
+  model.doubts = {{"S115", "mesh 'a': the weights of 3 vertices do not add up to 1"}, {"S211", "mesh 'b': 2 points or lines left out"}};
+  EXPECT_EQ(codes_of(model), (Codes{"S115", "S211"}));
+  Recipe recipe = default_recipe();
+  recipe.acknowledged_warnings = {"S211"};
+  EXPECT_EQ(codes_of(model, recipe), Codes{"S115"});
+}
+
+TEST(SourceIssues, ACookInFullSaysWhatValidateDoes) {
+  SourceModel model = make_wig();
+  model.doubts = {{"S211", "mesh 'b': 2 points or lines left out"}};
+  const auto cooked = cook(model, default_recipe(), {.threads = 2});
+  ASSERT_TRUE(cooked) << cooked.error().message;
+  Codes told;
+  for (const Warning& warning : cooked->report.warnings) told.insert(warning.code);
+  Codes issues;
+  for (const Issue& issue : find_source_issues(model, default_recipe(), cooked)) {
+    if (issue.severity != Severity::kInfo) issues.insert(issue.code);
+  }
+  EXPECT_EQ(issues, told);
+  EXPECT_TRUE(told.contains("S211"));
+}
+
+TEST(SourceIssues, ACookThatFailsIsAnError) {
+  const Issues issues = find_source_issues(make_wig(), default_recipe(), tl::unexpected(ToolError{ToolError::Kind::kOverBudget, "wig.glb: too dear"}));
+  EXPECT_TRUE(coif::codes_of(issues).contains("S105"));
+}
+
 TEST(SourceIssues, ModelWithoutHairIsAnError) {
   Recipe recipe = default_recipe();
   recipe.hair_meshes = {"no such mesh"};

@@ -43,6 +43,10 @@ static void from_json(const json& in, PassTime& p) {
   in.at(1).get_to(p.ms);
 }
 
+static void to_json(json& out, const Warning& w) { out = {w.code, std::string(w)}; }
+
+static void from_json(const json& in, Warning& w) { w = Warning(in.at(0).get<std::string>(), in.at(1).get<std::string>()); }
+
 static void to_json(json& out, const LeftOut& l) { out = {l.what, l.why, l.bytes, l.bytes_per_head, l.ns_per_frame}; }
 
 static void from_json(const json& in, LeftOut& l) {
@@ -74,9 +78,15 @@ constexpr char kMagic[] = "coifent4";
 constexpr std::size_t kWord = 8;
 constexpr std::size_t kHeader = 3 * kWord;  // magic, hash, length of the document
 
+json warning_list(const std::vector<Warning>& warnings) {
+  json list = json::array();
+  for (const Warning& warning : warnings) to_json(list.emplace_back(), warning);
+  return list;
+}
+
 json report_document(const CookReport& r) {
   return {{"passes", r.passes},
-          {"warnings", r.warnings},
+          {"warnings", warning_list(r.warnings)},
           {"notes", r.notes},
           {"left_out", r.left_out},
           {"figures",
@@ -88,7 +98,7 @@ json report_document(const CookReport& r) {
 CookReport report_from(const json& in) {
   CookReport r;
   in.at("passes").get_to(r.passes);
-  in.at("warnings").get_to(r.warnings);
+  for (const json& warning : in.at("warnings")) from_json(warning, r.warnings.emplace_back());
   in.at("notes").get_to(r.notes);
   in.at("left_out").get_to(r.left_out);
   std::uint32_t* const figures[] = {&r.triangles,           &r.vertices, &r.patches, &r.patches_by_index,

@@ -113,11 +113,15 @@ Model read_model(const fs::path& path, const Recipe& recipe, const HairSourceSet
   if (may_be_lines && has_strand_suffix(path)) groom = strands_beside(model, path, recipe, settings.import);
   if (groom) {
     std::optional<SourceModel> body;
-    if (model) body = std::move(*model);
+    if (model) {
+      body = std::move(*model);
+      // They are the hair.
+      std::erase_if(body->doubts, [](const SourceDoubt& doubt) { return doubt.code == kLinesLeftOut; });
+    }
     return cards_on(std::move(*groom), std::move(body), recipe, settings);
   }
   if (model && !recipe.cards_body.empty()) {
-    model->warnings.push_back("the file has strips: \"cards.body\" is for strands, and is not read");
+    model->doubts.push_back({"S212", "the file has strips: \"cards.body\" is for strands, and is not read"});
   }
   return model;
 }

@@ -210,6 +210,7 @@ void add_body(SourceModel body, SourceModel& cards) {
   for (const std::string& image : body.named_images)  // From the body's folder, which need not be that of the strands.
     cards.named_images.push_back((std::filesystem::path(body.path).parent_path() / image).string());
   cards.warnings.insert(cards.warnings.end(), body.warnings.begin(), body.warnings.end());
+  cards.doubts.insert(cards.doubts.end(), body.doubts.begin(), body.doubts.end());
 }
 
 }  // namespace coif

@@ -152,6 +152,7 @@ tl::expected<CookSummary, ToolError> cook_one(const CookOptions& options, const 
   auto choice = choose_recipe(request.source, request.recipe, messages, {options.preset, ""});
   if (!choice) return tl::unexpected(choice.error());
   choose_body(options.body, *choice);
+  if (auto known = acknowledge(options, *choice); !known) return tl::unexpected(known.error());
   std::error_code told_by_the_cook;
   fs::create_directories(fs::path(request.output).parent_path(), told_by_the_cook);
   CookOptions alone = options;

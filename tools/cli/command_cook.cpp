@@ -61,6 +61,7 @@ tl::expected<Exit, ToolError> run_options(const CookOptions& options, const Mess
   auto choice = choose_recipe(options.sources.empty() ? "" : options.source(), options.recipe, messages, {options.preset, ""});
   if (!choice) return tl::unexpected(choice.error());
   choose_body(options.body, *choice);
+  if (auto known = acknowledge(options, *choice); !known) return tl::unexpected(known.error());
   if (options.print_recipe) {
     print_result(print_recipe(choice->recipe));
     return Exit::kOk;
@@ -156,6 +157,7 @@ Command add_cook(CLI::App& program) {
                 "Outputs are on the disk when the cook ends, whatever happens to the power");
   app->add_flag("--warnings-as-errors", options->warnings_as_errors,
                 "A warning is an error: nothing is written, exit code 3");
+  add_ignored(*app, options->ignored);
   add_many(*app, *options);
   add_limits(*app, *options);
   add_format(*app, options->format);

@@ -2,6 +2,7 @@
 #include "base/parallel_for.h"
 #include "cards/hair_source.h"
 #include "cli/command.h"
+#include "cli/cook_job.h"
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
@@ -97,19 +98,34 @@ Found validate_asset(std::span<const std::byte> bytes, const OriginOptions& orig
   return issues;
 }
 
+/// Cooks it, but for what takes longest and warns of nothing: the search for draw orders.
+std::vector<Issue> issues_of_a_cook(const fs::path& path, Recipe recipe, const fs::path& recipe_directory, const OriginOptions& options,
+                                    const Messages& messages) {
+  recipe.order_method = "head";
+  recipe.occlusion_strength = 0;
+  LimitedWork work(path.string(), options.limits, all_threads(), messages);
+  CookSettings settings;
+  settings.threads = all_threads();
+  settings.recipe_directory = recipe_directory;
+  settings.progress = [&work](const char* part) { work.begin(part); };
+  auto found = work.run([&]() -> Found {
+    const auto model = read_hair_source(path, recipe,
+                                        {options.limits.of_import(import_settings(recipe, options.roots), messages), recipe_directory,
+                                         all_threads(), settings.progress});
+    if (!model) return std::vector{import_issue(model.error())};
+    return find_source_issues(*model, recipe, cook(*model, recipe, settings));
+  });
+  return found ? std::move(*found) : std::vector{import_issue(found.error())};
+}
+
 std::vector<Issue> validate_source(const fs::path& path, const OriginOptions& options, const Messages& messages) {
   const auto choice = choose_recipe(path, options.recipe, messages);
   const Recipe used = choice ? choice->recipe : default_recipe();
   std::vector<Issue> issues;
   if (!choice) issues.push_back(make_issue("S103", choice.error().message, "recipe"));
-  LimitedWork work(path.string(), options.limits, all_threads(), messages);
-  const auto model = work.run([&] {
-    return read_hair_source(path, draft_of(used),
-                            {options.limits.of_import(import_settings(used, options.roots), messages),
-                             choice ? choice->directory : fs::path(), all_threads(),
-                             [&work](const char* part) { work.begin(part); }});
-  });
-  const std::vector<Issue> found = model ? find_source_issues(*model, used) : std::vector{import_issue(model.error())};
+  if (const auto known = check_ignored(used.acknowledged_warnings, "\"warnings.acknowledged\""); !known)
+    issues.push_back(make_issue("S103", known.error().message, "recipe"));
+  const auto found = issues_of_a_cook(path, used, choice ? choice->directory : fs::path(), options, messages);
   issues.insert(issues.end(), found.begin(), found.end());
   return issues;
 }
@@ -174,12 +190,7 @@ tl::expected<void, ToolError> check_usage(const ValidateOptions& options) {
   if (options.files.empty() && !options.list_codes) return usage("FILE is required; see 'coif validate --help'");
   if (!options.origin.source.empty() && options.files.size() != 1) return usage("--source is for one asset at a time");
   if (const auto page = check_page(options); !page) return page;
-  for (const std::string& code : options.policy.ignored) {
-    if (!may_ignore(code)) {
-      return usage(fmt::format("--ignore: '{}' is no warning or note; 'coif validate --list-codes' lists them", code));
-    }
-  }
-  return {};
+  return check_ignored(options.policy.ignored, "--ignore");
 }
 
 /// Every error that the file has says that it cannot be read here.
@@ -223,9 +234,7 @@ tl::expected<Exit, ToolError> run_validate(const ValidateOptions& options, const
 
 void add_policy(CLI::App& app, IssuePolicy& policy) {
   add_choice<Severity>(app, "--severity", policy.lowest, kSeverities, "The lowest that is shown (default info)");
-  app.add_option("--ignore", policy.ignored, "A warning or note that does not count; may be repeated")
-      ->type_name("CODE")
-      ->allow_extra_args(false);
+  add_ignored(app, policy.ignored);
   app.add_flag("--warnings-as-errors", policy.warnings_as_errors, "A warning makes a file invalid, too");
   add_number(app, "--max-issues", policy.most_of_a_code, 1u, 1000000u,
              "Shown of each code and file; the others are counted")

@@ -105,6 +105,14 @@ tl::expected<std::string, ToolError> depfile_of(const CookOptions& options, cons
 
 }  // namespace
 
+tl::expected<void, ToolError> acknowledge(const CookOptions& options, RecipeChoice& choice) {
+  std::vector<std::string>& codes = choice.recipe.acknowledged_warnings;
+  if (auto known = check_ignored(codes, "recipe key \"warnings.acknowledged\""); !known)
+    return failure(ToolError::Kind::kBadInput, known.error().message);
+  codes.insert(codes.end(), options.ignored.begin(), options.ignored.end());
+  return check_ignored(options.ignored, "--ignore");
+}
+
 tl::expected<CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice, const Messages& messages) {
   LimitedWork work = work_on(options, messages);
   return work.run([&]() -> tl::expected<CookResult, ToolError> {
@@ -126,7 +134,7 @@ tl::expected<CookSummary, ToolError> run_cook_job(const CookOptions& options, co
   if (!options.depfile.empty()) depfile = depfile_of(options, choice, result.inputs);
   if (!depfile) return tl::unexpected(depfile.error());
 
-  for (const std::string& warning : result.report.warnings) messages.warning(options.source() + ": " + warning);
+  for (const Warning& warning : result.report.warnings) messages.warning(fmt::format("{}: {} [{}]", options.source(), std::string_view(warning), warning.code));
   if (const std::size_t count = result.report.warnings.size(); options.warnings_as_errors && count > 0) {
     return file_failure(ToolError::Kind::kBadInput, options.source(), "{} warning{}, and --warnings-as-errors; nothing was written",
                         count, count == 1 ? "" : "s");

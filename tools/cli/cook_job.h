@@ -64,6 +64,7 @@ struct CookOptions {
   bool draft = false;  ///< CookSettings::draft.
   bool list_patches = false;  ///< CookSettings::list_patches.
   bool warnings_as_errors = false;
+  std::vector<std::string> ignored;  ///< Codes, beside the recipe's "warnings.acknowledged".
 
   [[nodiscard]] const std::string& source() const { return sources.front(); }
 };
@@ -74,6 +75,10 @@ struct CookOptions {
 /// Writes that to --report, where one is asked for: in place of an earlier report or where there is no file, and never over anything
 /// else, since a failed cook does not know all that its source names.
 void report_failed_cook(const CookOptions& options, const ToolError& error, const Messages& messages);
+
+/// Adds the codes that the command line ignores to those that the recipe does. Error (kUsage, kBadInput): one is no warning.
+tl::expected<void, ToolError> acknowledge(const CookOptions& options, RecipeChoice& choice);
+
 
 /// Of the first of `options.sources`: cooks within the limits, without a cache, and writes nothing.
 tl::expected<CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice, const Messages& messages);

@@ -47,6 +47,13 @@ nlohmann::ordered_json left_out_json(const CookReport& report) {
   return list;
 }
 
+/// The warnings with their codes, as `coif validate` has them.
+nlohmann::ordered_json issues_json(const CookReport& report) {
+  auto list = nlohmann::ordered_json::array();
+  for (const Warning& warning : report.warnings) list.push_back({{"code", warning.code}, {"severity", "warning"}, {"message", std::string(warning)}});
+  return list;
+}
+
 /// All that was found, what each pass took, and what was read.
 std::string details(const CookSummary& summary) {
   const CookReport& report = summary.report;
@@ -79,7 +86,8 @@ std::string cook_json(const CookSummary& summary) {
                     {"draft", summary.draft},
                     {"from_cache", summary.from_cache},
                     {"passes", std::move(passes)},
-                    {"warnings", report.warnings},
+                    {"warnings", std::vector<std::string>(report.warnings.begin(), report.warnings.end())},
+                    {"issues", issues_json(report)},
                     {"triangles", report.triangles},
                     {"vertices", report.vertices},
                     {"patches", report.patches},

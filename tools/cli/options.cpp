@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "import/clip_file.h"
 #include "motion/head_path.h"
+#include "validate/issue_codes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,17 @@ bool is_drawable(std::uint32_t pixels) { return pixels >= 16 && pixels <= 8192; 
 
 void add_format(CLI::App& app, OutputFormat& format) {
   add_choice<OutputFormat>(app, "--format", format, kFormats, "How results are printed (default text)");
+}
+
+CLI::Option* add_ignored(CLI::App& app, std::vector<std::string>& codes) {
+  return app.add_option("--ignore", codes, "A warning or note that does not count; may be repeated")->type_name("CODE")->allow_extra_args(false);
+}
+
+tl::expected<void, ToolError> check_ignored(const std::vector<std::string>& codes, const std::string& who) {
+  for (const std::string& code : codes) {
+    if (!may_ignore(code)) return usage(fmt::format("{}: '{}' is no warning or note; 'coif validate --list-codes' lists them", who, code));
+  }
+  return {};
 }
 
 CLI::Option* add_roots(CLI::App& app, std::vector<std::filesystem::path>& roots) {

@@ -13,6 +13,7 @@
 #include "cook/select/mesh_topology.h"
 #include "cook/select/select_hair.h"
 #include "cook/size/settle_size.h"
+#include "cook/strands/odd_hair.h"
 #include "cook/strands/strand_direction.h"
 #include "cook/texture/alpha.h"
 #include "cook/texture/patch_coverage.h"
@@ -70,13 +71,20 @@ const Pass kPasses[] = {
        return keep(std::move(c.selected->mesh), c.hair.mesh);
      }},
     {"base color",
-     [](Cooking& c) { return keep(find_base_color(c.source, c.hair.mesh, c.recipe, c.settings, c.report), c.color); }},
+     [](Cooking& c) {
+       warn_of_odd_size(c.hair.mesh, c.report);
+       return keep(find_base_color(c.source, c.hair.mesh, c.recipe, c.settings, c.report), c.color);
+     }},
 
     // Its strips, and what the recipe says of some of them alone.
     {"places",
      [](Cooking& c) { return keep(weld_places(c.hair.mesh.positions, c.recipe.patch_weld_distance), c.hair.welded); }},
     {"patches",
-     [](Cooking& c) { return keep(find_patches(c.hair, c.recipe.patch_connectivity, c.report), c.extracted); }},
+     [](Cooking& c) -> Done {
+       c.extracted = find_patches(c.hair, c.recipe.patch_connectivity, c.report);
+       warn_of_fragments(c.hair.mesh, c.extracted.patches.count, c.extracted.chosen, c.report);
+       return {};
+     }},
     {"overrides",
      [](Cooking& c) {
        c.listings = list_patches(c.source, c.hair);
@@ -244,6 +252,12 @@ const Pass kPasses[] = {
        return {};
      },
      [](const Cooking& c) { return c.recipe.scene_draw; }},
+    // With the threshold that the hair has before a search for orders, so that what is said does not depend on that.
+    {"coverage",
+     [](Cooking& c) -> Done {
+       judge_coverage(c);
+       return {};
+     }},
     {"draw order",
      [](Cooking& c) {
        return keep(choose_order(c.recipe, c.textures.used, c.settings.threads, c.contents, c.report), c.report.order);
@@ -252,7 +266,6 @@ const Pass kPasses[] = {
     {"mips",
      [](Cooking& c) -> Done {
        keep_coverage(c.textures.used, c.contents);
-       report_coverage(c.textures.used, c.contents, c.report);
        return {};
      }},
     {"write", write_parts}};
@@ -278,7 +291,8 @@ Done run(const Pass& pass, Cooking& cooking) {
 tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe& recipe,
                                          const CookSettings& settings) {
   CookResult result;
-  result.report.warnings = source.warnings;
+  for (const std::string& warning : source.warnings) result.report.warn("S201", warning);
+  for (const SourceDoubt& doubt : source.doubts) result.report.warn(doubt.code.c_str(), doubt.text);
   const Recipe used = settings.draft ? draft_of(recipe) : recipe;
   // Before all passes, which take the model for one in metres with Y up.
   SettledSource settled =
@@ -290,6 +304,7 @@ tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe
     if (const Done done = run(pass, cooking); !done) return tl::unexpected(done.error());
   }
   fill_figures(cooking);
+  result.report.acknowledge(used.acknowledged_warnings);
   result.inputs = inputs_of(cooking);
   result.patches = patches_of(cooking);
   result.asset = std::move(cooking.asset);

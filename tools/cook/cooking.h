@@ -48,6 +48,9 @@ struct Cooking {
 /// Adds what is drawn, and where it comes from, to the rig in `contents`. Moves the texels out of `textures`.
 void pack_parts(Cooking& cooking);
 
+/// Says how mips would cover with the thresholds that the hair has now; leaves them as they are.
+void judge_coverage(Cooking& cooking);
+
 /// Writes `asset`, without the parts that the recipe's scene does without. Error (kBadInput): the runtime would refuse it,
 /// and that must never reach a disk.
 tl::expected<void, ToolError> write_parts(Cooking& cooking);

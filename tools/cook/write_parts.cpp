@@ -23,6 +23,13 @@ void pack_parts(Cooking& c) {
   if (c.settings.draft) contents.provenance.front().flags |= kProvenanceDraft;
 }
 
+void judge_coverage(Cooking& c) {
+  const auto texels = c.contents.texels;
+  keep_coverage(c.textures.used, c.contents);
+  report_coverage(c.textures.used, c.contents, c.report);
+  c.contents.texels = texels;
+}
+
 tl::expected<void, ToolError> write_parts(Cooking& c) {
   leave_out_parts(c.recipe, c.contents, c.report);
   c.asset = write_asset(c.contents);

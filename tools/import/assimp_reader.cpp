@@ -149,7 +149,7 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   SceneNodes nodes = flatten_nodes(scene, to_model, model.warnings);
   convert_materials(scene, suffix.format, model);
   model.named_images = named_images(scene);
-  model.meshes = convert_meshes(scene, nodes, {suffix.format, model.space.generator}, model.warnings);
+  model.meshes = convert_meshes(scene, nodes, {suffix.format, model.space.generator}, model.doubts, model.warnings);
   model.nodes = std::move(nodes.nodes);
   if (model.meshes.empty()) return no_triangles(path);
   keep_finest_levels(model);

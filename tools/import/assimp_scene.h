@@ -69,14 +69,14 @@ struct SceneNodes {
 
 /// One SourceMesh per mesh and node that shows it, in the order of nodes: instances are copied, since each stands
 /// elsewhere. Points and lines, triangles with absent or non-finite vertices and vertices without a triangle are
-/// dropped; meshes with no triangle left are too. Mesh names fall back to the node's.
+/// dropped; meshes with no triangle left are too. Mesh names fall back to the node's. Points and lines are told of as kLinesLeftOut.
 [[nodiscard]] std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes,
-                                                     const SourceSurface& surface, std::vector<std::string>& warnings);
+                                                     const SourceSurface& surface, std::vector<SourceDoubt>& doubts,
+                                                     std::vector<std::string>& warnings);
 
 /// Fills `materials`, one per material of the scene, and `images` with the embedded base-colour textures that they
-/// use. Colours: glTF's base colour factor; else the diffuse colour, which FBX and COLLADA replace by a texture where
-/// there is one. Alpha is kept for glTF only: the other exporters disagree about what their opacity means. Its use is
-/// glTF's alphaMode; in other formats kBlend where a texture is connected to the opacity, else kUnknown.
+/// use. Colours: the diffuse colour, which FBX and COLLADA replace by a texture where there is one. Alpha is not kept: exporters
+/// disagree about what their opacity means. Its use is kBlend where a texture is connected to the opacity, else kUnknown.
 void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& model);
 
 /// SourceModel::named_images.

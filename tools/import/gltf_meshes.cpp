@@ -124,11 +124,20 @@ class MeshReader {
                                           "where that is not meant", name, fmt::join(on, ", ")));
   }
 
+  /// As far as the file says; one where it does not.
+  [[nodiscard]] std::size_t count_of_lines(const json& primitive, GltfMode mode) const {
+    const json& accessors = list_of(member(document_, "accessors"));
+    const json& indices = member(primitive, "indices");
+    const auto index = index_of(indices.is_null() ? member(member(primitive, "attributes"), "POSITION") : indices, accessors.size());
+    const std::size_t count = index ? index_of(member(accessors[*index], "count"), std::size_t{1} << 31).value_or(0) : 0;
+    return std::max<std::size_t>(mode == GltfMode::kLines ? count / 2 : mode == GltfMode::kLineStrip && count > 0 ? count - 1 : count, 1);
+  }
+
   std::string read_primitive(const json& mesh, const json& primitive, const json& node, RawMesh& raw) {
     const auto mode = gltf_mode(primitive);
     if (!mode) return fmt::format("primitive of mode {}, which there is not; export again", excerpt(member(primitive, "mode").dump(-1, ' ', true, json::error_handler_t::replace), 20));
     if (*mode < GltfMode::kTriangles) {
-      raw.points_and_lines = 1;
+      raw.points_and_lines = count_of_lines(primitive, *mode);
       return {};
     }
     raw.material = material_of(primitive);
@@ -268,11 +277,7 @@ class MeshReader {
       placed_vertices_ += raw.positions.size();
       if (placed_vertices_ > kMostPlacedVertices) return fmt::format("its meshes and instances have more than {} vertices; {}", kMostPlacedVertices, kReduce);
       raw.node_from_mesh = instance;
-      SourceMesh mesh = place_mesh(raw, carrier, model_.nodes, model_.warnings);
-      if (!mesh.triangles.empty())
-        model_.meshes.push_back(std::move(mesh));
-      else
-        model_.warnings.push_back(fmt::format("mesh '{}' left out: it has no triangles", mesh.name));
+      keep_mesh(raw, place_mesh(raw, carrier, model_.nodes, model_.warnings), model_.meshes, model_.doubts, model_.warnings);
     }
     return {};
   }

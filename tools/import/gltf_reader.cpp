@@ -2,9 +2,10 @@
 
 #include "base/text.h"
 #include "gltf/document.h"
+#include "import/gltf_checks.h"
 #include "import/vrm_springs.h"
 
-#include <new>
+#include <iterator>
 
 namespace coif {
 namespace {
@@ -57,8 +58,10 @@ tl::expected<SourceModel, ToolError> read_gltf_model(const std::filesystem::path
   const auto uvs = read_gltf_materials(*document, buffers, model);
   std::string bad = uvs ? read_gltf_meshes(*document, buffers, nodes, *uvs, settings.variant, model) : uvs.error();
   if (!bad.empty()) return unreadable(path, fmt::format("{}; {}", bad, kReexport));
+  std::vector<SourceDoubt> doubts = check_gltf(path);
   model.named_images = names_of_images(*document);
   model.side_files.assign(buffers.side_files().begin(), buffers.side_files().end());
+  model.doubts.insert(model.doubts.end(), std::make_move_iterator(doubts.begin()), std::make_move_iterator(doubts.end()));
   read_vrm_extensions(member(*document, "extensions"), nodes.of_file, to_model, model);
   if (model.meshes.empty()) return no_triangles(path);
   keep_finest_levels(model);

@@ -74,7 +74,6 @@ std::vector<std::uint32_t> usable_triangles(const RawMesh& mesh, const PlacedVer
       triangles.insert(triangles.end(), corner, corner + 3);
     }
   }
-  warn_count(mesh.points_and_lines, label, "points or lines dropped", warnings);
   warn_count(out_of_range, label, "triangles dropped: vertex index out of range", warnings);
   if (misplaced != 0) {
     const Eigen::Vector3f& at = placed.positions[first_misplaced];
@@ -191,6 +190,17 @@ SourceMesh place_mesh(const RawMesh& mesh, std::uint32_t node, std::span<const S
   repair_normals(out, label, warnings);
   measure_pose(mesh, nodes, out);
   return out;
+}
+
+void keep_mesh(const RawMesh& raw, SourceMesh placed, std::vector<SourceMesh>& meshes, std::vector<SourceDoubt>& doubts,
+               std::vector<std::string>& warnings) {
+  if (raw.points_and_lines != 0) {
+    doubts.push_back({kLinesLeftOut, fmt::format("mesh '{}': {} points or lines left out", placed.name, raw.points_and_lines)});
+  }
+  if (!placed.triangles.empty())
+    meshes.push_back(std::move(placed));
+  else if (raw.points_and_lines == 0)
+    warnings.push_back(fmt::format("mesh '{}' left out: it has no triangles", placed.name));
 }
 
 }  // namespace coif

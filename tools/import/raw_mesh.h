@@ -83,10 +83,14 @@ class SkinBinding {
   std::vector<SourceInfluence> influences_;
 };
 
-/// The mesh as it stands at rest in the model, carried by `node`. Points and lines, triangles with absent or non-finite vertices and
+/// The mesh as it stands at rest in the model, carried by `node`. Triangles with absent or non-finite vertices and
 /// vertices without a triangle are dropped, with warnings; unusable normals, UVs and colours are replaced. No triangles may be left.
 [[nodiscard]] SourceMesh place_mesh(const RawMesh& mesh, std::uint32_t node, std::span<const SourceNode> nodes,
                                     std::vector<std::string>& warnings);
+
+/// Puts a placed mesh that has triangles behind the others. Says what was left out: points and lines as kLinesLeftOut, or all of it.
+void keep_mesh(const RawMesh& raw, SourceMesh placed, std::vector<SourceMesh>& meshes, std::vector<SourceDoubt>& doubts,
+               std::vector<std::string>& warnings);
 
 /// Fills `posed_node` and `posed_degrees` of what became of the mesh.
 void measure_pose(const RawMesh& mesh, std::span<const SourceNode> nodes, SourceMesh& out);

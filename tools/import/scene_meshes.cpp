@@ -95,7 +95,7 @@ RawMesh raw_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, c
 }  // namespace
 
 std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes, const SourceSurface& surface,
-                                       std::vector<std::string>& warnings) {
+                                       std::vector<SourceDoubt>& doubts, std::vector<std::string>& warnings) {
   std::vector<SourceMesh> meshes;
   std::vector<std::string> hidden;
   for (std::uint32_t n = 0; n < nodes.nodes.size(); ++n) {
@@ -109,11 +109,8 @@ std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& n
         warnings.push_back(fmt::format("node '{}': refers to an absent mesh", nodes.nodes[n].name));
         continue;
       }
-      SourceMesh mesh = place_mesh(raw_mesh(scene, *scene.mMeshes[index], n, nodes, surface, warnings), n, nodes.nodes, warnings);
-      if (!mesh.triangles.empty())
-        meshes.push_back(std::move(mesh));
-      else
-        warnings.push_back(fmt::format("mesh '{}' left out: it has no triangles", mesh.name));
+      const RawMesh raw = raw_mesh(scene, *scene.mMeshes[index], n, nodes, surface, warnings);
+      keep_mesh(raw, place_mesh(raw, n, nodes.nodes, warnings), meshes, doubts, warnings);
     }
   }
   warn_of_hidden(hidden, warnings);

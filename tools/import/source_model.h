@@ -62,9 +62,6 @@ struct SourceTexture {
   [[nodiscard]] bool is_there() const { return !path.empty() || image != kNoIndex; }
 };
 
-/// Where in an image a single number stands. kAuto: in alpha where that says anything, else in the luminance.
-enum class TextureChannel : std::uint8_t { kAuto, kRed, kGreen, kBlue, kAlpha, kLuminance };
-
 /// How a material uses the alpha of its base colour, where the file says so.
 enum class AlphaUse { kUnknown, kOpaque, kMask, kBlend };
 
@@ -165,6 +162,15 @@ struct SourceSpace {
   std::string generator;                  ///< The program that wrote the file, as far as it says.
 };
 
+/// What is wrong or odd in a file, of a kind that has a code of its own in the table of issues (tools/validate).
+struct SourceDoubt {
+  std::string code;  ///< "S115"
+  std::string text;  ///< A sentence: where, what, and what mends it.
+};
+
+/// Code of points and lines beside triangles, which are no part of a model: strands of hair, or what a modelling tool left behind.
+inline constexpr const char* kLinesLeftOut = "S211";
+
 struct SourceModel {
   std::string path;
   std::vector<std::filesystem::path> roots;  ///< ImportSettings::roots.
@@ -184,6 +190,7 @@ struct SourceModel {
   double scalp_radius = 0;  ///< Of the sphere that the strands' roots lie on, metres; 0 where that is not known.
   SourceSpace space;
   std::vector<std::string> warnings;  ///< What was repaired or dropped, one sentence each.
+  std::vector<SourceDoubt> doubts;    ///< The same, of kinds that have a code.
   /// Paths of the other files that the importer opened or looked for, absent ones too: buffers, material libraries. Not
   /// textures, which it leaves alone.
   std::vector<std::string> side_files;

@@ -25,7 +25,7 @@ BodyTextures read_body_textures(const SourceModel& model, Findings& findings) {
     }
     textures[m] = texture;
   }
-  for (const std::string& warning : images.findings().warnings) findings.warn(warning);
+  for (const Warning& warning : images.findings().warnings) findings.warnings.push_back(warning);
   return textures;
 }
 

@@ -132,12 +132,16 @@ SkinInfluences rounded_influences(std::array<std::pair<int, double>, 4> shares) 
   std::stable_sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
   SkinInfluences skin;
   double rest = 1.0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double weight = std::round(shares[i].second * kSteps) / kSteps;
+  std::size_t used = 0;
+  for (const auto& [joint, share] : shares) {
+    const double weight = std::round(share * kSteps) / kSteps;
     if (weight <= 0.0) continue;
-    skin.joints[i] = static_cast<std::uint16_t>(shares[i].first);
-    skin.weights[i] = weight;
     rest -= weight;
+    // glTF lets a joint hold a vertex once.
+    const auto end = skin.joints.begin() + std::ptrdiff_t(used);
+    const auto same = std::find(skin.joints.begin(), end, joint);
+    if (same == end) skin.joints[used++] = static_cast<std::uint16_t>(joint);
+    skin.weights[std::size_t(same - skin.joints.begin())] += weight;
   }
   skin.weights[0] += rest;
   return skin;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cook/strands/odd_hair.h"
 #include "validate/issue_codes.h"
 
 #include <coif/asset.h>
@@ -10,19 +11,6 @@
 #include <cstdint>
 
 namespace coif {
-
-/// Metres; 0 for a box without a point.
-[[nodiscard]] inline float largest_side(const Eigen::AlignedBox3f& box) {
-  return box.isEmpty() ? 0.0f : box.sizes().maxCoeff();
-}
-
-/// Between a doll's tuft and a wig to the ankles: what is outside of it was written in another unit than was read.
-constexpr bool is_hair_sized(float metres) { return metres >= 0.05f && metres <= 3.0f; }
-
-/// Hair whose patches have next to no triangles: its strips fell apart when they were told from each other.
-constexpr bool is_shattered(std::size_t triangles, std::size_t patches) {
-  return patches > 8 && triangles < 4 * patches;
-}
 
 /// Cooked in a hurry.
 [[nodiscard]] inline bool is_draft(const Asset& asset) {

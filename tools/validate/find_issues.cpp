@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 namespace coif {
@@ -100,7 +101,7 @@ Issues find_recook_issues(const Asset& asset, const Asset& cooked_anew) {
 
 namespace {
 
-void check_meshes(const SourceModel& source, const HairMesh& hair, const Recipe& recipe, Issues& issues) {
+void note_meshes(const SourceModel& source, const HairMesh& hair, const Recipe& recipe, Issues& issues) {
   bool rigid = true;
   for (const std::uint32_t mesh : hair.source_meshes) {
     rigid = rigid && source.meshes[mesh].influences.empty();
@@ -112,22 +113,10 @@ void check_meshes(const SourceModel& source, const HairMesh& hair, const Recipe&
   add_issue(issues, "S204", "", "the hair follows no bone; chains will be fitted to it");
 }
 
-void check_size(const HairMesh& mesh, Issues& issues) {
-  Eigen::AlignedBox3f box;
-  for (const Eigen::Vector3f& at : mesh.positions) box.extend(at);
-  if (is_hair_sized(largest_side(box))) return;
-  add_issue(issues, "S205", "",
-            "the hair is {:.3g} m large; hair has 0.05 .. 3 m: set \"source.metres_per_unit\" in the recipe",
-            largest_side(box));
-}
-
-void check_strips(const HairMesh& mesh, const Recipe& recipe, Issues& issues) {
+void warn_of_strips(const HairMesh& mesh, const Recipe& recipe, Findings& findings) {
   const auto places = weld_places(mesh.positions, recipe.patch_weld_distance);
   const ExtractedPatches extracted = extract_patches(mesh, places, recipe.patch_connectivity);
-  const std::size_t patches = extracted.patches.count;
-  if (!is_shattered(mesh.triangle_count(), patches)) return;
-  add_issue(issues, "S206", "", "{} triangles fall into {} patches by {}", mesh.triangle_count(), patches,
-            extracted.chosen);
+  warn_of_fragments(mesh, extracted.patches.count, extracted.chosen, findings);
 }
 
 }  // namespace
@@ -136,38 +125,43 @@ Issue import_issue(const ToolError& error) {
   return make_issue(error.kind == ToolError::Kind::kUnsupported ? "S102" : "S101", error.message);
 }
 
-namespace {
-
-const char* code_of(SizeDoubt::Of of) {
-  switch (of) {
-    case SizeDoubt::Of::kOtherUnit: return "S207";
-    case SizeDoubt::Of::kDoubtfulUnit: return "S208";
-    case SizeDoubt::Of::kOtherUp: return "S209";
-    case SizeDoubt::Of::kDoubtfulUp: break;
-  }
-  return "S210";
+Issues cook_issues(const Findings& findings) {
+  Issues issues;
+  for (const Warning& warning : findings.warnings) issues.push_back(make_issue(warning.code, warning));
+  return issues;
 }
 
-}  // namespace
-
 Issues find_source_issues(const SourceModel& imported, const Recipe& recipe) {
-  Issues issues;
-  for (const std::string& warning : imported.warnings) issues.push_back(make_issue("S201", warning));
-  const JudgedSize size = judge_size(imported, recipe);
-  for (const SizeDoubt& doubt : size.doubts) issues.push_back(make_issue(code_of(doubt.of), doubt.text));
-  std::optional<SourceModel> resized;
-  if (size.changes()) resized = settled(imported, size);
-  const SourceModel& source = resized ? *resized : imported;
   Findings findings;
+  for (const std::string& warning : imported.warnings) findings.warn("S201", warning);
+  for (const SourceDoubt& doubt : imported.doubts) findings.warn(doubt.code.c_str(), doubt.text);
+  const SettledSource settled = settle_size(imported, recipe, findings);
+  const SourceModel& source = settled.model ? *settled.model : imported;
   const auto hair = select_hair(source, recipe, findings);
-  if (!hair) {
-    issues.push_back(make_issue("S104", hair.error().message));
-    return issues;
+  Issues notes;
+  if (hair) {
+    warn_of_odd_size(*hair, findings);
+    warn_of_strips(*hair, recipe, findings);
+    note_meshes(source, *hair, recipe, notes);
+  } else {
+    notes.push_back(make_issue("S104", hair.error().message));
   }
-  for (const std::string& warning : findings.warnings) issues.push_back(make_issue("S202", warning));
-  check_meshes(source, *hair, recipe, issues);
-  check_size(*hair, issues);
-  check_strips(*hair, recipe, issues);
+  findings.acknowledge(recipe.acknowledged_warnings);
+  Issues issues = cook_issues(findings);
+  issues.insert(issues.end(), notes.begin(), notes.end());
+  return issues;
+}
+
+Issues find_source_issues(const SourceModel& imported, const Recipe& recipe, const tl::expected<CookResult, ToolError>& cooked) {
+  Issues first = find_source_issues(imported, recipe);
+  if (!cooked) {
+    const bool is_told = std::ranges::any_of(first, [](const Issue& issue) { return issue.code == "S104"; });
+    if (!is_told) first.push_back(make_issue("S105", cooked.error().message));
+    return first;
+  }
+  // What the cook says in full takes the place of what its first passes say.
+  Issues issues = cook_issues(cooked->report);
+  std::ranges::copy_if(first, std::back_inserter(issues), [](const Issue& issue) { return issue.severity == Severity::kInfo; });
   return issues;
 }
 

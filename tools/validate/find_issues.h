@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/tool_error.h"
+#include "cook/cook.h"
 #include "cook/recipe/recipe.h"
 #include "import/source_model.h"
 #include "validate/issue_codes.h"
@@ -25,8 +26,15 @@ namespace coif {
 /// Why a source could not be imported.
 [[nodiscard]] Issue import_issue(const ToolError& error);
 
+/// What a cook warned of.
+[[nodiscard]] Issues cook_issues(const Findings& findings);
+
 /// What a cook of an imported source would stop at or warn of, as far as its first passes tell: which triangles are hair,
 /// whether they fall into strips, and whether unit and up axis of the file are the model's.
 [[nodiscard]] Issues find_source_issues(const SourceModel& imported, const Recipe& recipe);
+
+/// All that `cooked`, a cook of that source, stopped at or warned of, and what is worth knowing of the source.
+[[nodiscard]] Issues find_source_issues(const SourceModel& imported, const Recipe& recipe,
+                                        const tl::expected<CookResult, ToolError>& cooked);
 
 }  // namespace coif

@@ -15,7 +15,7 @@ namespace {
 
 std::vector<IssueCode> all_codes() {
   std::vector<IssueCode> codes;
-  for (const auto part : {refusal_codes(), asset_codes(), origin_codes()}) {
+  for (const auto part : {refusal_codes(), asset_codes(), origin_codes(), cook_codes()}) {
     codes.insert(codes.end(), part.begin(), part.end());
   }
   std::ranges::sort(codes, {}, [](const IssueCode& row) { return std::tuple(row.group, std::string_view(row.code)); });
@@ -55,10 +55,10 @@ Issue make_issue(std::string_view code, std::string message, std::string where) 
 namespace {
 
 constexpr const char* kHead =
-    "# Issues of `coif validate`\n\n"
-    "Codes are stable. Errors fail a build (exit code 3), warnings do with `--warnings-as-errors`; `--ignore CODE` "
-    "lets\n"
-    "warnings and notes pass. This page is what `coif validate --list-codes` prints.\n";
+    "# Issues of `coif validate`, warnings of `coif cook`\n\n"
+    "Codes are stable. Errors fail a build (exit code 3), warnings do with `--warnings-as-errors`; `--ignore CODE` and the recipe's\n"
+    "`\"warnings\": {\"acknowledged\": [...]}` let warnings and notes pass. What a cook repairs is an error of the file, and a warning of the\n"
+    "cook. This page is what `coif validate --list-codes` prints.\n";
 
 }  // namespace
 
@@ -67,7 +67,7 @@ std::string code_page() {
   const IssueCode* before = nullptr;
   for (const IssueCode& row : issue_codes()) {
     if (before == nullptr || before->group != row.group) page += fmt::format("\n## {}\n\n", name(row.group));
-    page += fmt::format("- **{}** {}: {}. {} {}\n", row.code, name(row.severity), row.title, row.meaning, row.cure);
+    page += fmt::format("- **{}** {}{}: {}. {} {}\n", row.code, name(row.severity), row.is_repaired ? ", repaired" : "", row.title, row.meaning, row.cure);
     before = &row;
   }
   return page;
@@ -81,7 +81,8 @@ std::string code_json() {
                      {"severity", name(row.severity)},
                      {"title", row.title},
                      {"meaning", row.meaning},
-                     {"cure", row.cure}});
+                     {"cure", row.cure},
+                     {"repaired", row.is_repaired}});
   }
   return nlohmann::ordered_json{{"codes", std::move(codes)}}.dump(2) + '\n';
 }
@@ -110,7 +111,7 @@ void fold(const Issue& issue, JudgedIssues& judged) {
 
 bool may_ignore(std::string_view code) {
   const IssueCode* row = find_issue_code(code);
-  return row != nullptr && row->severity != Severity::kError;
+  return row != nullptr && (row->severity != Severity::kError || row->is_repaired);
 }
 
 bool is_unsupported(std::string_view code) {

@@ -41,7 +41,8 @@ void add_issue(Issues& issues, std::string_view code, std::string where, fmt::fo
 // Every code that `coif validate` knows. ISSUES.md is written from this table.
 //   F1xx files            R1xx origin of an asset: its source, recipe and tool
 //   A1xx refused assets   A100 + the number of the reader's LoadCode
-//   A2xx doubtful assets  S1xx unusable sources, S2xx doubtful ones
+//   A2xx doubtful assets  S10x unusable sources, S11x those that break their format's rules, S2xx doubtful ones
+//   C1xx what a cook warns of beside that
 
 /// What a code is about.
 enum class IssueGroup {
@@ -66,6 +67,7 @@ struct IssueCode {
   const char* title;    ///< A few words.
   const char* meaning;  ///< What is seen on screen, or why the file is no use.
   const char* cure;
+  bool is_repaired = false;  ///< An error that a cook repairs and warns of.
 };
 
 [[nodiscard]] const char* name(IssueGroup group);
@@ -81,11 +83,12 @@ struct IssueCode {
 [[nodiscard]] std::span<const IssueCode> refusal_codes();  ///< Files and assets that cannot be opened.
 [[nodiscard]] std::span<const IssueCode> asset_codes();    ///< Assets that open and yet do badly.
 [[nodiscard]] std::span<const IssueCode> origin_codes();   ///< Sources, and whether assets still match theirs.
+[[nodiscard]] std::span<const IssueCode> cook_codes();     ///< What a cook makes of a source.
 
 /// All codes as a page in Markdown, which reads well on a terminal too: ISSUES.md.
 [[nodiscard]] std::string code_page();
 
-/// {"codes": [{code, group, severity, title, meaning, cure}]}
+/// {"codes": [{code, group, severity, title, meaning, cure, repaired}]}
 [[nodiscard]] std::string code_json();
 
 /// Which issues count and which are shown.
@@ -113,7 +116,7 @@ struct JudgedIssues {
   [[nodiscard]] bool valid() const { return errors == 0; }
 };
 
-/// False for an error, which no build should let pass, and for what is no code.
+/// False for an error that no cook repairs, which no build should let pass, and for what is no code.
 [[nodiscard]] bool may_ignore(std::string_view code);
 
 /// Whether an error of this code says that this program cannot read the file, not that something is wrong with it.

@@ -76,6 +76,11 @@ using enum Severity;
 
 constexpr const char* kCookAgain = "Cook the source again.";
 
+/// Of a source that breaks the rules of its format where a cook knows how to go on.
+constexpr IssueCode broken(const char* code, const char* title, const char* meaning, const char* cure) {
+  return {code, kSource, kError, title, meaning, cure, true};
+}
+
 constexpr IssueCode kOriginCodes[] = {
     {"S101", kSource, kError, "source cannot be imported", "The file is damaged, or breaks its format's rules.",
      "Export it again; the message names the place."},
@@ -85,6 +90,24 @@ constexpr IssueCode kOriginCodes[] = {
      "'coif cook --print-recipe' prints all keys with their ranges."},
     {"S104", kSource, kError, "no hair found", "Nothing in the source is hair, so that a cook ends here.",
      "Name it in the recipe: \"hair.meshes\", \"hair.materials\" or \"hair.bones\"."},
+    {"S105", kSource, kError, "cannot be cooked", "The source is read and has hair, and a cook ends with an error.",
+     "The message names the place and the cure."},
+    broken("S111", "breaks glTF's rules", "Chunks, references, types or sizes are not as the format has them: other programs may refuse the file.",
+           "Export it again, or repair it with a glTF tool; the message names the place."),
+    broken("S112", "index of no vertex", "Triangles have corners that are not there, among them the number that means none: they are left out.",
+           "Clean up loose geometry in the modeller and export again."),
+    broken("S113", "no number", "A number is infinite, not a number or out of its range: vertices and what hangs on them are left out, or set to something.",
+           "Delete or move what the message names, and export again."),
+    broken("S114", "joints of a vertex", "A joint holds a vertex twice, where weights are added, or is none of the skin's, where it holds nothing.",
+           "Clean the weights in the modeller, and export mesh and armature together."),
+    broken("S115", "weights of a vertex", "Weights are below zero or do not add up to one: each is divided by their sum.",
+           "Normalize the weights in the modeller."),
+    broken("S116", "no unit length", "Normals, tangents or rotations are not of length one: they are made so, or normals are taken from the surface.",
+           "Recalculate normals in the modeller and export again."),
+    broken("S117", "wrong bounds", "'min' and 'max' are not those of the numbers: a cook does not read them, other programs hide what is seen.",
+           "Export the file again."),
+    broken("S118", "animation out of order", "Key times do not ascend, or keys have no values: a clip of it is refused or jumps.",
+           "Bake the animation and export again."),
     {"S201", kSource, kWarning, "repaired by the import", "Something in the file is wrong and was repaired or dropped.",
      "Correct it in the modeller; the message names the place."},
     {"S202", kSource, kWarning, "doubtful choice of hair", "The hair was found, but not beyond doubt.",
@@ -111,6 +134,10 @@ constexpr IssueCode kOriginCodes[] = {
     {"S210", kSource, kWarning, "up axis in doubt",
      "The axis that holds, the file's or the recipe's, is hardly likelier than another, or less likely.",
      "Set \"source.up_axis\" to the right one; the message says what speaks for the other."},
+    {"S211", kSource, kWarning, "points or lines left out", "The file has points or lines beside triangles, too few or too short for strands of hair.",
+     "Delete loose geometry in the modeller; hair of lines wants some dozens of strands of four points."},
+    {"S212", kSource, kWarning, "body that is not read", "The recipe names a body for strands, and the file has strips.",
+     "Leave \"cards.body\" out of its recipe."},
     {"R101", kSource, kError, "cooked from other bytes", "The source has changed since the asset was cooked.",
      kCookAgain},
     {"R102", kSource, kError, "cooked by another recipe",

@@ -103,7 +103,7 @@ void report_sources(const std::vector<MotionSource>& sources, std::size_t simula
   }
   if (recipe.dynamics_source == "springs" && by_spring < simulated) {
     findings.warn(
-        fmt::format("\"dynamics.source\" is \"springs\", but {} of {} simulated bones have no spring "
+        "C133", fmt::format("\"dynamics.source\" is \"springs\", but {} of {} simulated bones have no spring "
                     "in the file; they move by the recipe's curves",
                     simulated - by_spring, simulated));
   }
@@ -125,13 +125,13 @@ void warn_of_lost_settings(const SourceModel& source, std::span<const Sayer> say
   }
   if (sideways != nullptr) {
     findings.warn(
-        fmt::format("spring '{}': its gravity is not vertical; only the vertical part is kept (of other such "
+        "C134", fmt::format("spring '{}': its gravity is not vertical; only the vertical part is kept (of other such "
                     "springs too); let the game's wind push sideways",
                     sideways->name));
   }
   if (centered != nullptr) {
     findings.warn(
-        fmt::format("spring '{}' has the center '{}', whose motion it would not feel; here hair feels every "
+        "C135", fmt::format("spring '{}' has the center '{}', whose motion it would not feel; here hair feels every "
                     "motion of the head (as on other such springs); if it swings too much, raise the drag",
                     centered->name, source.nodes[centered->center].name));
   }

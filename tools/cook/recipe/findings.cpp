@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace coif {
 
 std::string LeftOut::text() const {
@@ -17,6 +19,14 @@ void Findings::append(const Findings& later) {
   notes.insert(notes.end(), later.notes.begin(), later.notes.end());
   warnings.insert(warnings.end(), later.warnings.begin(), later.warnings.end());
   left_out.insert(left_out.end(), later.left_out.begin(), later.left_out.end());
+}
+
+void Findings::acknowledge(std::span<const std::string> codes) {
+  const auto is_known = [&](const Warning& warning) { return std::ranges::find(codes, warning.code) != codes.end(); };
+  for (const Warning& warning : warnings) {
+    if (is_known(warning)) note(fmt::format("acknowledged: {} [{}]", std::string_view(warning), warning.code));
+  }
+  std::erase_if(warnings, is_known);
 }
 
 namespace {

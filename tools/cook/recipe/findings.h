@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,14 +21,24 @@ struct LeftOut {
   [[nodiscard]] std::string text() const;
 };
 
+/// A sentence of what the artist may not have meant, with its code in the table of issues (tools/validate), by which one warning can be
+/// acknowledged. Whoever only tells it takes it for the sentence that it is.
+struct Warning : std::string {
+  Warning() = default;
+  Warning(std::string of_code, std::string text) : std::string(std::move(text)), code(std::move(of_code)) {}
+  std::string code;  ///< "C144"
+};
+
 /// What passes have to say: the one place that all of them write to, each list in the order in which they ran.
 struct Findings {
   std::vector<std::string> notes;     ///< What was chosen, and why.
-  std::vector<std::string> warnings;  ///< What the artist may not have meant.
+  std::vector<Warning> warnings;      ///< What the artist may not have meant.
   std::vector<LeftOut> left_out;      ///< What of the source is not in the asset, and why.
 
   void note(std::string text) { notes.push_back(std::move(text)); }
-  void warn(std::string text) { warnings.push_back(std::move(text)); }
+  void warn(const char* code, std::string text) { warnings.emplace_back(code, std::move(text)); }
+  /// Warnings of these codes become notes: somebody has seen them, and means it.
+  void acknowledge(std::span<const std::string> codes);
   void leave_out(LeftOut part) { left_out.push_back(std::move(part)); }
 
   /// What was found meanwhile comes behind what is here.

@@ -91,11 +91,12 @@ tl::expected<void, std::string> begin_from_style(const json& chosen, Recipe& rec
   return {};
 }
 
-/// `says_all`: with RecipeKey::also, and keys of later versions at their defaults.
+/// `says_all`: with RecipeKey::also, keys that the asset does not depend on, and keys of later versions at their defaults.
 std::string commented(const Recipe& recipe, bool says_all) {
   std::string text = "{";
   const char* section = "";
   for (const RecipeKey& key : recipe_keys()) {
+    if (!says_all && !key.shapes_asset) continue;
     const json given = write_value(key, recipe);
     if (!says_all && key.is_later && given == json::parse(key.default_json)) continue;
     const bool first = std::strcmp(section, key.section) != 0;

@@ -71,6 +71,7 @@ struct Recipe : HairStyle {
   std::string patch_connectivity;  ///< "auto", "island", "index" or "position".
   double patch_widest = 0;         ///< Metres; 0: from the head's size.
   double patch_weld_distance = 0;
+  std::vector<std::string> acknowledged_warnings;  ///< Codes of the table of issues.
   std::vector<PatchOverride> patch_overrides;  ///< Where two say different things of a patch, the later one holds.
   // strands
   std::string strand_root;  ///< "auto", "low_u", "high_u", "low_v" or "high_v".

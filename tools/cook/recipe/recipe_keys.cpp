@@ -33,6 +33,10 @@ const RecipeKey kCookKeys[] = {
   {"scene", "smallest_size", &R::scene_smallest_size, "0", 0, 100, nullptr, "screens",
    "least of the screen's height that the head ever covers; leaves coarser levels of detail out"},
 
+  {"warnings", "acknowledged", &R::acknowledged_warnings, "[]", 0, 0, nullptr, "",
+   "codes of warnings that are meant to be so, such as \"C144\": they are told as notes and fail no build; 'coif validate --list-codes' lists them",
+   "", false, nullptr, false, false},
+
   {"look", "preset", &R::look_preset, "\"none\"", 0, 0, kPresetWords, "",
    "which preset all other keys begin from, those that are given here go before it; 'coif cook --list-presets' says what they are for"},
 

@@ -180,7 +180,7 @@ class SkeletonBuilder {
 void warn_of_foreign_weight(const SourceModel& source, const NodeWeights& weights, std::uint32_t head,
                             const Skeleton& skeleton, Findings& findings) {
   if (head == kNoIndex) {
-    findings.warn("no bone carries the hair; it follows the head rigidly");
+    findings.warn("C112", "no bone carries the hair; it follows the head rigidly");
     return;
   }
   double total = 0, foreign = 0;
@@ -198,14 +198,14 @@ void warn_of_foreign_weight(const SourceModel& source, const NodeWeights& weight
     }
   }
   if (foreign > 0.001 * total) {
-    findings.warn(fmt::format(
+    findings.warn("C113", fmt::format(
         "{:.1f} % of the skin weight is on bones that are not below the head '{}' (most on '{}'); it follows "
         "the head rigidly",
         100 * foreign / total, source.nodes[head].name, heaviest));
   }
   if (skeleton.chains.empty()) {
     findings.warn(
-        fmt::format("no bones carry hair below the head '{}'; the hair follows it rigidly", source.nodes[head].name));
+        "C112", fmt::format("no bones carry hair below the head '{}'; the hair follows it rigidly", source.nodes[head].name));
   }
 }
 

@@ -55,7 +55,7 @@ std::vector<PatchOverride> chain_overrides(const HairStrips& hair, const HairRig
       names.push_back(rig.skeleton.bones[rig.skeleton.chains[c].first_bone].name);
     }
     if (names.empty()) {
-      findings.warn(fmt::format(
+      findings.warn("C122", fmt::format(
           "\"patches.overrides\" [{}] says how patches move, but they are not most of what any chain carries", o));
     } else {
       findings.note(

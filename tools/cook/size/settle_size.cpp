@@ -194,10 +194,20 @@ SourceModel settled(SourceModel source, const JudgedSize& size) {
   return source;
 }
 
+const char* code_of(SizeDoubt::Of of) {
+  switch (of) {
+    case SizeDoubt::Of::kOtherUnit: return "S207";
+    case SizeDoubt::Of::kDoubtfulUnit: return "S208";
+    case SizeDoubt::Of::kOtherUp: return "S209";
+    case SizeDoubt::Of::kDoubtfulUp: break;
+  }
+  return "S210";
+}
+
 SettledSource settle_size(const SourceModel& source, const Recipe& recipe, Findings& findings) {
   JudgedSize size = judge_size(source, recipe);
   for (const std::string& note : size.notes) findings.note(note);
-  for (const SizeDoubt& doubt : size.doubts) findings.warn(doubt.text);
+  for (const SizeDoubt& doubt : size.doubts) findings.warn(code_of(doubt.of), doubt.text);
   if (!size.changes()) return {std::nullopt, std::move(size.hair)};
   return {settled(source, size), std::nullopt};
 }

@@ -27,6 +27,9 @@ struct SizeDoubt {
   std::string text;
 };
 
+/// In the table of issues.
+[[nodiscard]] const char* code_of(SizeDoubt::Of of);
+
 /// A model's own size and attitude.
 struct JudgedSize {
   double factor = 1;                                       ///< For its lengths.

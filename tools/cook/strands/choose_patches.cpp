@@ -135,7 +135,7 @@ tl::expected<void, ToolError> choose_patches(const SourceModel& source, const Re
     if (patches.empty()) {
       const std::string what = fmt::format("[{}] selects none of the {} patches", o, listings.size());
       if (!only_lists) return refuse(source, what);
-      findings.warn("\"patches.overrides\" " + what);
+      findings.warn("C102", "\"patches.overrides\" " + what);
       continue;
     }
     for (const std::uint32_t p : patches) listings[p].overrides.push_back(o);

@@ -141,7 +141,7 @@ void warn_of_up_axis(const HairMesh& mesh, const StrandField& field, Findings& f
   const Eigen::Vector3d mean = mean_tangent(mesh, field.tangent);
   if (mean.z() > -kBackwards || mean.y() < -0.5 * kBackwards) return;
   findings.warn(
-      "most strands run horizontally, along -Z; if the hair hangs in the modeller, the file has Z up: set "
+      "S210", "most strands run horizontally, along -Z; if the hair hangs in the modeller, the file has Z up: set "
       "\"source.up_axis\": \"z\" in the recipe");
 }
 

@@ -140,7 +140,7 @@ void bake_vertex_colors(Image& image, HairMesh& hair, Findings& findings) {
     band.multiply(image, linear);
   }
   if (double(differing) > kManyDiffering * double(hair.triangle_count())) {
-    findings.warn(fmt::format("{} of {} triangles share texels with others of different vertex colours, or have none of their own, and get "
+    findings.warn("C152", fmt::format("{} of {} triangles share texels with others of different vertex colours, or have none of their own, and get "
                               "a mean; unwrap them apart, or paint the colours into the texture",
                               differing, hair.triangle_count()));
   }
@@ -156,7 +156,7 @@ void keep_vertex_colors(std::uint32_t max_size, BaseColor& color, HairMesh& hair
     color.image = reduce(std::move(*color.image), max_size, TexelMeaning::kSrgbColorAlpha);
     bake_vertex_colors(*color.image, hair, findings);
   } else {
-    findings.warn("the hair's vertex colours are lost: no image can hold them; unwrap the hair, or give it a texture");
+    findings.warn("C152", "the hair's vertex colours are lost: no image can hold them; unwrap the hair, or give it a texture");
     hair.colors.clear();
   }
 }

@@ -21,7 +21,7 @@ std::optional<Image> normals_of(const SurfaceLook& look, Findings& findings) {
   if (look.normals == nullptr || look.normal_use.strength <= 0) return std::nullopt;
   auto map = read_normal_map(*look.normals, look.normal_use);
   if (!map) {
-    findings.warn(fmt::format("material '{}': its normal map is not used: {}", look.name, map.error()));
+    findings.warn("C149", fmt::format("material '{}': its normal map is not used: {}", look.name, map.error()));
     return std::nullopt;
   }
   findings.note(fmt::format("material '{}': lit by {}", look.name, map->found));
@@ -190,7 +190,7 @@ BaseColor in_one_image(SurfaceLooks& looks, const Recipe& recipe, HairMesh& hair
   if (atlas) return *atlas;
   const SurfaceLook& main = looks.looks[looks.main];
   findings.warn(
-      fmt::format("the hair has {} materials that look different, and {} cannot be joined; all of it gets "
+      "C150", fmt::format("the hair has {} materials that look different, and {} cannot be joined; all of it gets "
                   "that with most triangles ('{}')",
                   looks.looks.size(), atlas.error(), main.name));
   return whole(main, findings);

@@ -175,7 +175,7 @@ Image make_color_squares(HairMesh& hair, Findings& findings) {
   findings.note(fmt::format("vertex colours are kept in an image of {} x {} texels, since the hair has no texture coordinates", image.width,
                             image.height));
   if (planes.worst > 2 * kFlat) {
-    findings.warn(fmt::format("the hair has no texture coordinates, and its vertex colours vary more than an image of them can hold: they "
+    findings.warn("C152", fmt::format("the hair has no texture coordinates, and its vertex colours vary more than an image of them can hold: they "
                               "are off by {:.0f} of 255; unwrap the hair",
                               planes.worst * 255));
   }

@@ -43,7 +43,7 @@ const Image* SourceImages::normals_of(const SourceMaterial& material) {
   note_question(TextureQuestion::Kind::kFind, {texture.path});
   if (path) return read(*path, fmt::format("material '{}': normal map {}", material.name, path->string()));
   findings_.warn(
-      fmt::format("material '{}': normal map '{}': no such file beside the source; it is lit by its own form",
+      "C144", fmt::format("material '{}': normal map '{}': no such file beside the source; it is lit by its own form",
                   material.name, texture.path));
   return nullptr;
 }
@@ -73,7 +73,7 @@ const Image* SourceImages::beside(const SourceMaterial& material) {
   }
   if (folder_.short_name(*path) != written) {
     findings_.warn(
-        fmt::format("material '{}': texture '{}' taken from {}", material.name, written, folder_.short_name(*path)));
+        "C145", fmt::format("material '{}': texture '{}' taken from {}", material.name, written, folder_.short_name(*path)));
   }
   return read(*path, fmt::format("material '{}': {}", material.name, path->string()));
 }
@@ -98,7 +98,7 @@ const Image* SourceImages::guess(std::span<const std::string> names) {
   }
   if (candidates.size() > 1) {
     findings_.warn(
-        fmt::format("no material of the hair names a texture, and several images beside the source may be meant: {}; "
+        "C146", fmt::format("no material of the hair names a texture, and several images beside the source may be meant: {}; "
                     "choose one in the recipe: \"textures\": {{\"base_color\": \"{}\"}}",
                     listed(folder_, candidates), folder_.short_name(candidates[0])));
     return nullptr;
@@ -106,7 +106,7 @@ const Image* SourceImages::guess(std::span<const std::string> names) {
   const Image* image = read(candidates[0], candidates[0].string());
   if (image != nullptr) {
     findings_.warn(
-        fmt::format("no material of the hair names a texture; {} is taken, which fits best; say "
+        "C146", fmt::format("no material of the hair names a texture; {} is taken, which fits best; say "
                     "\"textures\": {{\"base_color\": ...}} in the recipe if it is another",
                     folder_.short_name(candidates[0])));
   }
@@ -138,7 +138,7 @@ const Image* SourceImages::read(const fs::path& path, const std::string& for_wha
 const Image* SourceImages::keep(const std::string& key, tl::expected<Image, std::string> image,
                                 const std::string& for_what) {
   if (!image) {
-    findings_.warn(fmt::format("{}: {}; it is cooked without this texture", for_what, image.error()));
+    findings_.warn("C147", fmt::format("{}: {}; it is cooked without this texture", for_what, image.error()));
     decoded_.emplace(key, std::nullopt);
     return nullptr;
   }
@@ -153,7 +153,7 @@ void SourceImages::note_question(TextureQuestion::Kind kind, std::vector<std::st
 
 void SourceImages::warn_of_absent(const SourceMaterial& material) {
   if (const auto outside = folder_.find_outside(material.base_texture.path)) {
-    return findings_.warn(fmt::format(
+    return findings_.warn("C144", fmt::format(
         "material '{}': texture '{}' is a link to {}, outside the source's folder; if that is meant, allow it with "
         "--root {}; it is cooked without a base texture",
         material.name, material.base_texture.path, outside->string(), outside->parent_path().string()));
@@ -165,7 +165,7 @@ void SourceImages::warn_of_absent(const SourceMaterial& material) {
           : fmt::format("put it there, or choose one of {} by \"textures.base_color\" in the recipe",
                         listed(folder_, folder_.images()));
   findings_.warn(
-      fmt::format("material '{}': texture '{}': no such file beside the source or in its texture "
+      "C144", fmt::format("material '{}': texture '{}': no such file beside the source or in its texture "
                   "folders; {}; it is cooked without a base texture",
                   material.name, material.base_texture.path, there));
 }

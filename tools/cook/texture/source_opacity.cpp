@@ -26,7 +26,7 @@ const Image* SourceImages::opacity_of(const SourceMaterial& material) {
   note_question(TextureQuestion::Kind::kFind, {texture.path});
   if (path) return read(*path, fmt::format("material '{}': opacity texture {}", material.name, path->string()));
   findings_.warn(
-      fmt::format("material '{}': opacity texture '{}': no such file beside the source or in its texture folders; put it there, or "
+      "C144", fmt::format("material '{}': opacity texture '{}': no such file beside the source or in its texture folders; put it there, or "
                   "name an image in the recipe: \"textures\": {{\"opacity\": ...}}; it is cooked without it",
                   material.name, texture.path));
   return nullptr;

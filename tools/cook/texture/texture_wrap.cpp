@@ -72,7 +72,7 @@ bool can_be_doubled(const SurfaceLook& look, int axis) {
 void mirror(SurfaceLooks& looks, SurfaceLook& look, const LookCoordinates& at, int axis, HairMesh& hair, Findings& findings) {
   if (!at.crosses_integer[std::size_t(axis)] || !can_be_doubled(look, axis)) {
     if (at.crosses_integer[std::size_t(axis)]) {
-      findings.warn(fmt::format("material '{}': its texture is mirrored and too large to be stored with its mirror image; strips that "
+      findings.warn("C153", fmt::format("material '{}': its texture is mirrored and too large to be stored with its mirror image; strips that "
                                 "cross its border show it wrongly; reduce it",
                                 look.name));
     }
@@ -105,7 +105,7 @@ bool clamp(const SurfaceLook& look, const LookCoordinates& at, int axis, HairMes
     u = inside;
   }
   if (is_crossed && moved > 0) {
-    findings.warn(fmt::format("material '{}': its texture is clamped, and {} vertices lie more than {} of it outside along {}: they "
+    findings.warn("C153", fmt::format("material '{}': its texture is clamped, and {} vertices lie more than {} of it outside along {}: they "
                               "are moved nearer, which shifts the texture there; cut the strips where the texture ends",
                               look.name, moved, kFarthestClamped, axis == 0 ? 'U' : 'V'));
   }

@@ -25,7 +25,7 @@ Transparency as_opaque(const AlphaHistogram& histogram, Findings& findings) {
   findings.note("opaque threshold 0: the material is opaque");
   const double clear = 1 - share_from(histogram, 0.5);
   if (clear > kManyClearTexels) {
-    findings.warn(fmt::format(
+    findings.warn("C142", fmt::format(
         "the material is opaque, but {:.0f} % of the texels that the hair uses have alpha below 0.5; to use it, export "
         "the material as blended or set \"material.opaque_threshold\"",
         100 * clear));
@@ -49,7 +49,7 @@ Transparency as_recipe_says(const AlphaHistogram& histogram, const Recipe& recip
   const double opaque = share_from(histogram, recipe.opaque_threshold);
   if (opaque < kFewOpaque * drawn) {
     findings.warn(
-        fmt::format("only {:.1f} % of the hair's texels have alpha {} or more: without an opaque core hair "
+        "C143", fmt::format("only {:.1f} % of the hair's texels have alpha {} or more: without an opaque core hair "
                     "sorts badly; lower \"material.opaque_threshold\" or paint opaque cores",
                     100 * opaque / drawn, recipe.opaque_threshold));
   }
@@ -65,7 +65,7 @@ Transparency as_painted(const AlphaHistogram& histogram, const Recipe& recipe, F
                             chosen.reason, 100 * chosen.opaque_share));
   if (chosen.opaque_share < kFewOpaque) {
     findings.warn(
-        fmt::format("only {:.1f} % of the hair's texels have alpha {:.2f} or more: without an "
+        "C143", fmt::format("only {:.1f} % of the hair's texels have alpha {:.2f} or more: without an "
                     "opaque core hair sorts badly; paint opaque cores",
                     100 * chosen.opaque_share, chosen.value));
   }

@@ -147,7 +147,7 @@ void judge_vertex_colors(const Recipe& recipe, HairMesh& hair, Findings& finding
   }
   const char* const nothing = brightest < kNearlyNothing ? "black" : solidest < kNearlyNothing ? "clear" : nullptr;
   if (recipe.vertex_colors == "auto" && nothing != nullptr) {
-    findings.warn(fmt::format("the hair's vertex colours are all {}: they are taken for numbers of another program and not used; to use "
+    findings.warn("C152", fmt::format("the hair's vertex colours are all {}: they are taken for numbers of another program and not used; to use "
                               "them, set \"textures.vertex_colors\" to \"multiply\"",
                               nothing));
   }
@@ -187,7 +187,7 @@ void tell_of_copies(const SurfaceLook& look, std::uint32_t copies, std::uint32_t
                                  look.name, copies);
   const double wanted = double(copies) * double(look.image->texel_count()), most = double(max_size) * max_size;
   if (wanted <= most) return findings.note(std::move(text));
-  findings.warn(fmt::format("{}, at {:.0f} % of its size: paint the colours into the texture, raise \"textures.max_size\", or set "
+  findings.warn("C152", fmt::format("{}, at {:.0f} % of its size: paint the colours into the texture, raise \"textures.max_size\", or set "
                             "\"textures.vertex_colors\" to \"ignore\"",
                             text, 100 * std::sqrt(most / wanted)));
 }

@@ -139,7 +139,7 @@ tl::expected<LiveResult, ToolError> LiveCook::cook(const Order& order, const std
   watch(order, cooked->inputs, since);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   return LiveResult{order.name,    std::move(cooked->asset),           std::move(recipe->file),
-                    order.changes, std::move(cooked->report.warnings), seconds.count()};
+                    order.changes, {cooked->report.warnings.begin(), cooked->report.warnings.end()}, seconds.count()};
 } catch (const TookTooLong&) {
   if (!obsolete && cooking_.within_limits) throw;
   return failure(ToolError::Kind::kBadInput, "what was cooked is out of date");

@@ -1,0 +1,98 @@
+#pragma once
+
+// What the checks of gltf_checks.h share. Private to them.
+
+#include "base/json.h"
+#include "gltf/buffers.h"
+#include "gltf/document.h"
+#include "import/source_model.h"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace coif {
+
+// Codes of the table of issues; tools/validate says what each means.
+namespace gltf_code {
+inline constexpr const char* kRules = "S111";     ///< Containers, references, types, sizes.
+inline constexpr const char* kIndices = "S112";   ///< Of vertices.
+inline constexpr const char* kNumbers = "S113";   ///< Not finite, or out of their range.
+inline constexpr const char* kJoints = "S114";    ///< Twice in a vertex, or not of the skin.
+inline constexpr const char* kWeights = "S115";   ///< Sums and signs.
+inline constexpr const char* kUnits = "S116";     ///< Normals, tangents and rotations.
+inline constexpr const char* kBounds = "S117";    ///< Least and largest values.
+inline constexpr const char* kAnimation = "S118"; ///< Key times and values.
+}  // namespace gltf_code
+
+/// Collects sentences, each once, and no endless number of them.
+class GltfFaults {
+ public:
+  void add(const char* code, std::string text);
+  template <class... Args>
+  void add(const char* code, fmt::format_string<Args...> text, Args&&... args) {
+    add(code, fmt::format(text, std::forward<Args>(args)...));
+  }
+  [[nodiscard]] std::vector<SourceDoubt> finish() &&;
+
+ private:
+  std::vector<SourceDoubt> told_;
+  std::size_t more_ = 0;
+};
+
+/// The numbers of an accessor as they are stored.
+struct StoredNumbers {
+  std::uint32_t component = 0;  ///< glTF's number of the type.
+  bool normalized = false;
+  std::size_t width = 1;  ///< Numbers of an element.
+  std::vector<double> numbers;
+
+  [[nodiscard]] std::size_t count() const { return numbers.size() / width; }
+  [[nodiscard]] bool is_float() const { return component == 5126; }
+  /// The value that the stored number stands for.
+  [[nodiscard]] double value(std::size_t i) const;
+  /// Of the component's type; 0 for floats.
+  [[nodiscard]] double largest() const;
+};
+
+/// A glTF document whose parts are looked at.
+class CheckedGltf {
+ public:
+  CheckedGltf(const std::filesystem::path& path, const nlohmann::json& parsed) : document(parsed), buffers_(path, parsed) {}
+
+  const nlohmann::json& document;
+  GltfFaults faults;
+
+  [[nodiscard]] const nlohmann::json& list(const char* name) const { return list_of(member(document, name)); }
+  [[nodiscard]] bool uses(std::string_view extension) const;
+  /// None where the accessor is absent, compressed, or not within its buffer; why is told by check_gltf_accessors().
+  [[nodiscard]] std::optional<StoredNumbers> read(const nlohmann::json& accessor);
+  [[nodiscard]] std::optional<std::size_t> buffer_size(std::size_t buffer, std::string& why);
+
+ private:
+  std::optional<std::vector<double>> plain(const nlohmann::json& place, std::uint32_t component, std::size_t width,
+                                           std::size_t count);
+  GltfBuffers buffers_;
+};
+
+/// Bytes of a component; 0 for what is no type.
+[[nodiscard]] std::size_t gltf_component_size(std::uint32_t component);
+/// Numbers of an element of that type; 0 for what is no type.
+[[nodiscard]] std::size_t gltf_type_width(const nlohmann::json& type);
+/// "mesh 'hair', primitive 2"
+[[nodiscard]] std::string gltf_part_name(const char* what, const nlohmann::json& object, std::size_t index);
+
+void check_gltf_container(const std::filesystem::path& path, GltfFaults& faults);  ///< Chunks of a .glb.
+void check_gltf_objects(CheckedGltf& file);     ///< Types, references, node transforms.
+void check_gltf_accessors(CheckedGltf& file);   ///< Views within buffers, accessors within views, bounds, finite numbers.
+void check_gltf_meshes(CheckedGltf& file);      ///< Attributes and indices of primitives.
+void check_gltf_skins(CheckedGltf& file);       ///< Joints and weights of primitives, bind matrices.
+void check_gltf_animations(CheckedGltf& file);  ///< Key times, values.
+
+}  // namespace coif
