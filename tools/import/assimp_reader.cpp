@@ -160,9 +160,8 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
 
 tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::path& path, const SourceSuffix& suffix,
                                                       const ImportSettings& settings) try {
-  std::vector<char> text;
   if (suffix.format == SourceFormat::kDae) {
-    text = bytes_of(path);
+    const std::vector<char> text = bytes_of(path);
     if (auto fault = overrun_array({text.data(), text.size()})) return refusal(path, suffix, fault->c_str());
   }
   Asked asked;
@@ -177,7 +176,10 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
   auto model = convert_scene(*scene, path, suffix, settings);
   asked.names.erase(path.string());
   if (model) model->side_files.assign(asked.names.begin(), asked.names.end());
-  if (model && suffix.format == SourceFormat::kDae) apply_collada_opacity({text.data(), text.size()}, *model);
+  if (model && suffix.format == SourceFormat::kDae) {
+    const std::vector<char> text = bytes_of(path);
+    apply_collada_opacity({text.data(), text.size()}, *model);
+  }
   if (model && suffix.format == SourceFormat::kObj) {
     apply_obj_options(opened_libraries(asked), *model);
     for (const std::string& library : lost_libraries(asked, model->path)) {
