@@ -1,6 +1,7 @@
 #include "import/assimp_scene.h"
 
 #include "base/text.h"
+#include "import/fbx_objects.h"
 #include "import/import.h"
 #include "import/raw_mesh.h"
 
@@ -102,8 +103,13 @@ void warn_of_lost_library(const std::string& library, const aiScene& scene, Sour
 }
 
 std::vector<char> bytes_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file.tellg();
+  std::vector<char> bytes(size > 0 ? std::size_t(size) : 0);
+  file.seekg(0);
+  file.read(bytes.data(), std::streamsize(bytes.size()));
+  bytes.resize(file ? bytes.size() : 0);
+  return bytes;
 }
 
 std::string cure_for(const std::string& reason) {
@@ -129,6 +135,9 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   set_importer(model);
   const Eigen::Affine3d to_model = model_from_scene(scene, suffix.format, settings, model.space, model.warnings);
   SceneNodes nodes = flatten_nodes(scene, to_model, model.warnings);
+  const std::vector<char> file = suffix.format == SourceFormat::kFbx ? bytes_of(path) : std::vector<char>();
+  const auto objects = FbxObjects::read({file.data(), file.size()});
+  if (objects) add_fbx_objects(*objects, scene, nodes);
   convert_materials(scene, suffix.format, model);
   model.meshes = convert_meshes(scene, nodes, model.warnings);
   model.nodes = std::move(nodes.nodes);

@@ -52,7 +52,7 @@ void move_to_bound_space(RawMesh& mesh) {
   mesh.node_from_mesh.setIdentity();
 }
 
-RawMesh raw_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, const SceneNodes& nodes,
+RawMesh raw_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, const SceneNodes& nodes, FbxShapeKeys& shape_keys,
                  std::vector<std::string>& warnings) {
   RawMesh out;
   out.name = text_of(mesh.mName);
@@ -68,6 +68,7 @@ RawMesh raw_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, c
     // assimp's V grows upwards whatever the file, this project's downwards.
     if (mesh.HasTextureCoords(0)) out.uvs.emplace_back(mesh.mTextureCoords[0][v].x, 1.0f - mesh.mTextureCoords[0][v].y);
   }
+  shape_keys.apply(mesh, node, out, warnings);
   add_bones(mesh, nodes, label, out, warnings);
   out.node_from_mesh = nodes.node_from_mesh[node];
   if (!out.bones.empty()) move_to_bound_space(out);
@@ -80,11 +81,16 @@ RawMesh raw_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, c
 std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes,
                                        std::vector<std::string>& warnings) {
   std::vector<SourceMesh> meshes;
-  std::vector<std::string> hidden;
+  std::vector<std::string> hidden, coarser;
+  FbxShapeKeys shape_keys(nodes);
   for (std::uint32_t n = 0; n < nodes.nodes.size(); ++n) {
     const aiNode& node = *nodes.origin[n];
     if (nodes.is_hidden[n] && node.mNumMeshes != 0) {
       hidden.push_back(nodes.nodes[n].name);
+      continue;
+    }
+    if (nodes.is_coarser[n] && node.mNumMeshes != 0) {
+      coarser.push_back(nodes.nodes[n].name);
       continue;
     }
     for (const unsigned index : std::span(node.mMeshes, node.mNumMeshes)) {
@@ -92,7 +98,7 @@ std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& n
         warnings.push_back(fmt::format("node '{}': refers to an absent mesh", nodes.nodes[n].name));
         continue;
       }
-      SourceMesh mesh = place_mesh(raw_mesh(scene, *scene.mMeshes[index], n, nodes, warnings), n, nodes.nodes, warnings);
+      SourceMesh mesh = place_mesh(raw_mesh(scene, *scene.mMeshes[index], n, nodes, shape_keys, warnings), n, nodes.nodes, warnings);
       if (!mesh.triangles.empty())
         meshes.push_back(std::move(mesh));
       else
@@ -100,6 +106,7 @@ std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& n
     }
   }
   warn_of_hidden(hidden, warnings);
+  warn_of_coarser(coarser, warnings);
   return meshes;
 }
 
