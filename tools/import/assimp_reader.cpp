@@ -128,6 +128,16 @@ tl::unexpected<ToolError> refusal(const std::filesystem::path& path, const Sourc
                       reason, cure);
 }
 
+bool hides_all_meshes(const SceneNodes& nodes) {
+  bool hides_one = false;
+  for (std::size_t n = 0; n < nodes.nodes.size(); ++n) {
+    const bool has_mesh = nodes.origin[n]->mNumMeshes != 0;
+    if (has_mesh && !nodes.is_hidden[n]) return false;
+    hides_one = hides_one || has_mesh;
+  }
+  return hides_one;
+}
+
 tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const std::filesystem::path& path,
                                                    const SourceSuffix& suffix, const ImportSettings& settings) {
   SourceModel model;
@@ -140,8 +150,9 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   if (objects) add_fbx_objects(*objects, scene, nodes);
   convert_materials(scene, suffix.format, model);
   model.meshes = convert_meshes(scene, nodes, model.warnings);
-  model.nodes = std::move(nodes.nodes);
+  if (model.meshes.empty() && hides_all_meshes(nodes)) return file_failure(ToolError::Kind::kBadInput, path, "hides all of its meshes; show the hair and export again");
   if (model.meshes.empty()) return no_triangles(path);
+  model.nodes = std::move(nodes.nodes);
   keep_finest_levels(model);
   return model;
 }
