@@ -2,6 +2,7 @@
 
 #include "base/files.h"
 #include "base/text.h"
+#include "import/fbx_objects.h"
 #include "import/import.h"
 #include "import/raw_mesh.h"
 #include "import/scene_surface.h"
@@ -120,8 +121,13 @@ void warn_of_lost_library(const std::string& library, bool lies_outside, const a
 }
 
 std::vector<char> bytes_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file.tellg();
+  std::vector<char> bytes(size > 0 ? std::size_t(size) : 0);
+  file.seekg(0);
+  file.read(bytes.data(), std::streamsize(bytes.size()));
+  bytes.resize(file ? bytes.size() : 0);
+  return bytes;
 }
 
 std::string cure_for(const std::string& reason) {
@@ -140,6 +146,16 @@ tl::unexpected<ToolError> refusal(const std::filesystem::path& path, const Sourc
                       reason, cure);
 }
 
+bool hides_all_meshes(const SceneNodes& nodes) {
+  bool hides_one = false;
+  for (std::size_t n = 0; n < nodes.nodes.size(); ++n) {
+    const bool has_mesh = nodes.origin[n]->mNumMeshes != 0;
+    if (has_mesh && !nodes.is_hidden[n]) return false;
+    hides_one = hides_one || has_mesh;
+  }
+  return hides_one;
+}
+
 tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const std::filesystem::path& path,
                                                    const SourceSuffix& suffix, const ImportSettings& settings) {
   SourceModel model;
@@ -147,11 +163,16 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   set_importer(model);
   const Eigen::Affine3d to_model = model_from_scene(scene, suffix.format, settings, model.space, model.warnings);
   SceneNodes nodes = flatten_nodes(scene, to_model, model.warnings);
+  const std::vector<char> file = suffix.format == SourceFormat::kFbx ? bytes_of(path) : std::vector<char>();
+  const auto objects = FbxObjects::read({file.data(), file.size()});
+  if (objects) add_fbx_objects(*objects, scene, nodes);
   convert_materials(scene, suffix.format, model);
   model.named_images = named_images(scene);
   model.meshes = convert_meshes(scene, nodes, {suffix.format, model.space.generator}, model.doubts, model.warnings);
-  model.nodes = std::move(nodes.nodes);
+  if (model.meshes.empty() && hides_all_meshes(nodes))
+    return file_failure(ToolError::Kind::kBadInput, path, "hides all of its meshes; show the hair and export again");
   if (model.meshes.empty()) return no_triangles(path);
+  model.nodes = std::move(nodes.nodes);
   keep_finest_levels(model);
   return model;
 }

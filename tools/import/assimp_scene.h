@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <set>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -24,6 +25,10 @@ struct aiScene;
 struct aiMesh;
 
 namespace coif {
+
+class FbxObjects;
+struct FbxObject;
+struct RawMesh;
 
 /// As printable text. The length field is not trusted beyond the string's own buffer.
 [[nodiscard]] inline std::string text_of(const aiString& text) {
@@ -49,6 +54,9 @@ struct SceneNodes {
   std::vector<const aiNode*> origin;                           ///< Beside each node; owned by the scene.
   std::vector<Eigen::Affine3d> node_from_mesh;                 ///< Beside each node, for the meshes that it carries: FBX's geometric transform.
   std::vector<bool> is_hidden;                                 ///< Beside each node: by FBX's Visibility or Show, its own or inherited.
+  std::vector<bool> is_coarser;                                ///< Beside each node: of a group of levels of detail, not in the finest.
+  std::vector<const FbxObject*> model;                         ///< Beside each node where `fbx` is there: the file's model, null where unknown.
+  const FbxObjects* fbx = nullptr;                             ///< What an FBX says that assimp does not; outlives this.
   std::unordered_map<std::string, std::uint32_t> joint_named;  ///< By the importer's raw name.
 };
 
@@ -57,6 +65,23 @@ struct SceneNodes {
 /// within a skeleton is the joint; a warning says so where that does not decide.
 [[nodiscard]] SceneNodes flatten_nodes(const aiScene& scene, const Eigen::Affine3d& model_from_scene,
                                        std::vector<std::string>& warnings);
+
+/// Matches the nodes to the file's models, by name and order below their parents, and marks what Visibility hides and what is not the
+/// finest level of a LodGroup. `objects` outlives `nodes`.
+void add_fbx_objects(const FbxObjects& objects, const aiScene& scene, SceneNodes& nodes);
+
+/// Shape keys that an FBX has on. assimp gives their shapes, and not how much of each is on.
+class FbxShapeKeys {
+ public:
+  /// `nodes` outlives this object.
+  explicit FbxShapeKeys(const SceneNodes& nodes) : nodes_(nodes) {}
+  /// Adds them to positions and normals of `out`, made of `mesh` on `node`; a warning names them, once for a geometry.
+  void apply(const aiMesh& mesh, std::uint32_t node, RawMesh& out, std::vector<std::string>& warnings);
+
+ private:
+  const SceneNodes& nodes_;
+  std::set<const FbxObject*> told_;  // looked up only
+};
 
 /// What takes the importer's coordinates to metres, Y up, right-handed, as the file says; `space` gets what it says.
 ///

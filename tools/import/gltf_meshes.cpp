@@ -120,8 +120,7 @@ class MeshReader {
       on.push_back(fmt::format("'{}' at {:g}", known.empty() ? fmt::format("target {}", t) : known, weights[t]));
     }
     if (on.empty() || !told_of_morphs_.emplace(&mesh, true).second) return;
-    model_.warnings.push_back(fmt::format("mesh '{}': shape keys are on ({}) and are part of the hair's shape; turn them off and export again "
-                                          "where that is not meant", name, fmt::join(on, ", ")));
+    warn_of_shape_keys(name, on, model_.warnings);
   }
 
   /// As far as the file says; one where it does not.

@@ -69,7 +69,7 @@ std::vector<Eigen::Vector2f> uvs_of(const aiMesh& mesh, const TexturePlace& plac
 }
 
 RawMesh raw_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, const SceneNodes& nodes,
-                 const SourceSurface& surface, std::vector<std::string>& warnings) {
+                 const SourceSurface& surface, FbxShapeKeys& shape_keys, std::vector<std::string>& warnings) {
   RawMesh out;
   out.name = text_of(mesh.mName);
   if (out.name.empty()) out.name = nodes.nodes[node].name;
@@ -82,6 +82,7 @@ RawMesh raw_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, c
     out.positions.push_back(vector(mesh.mVertices[v]));
     if (mesh.HasNormals()) out.normals.push_back(vector(mesh.mNormals[v]));
   }
+  shape_keys.apply(mesh, node, out, warnings);
   add_bones(mesh, nodes, label, out, warnings);
   out.node_from_mesh = nodes.node_from_mesh[node];
   if (!out.bones.empty()) move_to_bound_space(out);
@@ -97,11 +98,16 @@ RawMesh raw_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, c
 std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes, const SourceSurface& surface,
                                        std::vector<SourceDoubt>& doubts, std::vector<std::string>& warnings) {
   std::vector<SourceMesh> meshes;
-  std::vector<std::string> hidden;
+  std::vector<std::string> hidden, coarser;
+  FbxShapeKeys shape_keys(nodes);
   for (std::uint32_t n = 0; n < nodes.nodes.size(); ++n) {
     const aiNode& node = *nodes.origin[n];
     if (nodes.is_hidden[n] && node.mNumMeshes != 0) {
       hidden.push_back(nodes.nodes[n].name);
+      continue;
+    }
+    if (nodes.is_coarser[n] && node.mNumMeshes != 0) {
+      coarser.push_back(nodes.nodes[n].name);
       continue;
     }
     for (const unsigned index : std::span(node.mMeshes, node.mNumMeshes)) {
@@ -109,11 +115,12 @@ std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& n
         warnings.push_back(fmt::format("node '{}': refers to an absent mesh", nodes.nodes[n].name));
         continue;
       }
-      const RawMesh raw = raw_mesh(scene, *scene.mMeshes[index], n, nodes, surface, warnings);
+      const RawMesh raw = raw_mesh(scene, *scene.mMeshes[index], n, nodes, surface, shape_keys, warnings);
       keep_mesh(raw, place_mesh(raw, n, nodes.nodes, warnings), meshes, doubts, warnings);
     }
   }
   warn_of_hidden(hidden, warnings);
+  warn_of_coarser(coarser, warnings);
   return meshes;
 }
 

@@ -49,6 +49,7 @@ void append(SceneNodes& out, const Pending& pending, const Eigen::Affine3d& mode
   out.nodes.push_back(std::move(node));
   out.origin.push_back(pending.node);
   out.node_from_mesh.push_back(affine_of(pending.geometric));
+  out.is_coarser.push_back(false);
   out.is_hidden.push_back(pending.is_hidden || is_off(pending.node->mMetaData, "Visibility") || is_off(pending.node->mMetaData, "Show"));
 }
 

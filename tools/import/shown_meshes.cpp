@@ -62,6 +62,18 @@ void warn_of_hidden(std::span<const std::string> nodes, std::vector<std::string>
                                  nodes.size() == 1 ? "it is" : "they are"));
 }
 
+void warn_of_coarser(std::span<const std::string> meshes, std::vector<std::string>& warnings) {
+  if (meshes.empty()) return;
+  warnings.push_back(fmt::format("{} left out as coarser levels of detail of what is there in a finer one: {}; the cook makes levels of its own",
+                                 counted(meshes.size(), "mesh", "meshes"), list_of_names(meshes)));
+}
+
+void warn_of_shape_keys(const std::string& mesh, std::span<const std::string> on, std::vector<std::string>& warnings) {
+  if (on.empty()) return;
+  warnings.push_back(fmt::format("mesh '{}': shape keys are on ({}) and are part of the hair's shape; turn them off and export again "
+                                 "where that is not meant", mesh, fmt::join(on, ", ")));
+}
+
 void keep_finest_levels(SourceModel& model) {
   std::vector<std::optional<LevelName>> levels;
   std::map<std::string, unsigned> finest;
@@ -81,9 +93,7 @@ void keep_finest_levels(SourceModel& model) {
     }
   }
   model.meshes = std::move(kept);
-  if (dropped.empty()) return;
-  model.warnings.push_back(fmt::format("{} left out as coarser levels of detail of what is there in a finer one: {}; the cook makes levels of its own",
-                                       counted(dropped.size(), "mesh", "meshes"), list_of_names(dropped)));
+  warn_of_coarser(dropped, model.warnings);
 }
 
 }  // namespace coif

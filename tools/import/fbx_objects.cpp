@@ -1,0 +1,229 @@
+#include "import/fbx_objects.h"
+
+#include "import/fbx_records.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <functional>
+
+namespace coif {
+namespace {
+
+constexpr std::string_view kNameEnd("\0\1", 2);  // "Hair\0\1Model" of a binary file is "Model::Hair" of a text.
+
+std::string_view object_name(std::string_view text) {
+  if (const std::size_t end = text.find(kNameEnd); end != std::string_view::npos) return text.substr(0, end);
+  for (const std::string_view prefix : {"Model::", "Geometry::", "Deformer::", "SubDeformer::", "NodeAttribute::"}) {
+    if (text.starts_with(prefix)) return text.substr(prefix.size());
+  }
+  return text;
+}
+
+bool is_lod_class(std::string_view text) { return text == "LodGroup" || text == "LODGroup"; }
+
+std::optional<FbxKind> kind_of(std::string_view record, std::string_view object_class) {
+  if (record == "Model") return FbxKind::kModel;
+  if (record == "NodeAttribute" && is_lod_class(object_class)) return FbxKind::kLodAttribute;
+  if (record == "Geometry" && object_class == "Mesh") return FbxKind::kMesh;
+  if (record == "Geometry" && object_class == "Shape") return FbxKind::kShape;
+  if (record == "Deformer" && object_class == "BlendShape") return FbxKind::kBlendShape;
+  if (record == "Deformer" && object_class == "BlendShapeChannel") return FbxKind::kChannel;
+  return std::nullopt;
+}
+
+bool is_number(const FbxValue& value) { return value.kind == FbxValue::Kind::kNumber; }
+
+/// Of `count` shapes between which a channel moves, each fully on at its percent of `full`: how much of each is in the shape at `percent`.
+/// At most two are. `full` ascends from above 0.
+double shape_weight(std::span<const double> full, std::size_t shape, double percent) {
+  const double own = full[shape];
+  const bool is_last = shape + 1 == full.size();
+  if (percent <= own || is_last) {
+    const double before = shape == 0 ? 0 : full[shape - 1];
+    if (is_last && percent > own) return full.size() == 1 ? percent / own : 1;
+    if (shape == 0) return percent / own;
+    return std::max(0.0, (percent - before) / (own - before));
+  }
+  return std::max(0.0, (full[shape + 1] - percent) / (full[shape + 1] - own));
+}
+
+}  // namespace
+
+/// Takes from the records what is asked for.
+class FbxObjects::Collector {
+ public:
+  explicit Collector(FbxObjects& out) : out_(out) {}
+
+  bool operator()(const FbxRecord& record) {
+    switch (record.depth) {
+      case 0: is_objects_ = record.name == "Objects"; return is_objects_ || record.name == "Connections";
+      case 1: return is_objects_ ? add_object(record) : add_connection(record);
+      case 2: return read_part(record);
+      case 3: read_inner_part(record); return false;
+      default: return false;
+    }
+  }
+
+ private:
+  bool add_object(const FbxRecord& record) {
+    if (record.values.size() < 3 || !is_number(record.values[0])) return false;
+    const std::string_view object_class = record.values[2].text;
+    const auto kind = kind_of(record.name, object_class);
+    if (!kind) return false;
+    FbxObject object;
+    object.id = record.values[0].whole;
+    object.name = object_name(record.values[1].text);
+    object.kind = *kind;
+    object.is_lod_group = *kind == FbxKind::kModel && is_lod_class(object_class);
+    out_.objects_.push_back(object);
+    return *kind == FbxKind::kModel || *kind == FbxKind::kChannel;
+  }
+
+  bool add_connection(const FbxRecord& record) {
+    const auto& values = record.values;
+    if (record.name == "C" && values.size() >= 3 && values[0].text == "OO" && is_number(values[1]) && is_number(values[2])) {
+      out_.connections_.push_back({values[1].whole, values[2].whole});
+    }
+    return false;
+  }
+
+  bool read_part(const FbxRecord& record) {
+    FbxObject& object = out_.objects_.back();
+    part_ = record.name;
+    if (object.kind == FbxKind::kChannel && part_ == "DeformPercent" && !record.values.empty()) set_percent(record.values[0]);
+    if (object.kind == FbxKind::kChannel && part_ == "FullWeights") {
+      if (!record.values.empty() && record.values[0].kind == FbxValue::Kind::kArray) add_full_weights(record.values[0].text);
+      return true;
+    }
+    return part_ == "Properties70";
+  }
+
+  void read_inner_part(const FbxRecord& record) {
+    if (part_ == "FullWeights" && record.name == "a") {
+      std::array<double, kMostFbxValues> numbers{};
+      std::ranges::transform(record.values, numbers.begin(), &FbxValue::number);
+      add_full_weights({reinterpret_cast<const char*>(numbers.data()), record.values.size() * sizeof(double)});
+    }
+    // P: name, type, label, flags, value
+    if (part_ != "Properties70" || record.name != "P" || record.values.size() < 5 || !is_number(record.values[4])) return;
+    const std::string_view name = record.values[0].text;
+    const bool is_on = record.values[4].number != 0;
+    FbxObject& object = out_.objects_.back();
+    if (name == "Visibility") object.is_visible = is_on;
+    if (name == "Visibility Inheritance") object.inherits_visibility = is_on;
+    if (name == "DeformPercent") set_percent(record.values[4]);
+  }
+
+  void set_percent(const FbxValue& value) {
+    if (is_number(value) && std::isfinite(value.number)) out_.objects_.back().percent = value.number;
+  }
+
+  /// Blender writes one for each vertex, which is no weight of a shape.
+  void add_full_weights(std::string_view doubles) {
+    FbxObject& channel = out_.objects_.back();
+    const std::size_t count = doubles.size() / sizeof(double), begin = out_.full_weights_.size();
+    if (count > kMostFbxValues || channel.end != 0) return;
+    out_.full_weights_.resize(begin + count);
+    std::memcpy(out_.full_weights_.data() + begin, doubles.data(), count * sizeof(double));
+    channel.begin = std::uint32_t(begin);
+    channel.end = std::uint32_t(begin + count);
+  }
+
+  FbxObjects& out_;
+  bool is_objects_ = false;
+  std::string_view part_;
+};
+
+std::optional<FbxObjects> FbxObjects::read(std::string_view file) {
+  FbxObjects out;
+  Collector collector(out);
+  if (!walk_fbx(file, std::ref(collector))) return std::nullopt;
+  out.sort();
+  out.mark_lod_groups();
+  out.collect_shapes();
+  return out;
+}
+
+/// Of objects with one id the last counts, as for assimp.
+void FbxObjects::sort() {
+  std::ranges::reverse(objects_);
+  std::ranges::stable_sort(objects_, {}, &FbxObject::id);
+  objects_.erase(std::ranges::unique(objects_, {}, &FbxObject::id).begin(), objects_.end());
+  std::ranges::stable_sort(connections_, {}, &FbxConnection::to);
+}
+
+const FbxObject* FbxObjects::find(std::int64_t id) const {
+  const auto found = std::ranges::lower_bound(objects_, id, {}, &FbxObject::id);
+  return found != objects_.end() && found->id == id ? &*found : nullptr;
+}
+
+std::span<const FbxConnection> FbxObjects::below(std::int64_t id) const {
+  const auto found = std::ranges::equal_range(connections_, id, {}, &FbxConnection::to);
+  return {found.begin(), found.end()};
+}
+
+/// Some writers say it in the model's attribute alone.
+void FbxObjects::mark_lod_groups() {
+  for (const FbxConnection& connection : connections_) {
+    const FbxObject* const from = find(connection.from);
+    const FbxObject* const to = find(connection.to);
+    if (from == nullptr || to == nullptr || from->kind != FbxKind::kLodAttribute || to->kind != FbxKind::kModel) continue;
+    objects_[std::size_t(to - objects_.data())].is_lod_group = true;
+  }
+}
+
+/// A file that connects shapes crosswise would make more of them than it has connections; it gets none.
+void FbxObjects::collect_shapes() {
+  std::size_t steps_left = connections_.size();
+  for (FbxObject& object : objects_) {
+    if (object.kind != FbxKind::kMesh) continue;
+    object.begin = std::uint32_t(shapes_.size());
+    if (!add_shapes_of(object, steps_left)) {
+      for (FbxObject& mesh : objects_) {
+        if (mesh.kind == FbxKind::kMesh) mesh.begin = mesh.end = 0;
+      }
+      return;
+    }
+    object.end = std::uint32_t(shapes_.size());
+  }
+}
+
+bool FbxObjects::add_shapes_of(const FbxObject& mesh, std::size_t& steps_left) {
+  for (const FbxConnection& to_mesh : below(mesh.id)) {
+    if (steps_left-- == 0) return false;
+    const FbxObject* const deformer = find(to_mesh.from);
+    if (deformer == nullptr || deformer->kind != FbxKind::kBlendShape) continue;
+    for (const FbxConnection& to_deformer : below(deformer->id)) {
+      if (steps_left-- == 0) return false;
+      const FbxObject* const channel = find(to_deformer.from);
+      if (channel == nullptr || channel->kind != FbxKind::kChannel) continue;
+      const auto below_channel = below(channel->id);
+      if (below_channel.size() > steps_left) return false;
+      steps_left -= below_channel.size();
+      add_channel(*channel, below_channel);
+    }
+  }
+  return true;
+}
+
+void FbxObjects::add_channel(const FbxObject& channel, std::span<const FbxConnection> below_channel) {
+  std::vector<const FbxObject*> shapes;
+  for (const FbxConnection& connection : below_channel) {
+    const FbxObject* const shape = find(connection.from);
+    if (shape != nullptr && shape->kind == FbxKind::kShape) shapes.push_back(shape);
+  }
+  std::vector<double> full(full_weights_.begin() + channel.begin, full_weights_.begin() + channel.end);
+  const bool is_usable = full.size() == shapes.size() && std::ranges::all_of(full, [](double percent) { return std::isfinite(percent) && percent > 0; }) &&
+                         std::ranges::adjacent_find(full, std::greater_equal<>()) == full.end();
+  if (!is_usable) {
+    full.clear();
+    for (std::size_t i = 0; i < shapes.size(); ++i) full.push_back(100.0 * double(i + 1) / double(shapes.size()));
+  }
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    shapes_.push_back({channel.name.empty() ? shapes[i]->name : channel.name, i == 0 ? channel.percent / 100 : 0, shape_weight(full, i, channel.percent)});
+  }
+}
+
+}  // namespace coif

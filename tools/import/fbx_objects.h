@@ -1,0 +1,66 @@
+#pragma once
+
+// What an FBX file says of its objects that assimp passes over: which models are hidden, which hold levels of detail, which shape keys
+// are on.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace coif {
+
+enum class FbxKind : std::uint8_t { kModel, kLodAttribute, kMesh, kShape, kBlendShape, kChannel };
+
+struct FbxObject {
+  std::int64_t id = 0;
+  std::string_view name;  ///< Points into the file.
+  FbxKind kind = FbxKind::kModel;
+  bool is_visible = true;           ///< Of a model: its property Visibility is not 0.
+  bool inherits_visibility = true;  ///< Of a model: hidden where the one above it is.
+  bool is_lod_group = false;        ///< Of a model: its children are levels of detail, the finest first.
+  double percent = 0;               ///< Of a channel: DeformPercent, 100 where the key is fully on.
+  std::uint32_t begin = 0;          ///< Of a mesh, into shapes(); of a channel, into the file's FullWeights.
+  std::uint32_t end = 0;
+};
+
+/// What is below what, as "OO" connections say.
+struct FbxConnection {
+  std::int64_t from = 0;
+  std::int64_t to = 0;  ///< 0: the scene.
+};
+
+/// One shape of a mesh, in the file's order, as assimp's anim meshes are. A channel with several shapes has them in between.
+struct FbxShape {
+  std::string_view key;   ///< The channel's name, or the shape's where that has none. Points into the file.
+  double key_weight = 0;  ///< What the artist set; 1: fully on. 0 for all shapes of a channel but its first.
+  double weight = 0;      ///< How much of this shape's difference from the mesh is added.
+};
+
+class FbxObjects {
+ public:
+  /// Empty where the file cannot be read. `file` outlives what is returned, which takes memory in proportion to it.
+  [[nodiscard]] static std::optional<FbxObjects> read(std::string_view file);
+
+  /// Null where there is none.
+  [[nodiscard]] const FbxObject* find(std::int64_t id) const;
+  /// In the file's order.
+  [[nodiscard]] std::span<const FbxConnection> below(std::int64_t id) const;
+  [[nodiscard]] std::span<const FbxShape> shapes(const FbxObject& mesh) const { return std::span(shapes_).subspan(mesh.begin, mesh.end - mesh.begin); }
+
+ private:
+  class Collector;
+  void sort();
+  void mark_lod_groups();
+  void collect_shapes();
+  bool add_shapes_of(const FbxObject& mesh, std::size_t& steps_left);
+  void add_channel(const FbxObject& channel, std::span<const FbxConnection> below_channel);
+
+  std::vector<FbxObject> objects_;  // by id
+  std::vector<FbxConnection> connections_;  // by `to`
+  std::vector<double> full_weights_;
+  std::vector<FbxShape> shapes_;
+};
+
+}  // namespace coif
