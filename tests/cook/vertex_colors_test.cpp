@@ -38,7 +38,7 @@ class VertexColors : public testing::Test {
     auto color = find_base_color(model_, hair_, recipe, {}, findings_);
     EXPECT_TRUE(color) << (color ? "" : color.error().message);
     if (!color) return {};
-    if (!hair_.uvs.empty()) keep_vertex_colors(recipe.texture_max_size, *color, hair_, findings_);
+    if (!hair_.uvs.empty()) keep_vertex_colors(texture_limit(recipe), *color, hair_, findings_);
     return std::move(*color);
   }
 
