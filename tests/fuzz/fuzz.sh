@@ -6,7 +6,7 @@ set -u
 cd "$(dirname "$0")/../.."
 seconds=${1:-60}
 jobs=${2:-1}
-[ $# -gt 2 ] && shift 2 && targets=$* || targets='asset cache_entry clip gltf_lines groom_stream hair_file manifest model_stream obj_lines recipe tressfx vrm'
+[ $# -gt 2 ] && shift 2 && targets=$* || targets='asset cache_entry clip fbx_objects gltf_lines groom_stream hair_file manifest model_stream obj_lines recipe tressfx vrm'
 build=build/fuzz
 work=${COIF_FUZZ_WORK:-$PWD/$build/tests/fuzz/work}
 

@@ -1,6 +1,8 @@
 #include "fuzz/targets.h"
 
+#include "gltf/document.h"
 #include "import/clip_file.h"
+#include "import/fbx_objects.h"
 #include "import/model_stream.h"
 #include "import/source_model.h"
 #include "import/vrm_springs.h"
@@ -10,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace coif::fuzz {
 namespace {
@@ -53,6 +56,22 @@ SourceModel model_before_extensions() {
 
 }  // namespace
 
+bool try_fbx_objects(Input input) {
+  const auto read = FbxObjects::read({reinterpret_cast<const char*>(input.data()), input.size()});
+  if (!read) return false;
+  promise(read->all().size() <= input.size(), "an object takes a byte of the file");
+  std::size_t shapes = 0;
+  for (const FbxObject& object : read->all()) {
+    promise(read->find(object.id) == &object, "an object is found by its id");
+    promise(std::isfinite(object.percent), "percents are finite");
+    if (object.kind != FbxKind::kMesh) continue;
+    for (const FbxShape& shape : read->shapes(object)) promise(std::isfinite(shape.weight), "weights are finite");
+    shapes += read->shapes(object).size();
+  }
+  promise(shapes <= input.size(), "a shape takes a byte of the file");
+  return !read->all().empty();
+}
+
 bool try_clip(Input input) {
   static const LoneFile file("clip.glb");
   bool accepted = false;
@@ -81,7 +100,10 @@ bool try_vrm(Input input) {
   static const SourceModel before = model_before_extensions();
   SourceModel model = before;
   const Eigen::Affine3d model_from_file(Eigen::AngleAxisd(1.5, Eigen::Vector3d::UnitX()) * Eigen::Scaling(0.01));
-  read_vrm_extensions(file.with(input), model_from_file, model);
+  const auto document = read_gltf_json(file.with(input));
+  if (!document) return false;
+  static const std::vector<std::uint32_t> kNodeOf{1, 2, 3, 4, 5, 6, 7, 8};  // The document's nodes lack the root.
+  read_vrm_extensions(member(*document, "extensions"), kNodeOf, model_from_file, model);
   const std::string fault = find_model_fault(model);
   promise(fault.empty(), fault.c_str());
   promise(model.warnings.size() < 20, "many faults give few warnings");

@@ -7,6 +7,7 @@ std::span<const Target> all_targets() {
                                         {"cache_entry", try_cache_entry},
                                         {"can_fail", try_can_fail},
                                         {"clip", try_clip},
+                                        {"fbx_objects", try_fbx_objects},
                                         {"gltf_lines", try_gltf_lines},
                                         {"groom_stream", try_groom_stream},
                                         {"hair_file", try_hair_file},

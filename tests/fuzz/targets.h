@@ -22,6 +22,7 @@ bool try_asset(Input input);         ///< A .coif, and a game that plays it.
 bool try_cache_entry(Input input);   ///< A file of the cache of cooks.
 bool try_can_fail(Input input);      ///< Reads nothing, but fails at an exclamation mark.
 bool try_clip(Input input);          ///< The animation of a .gltf or .glb.
+bool try_fbx_objects(Input input);   ///< The records of an .fbx that assimp passes over.
 bool try_gltf_lines(Input input);    ///< Lines of a .gltf or .glb.
 bool try_groom_stream(Input input);  ///< What the process that reads strands sends back.
 bool try_hair_file(Input input);     ///< A .hair.

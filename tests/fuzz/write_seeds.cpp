@@ -5,9 +5,12 @@
 #include "groom/groom_files.h"
 #include "groom/groom_stream.h"
 #include "groom/strand_files.h"
+#include "import/fbx_files.h"
 #include "import/model_files.h"
 #include "import/model_stream.h"
 #include "models/small_asset.h"
+
+#include <fmt/format.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -76,6 +79,13 @@ std::string small_lines() {
                       buffer.bytes);
 }
 
+void write_fbx_objects(const fs::path& folder) {
+  write(folder / "text.fbx", test::text_fbx({{1, "group", 0, "", "LodGroup"},
+                                             {2, "fine", 1, test::fbx_property("Visibility", "Visibility", 1), "Mesh", {{"Longer", 50}, {"Wide", 20, 2, "25,100"}}},
+                                             {3, "coarse", 1, test::fbx_property("Visibility", "Visibility", 0)}}));
+  for (const std::uint32_t version : {7400u, 7500u}) write(folder / fmt::format("binary_{}.fbx", version), test::small_binary_fbx(version));
+}
+
 void write_grooms(const fs::path& folder) {
   write(folder / "hair_file" / "all.hair", test::small_hair().bytes);
   write(folder / "hair_file" / "points.hair", test::small_hair(3).bytes);
@@ -99,6 +109,7 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argv[1];
   write_assets(folder / "asset");
   write_clips(folder / "clip");
+  write_fbx_objects(folder / "fbx_objects");
   write_outcomes(folder / "model_stream");
   write_grooms(folder);
   write(folder / "cache_entry" / "entry", coif::encode_entry(coif::small_entry()));

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <span>
+#include <utility>
 
 namespace coif::test {
 namespace {
@@ -98,6 +98,22 @@ std::string binary_fbx(std::uint32_t version, const std::vector<FbxTree>& record
   std::string out = std::string("Kaydara FBX Binary  \0\x1a\0", 23) + bytes_of_number(version);
   for (const FbxTree& record : records) append_record(record, is_wide, out);
   return out + zeros(is_wide);
+}
+
+std::string small_binary_fbx(std::uint32_t version) {
+  const FbxTree hidden{"P", {fbx_text("Visibility"), fbx_text("Visibility"), fbx_text(""), fbx_text("A"), fbx_double(0)}, {}};
+  const auto object = [](const char* record, std::int64_t id, const char* name, const char* of, const char* kind, std::vector<FbxTree> inner) {
+    return FbxTree{record, {fbx_long(id), fbx_name(name, of), fbx_text(kind)}, std::move(inner)};
+  };
+  const auto connection = [](std::int64_t from, std::int64_t to) { return FbxTree{"C", {fbx_text("OO"), fbx_long(from), fbx_long(to)}, {}}; };
+  return binary_fbx(
+      version, {{"Objects", {}, {object("Model", 1, "Hair", "Model", "LodGroup", {{"Properties70", {}, {hidden}}}),
+                                 object("Geometry", 2, "", "Geometry", "Mesh", {{"Vertices", {fbx_doubles({0, 0, 0})}, {}}}),
+                                 object("Deformer", 3, "", "Deformer", "BlendShape", {}),
+                                 object("Deformer", 4, "Long", "SubDeformer", "BlendShapeChannel",
+                                        {{"DeformPercent", {fbx_double(50)}, {}}, {"FullWeights", {fbx_doubles({25, 75})}, {}}}),
+                                 object("Geometry", 5, "a", "Geometry", "Shape", {}), object("Geometry", 6, "b", "Geometry", "Shape", {})}},
+                {"Connections", {}, {connection(2, 1), connection(3, 2), connection(4, 3), connection(5, 4), connection(6, 4), connection(1, 0)}}});
 }
 
 std::string fbx_property(const std::string& name, const std::string& type, double value) {

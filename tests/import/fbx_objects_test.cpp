@@ -31,19 +31,7 @@ TEST(FbxObjectsOf, ShapesConnectedCrosswiseAreLeftOut) {
 
 TEST(FbxObjectsOf, BinaryFilesSayTheSame) {
   for (const std::uint32_t version : {7400u, 7500u}) {
-    const test::FbxTree hidden{"P", {test::fbx_text("Visibility"), test::fbx_text("Visibility"), test::fbx_text(""), test::fbx_text("A"), test::fbx_double(0)}, {}};
-    const auto object = [](const char* record, std::int64_t id, const char* name, const char* of, const char* kind, std::vector<test::FbxTree> inner) {
-      return test::FbxTree{record, {test::fbx_long(id), test::fbx_name(name, of), test::fbx_text(kind)}, std::move(inner)};
-    };
-    const auto connection = [](std::int64_t from, std::int64_t to) { return test::FbxTree{"C", {test::fbx_text("OO"), test::fbx_long(from), test::fbx_long(to)}, {}}; };
-    const std::string file = test::binary_fbx(
-        version, {{"Objects", {}, {object("Model", 1, "Hair", "Model", "LodGroup", {{"Properties70", {}, {hidden}}}),
-                                   object("Geometry", 2, "", "Geometry", "Mesh", {{"Vertices", {test::fbx_doubles({0, 0, 0})}, {}}}),
-                                   object("Deformer", 3, "", "Deformer", "BlendShape", {}),
-                                   object("Deformer", 4, "Long", "SubDeformer", "BlendShapeChannel",
-                                          {{"DeformPercent", {test::fbx_double(50)}, {}}, {"FullWeights", {test::fbx_doubles({25, 75})}, {}}}),
-                                   object("Geometry", 5, "a", "Geometry", "Shape", {}), object("Geometry", 6, "b", "Geometry", "Shape", {})}},
-                  {"Connections", {}, {connection(2, 1), connection(3, 2), connection(4, 3), connection(5, 4), connection(6, 4), connection(1, 0)}}});
+    const std::string file = test::small_binary_fbx(version);
     const auto read = FbxObjects::read(file);
     ASSERT_TRUE(read);
     EXPECT_EQ(read->find(1)->name, "Hair");

@@ -117,6 +117,21 @@ TEST_F(FbxScene, AHiddenModelWithPivotsIsFoundToo) {
   EXPECT_EQ(shown_nodes(model), Names{"hair"});
 }
 
+TEST_F(FbxScene, ADisplayLayerThatIsOffHidesItsModels) {
+  for (const int show : {0, 1}) {
+    std::string file = test::text_fbx({{20, "hair", 0, ""}, {21, "old hair", 0, ""}});
+    file.insert(file.find("Objects:  {\n") + 12, fmt::format(R"(  CollectionExclusive: 70, "DisplayLayer::layer1", "DisplayLayer" {{
+    Properties70:  {{
+      P: "Show", "bool", "", "",{}
+    }}
+  }}
+)", show));
+    file.insert(file.find("Connections:  {\n") + 16, "  C: \"OO\",21,70\n");
+    const SourceModel model = import_or_fail(folder_.write("m.fbx", file));
+    EXPECT_EQ(shown_nodes(model), show == 0 ? Names{"hair"} : (Names{"hair", "old hair"}));
+  }
+}
+
 TEST_F(FbxScene, AFileThatHidesEveryMeshIsRefusedForThat) {
   const auto model = import_model(folder_.write("m.fbx", test::text_fbx({{20, "hair", 0, fbx_property("Visibility", "Visibility", 0)}})));
   ASSERT_FALSE(model);

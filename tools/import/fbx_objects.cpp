@@ -15,7 +15,7 @@ constexpr std::string_view kNameEnd("\0\1", 2);  // "Hair\0\1Model" of a binary 
 
 std::string_view object_name(std::string_view text) {
   if (const std::size_t end = text.find(kNameEnd); end != std::string_view::npos) return text.substr(0, end);
-  for (const std::string_view prefix : {"Model::", "Geometry::", "Deformer::", "SubDeformer::", "NodeAttribute::"}) {
+  for (const std::string_view prefix : {"Model::", "Geometry::", "Deformer::", "SubDeformer::", "NodeAttribute::", "DisplayLayer::"}) {
     if (text.starts_with(prefix)) return text.substr(prefix.size());
   }
   return text;
@@ -26,6 +26,7 @@ bool is_lod_class(std::string_view text) { return text == "LodGroup" || text == 
 std::optional<FbxKind> kind_of(std::string_view record, std::string_view object_class) {
   if (record == "Model") return FbxKind::kModel;
   if (record == "NodeAttribute" && is_lod_class(object_class)) return FbxKind::kLodAttribute;
+  if (record == "CollectionExclusive" && object_class == "DisplayLayer") return FbxKind::kLayer;
   if (record == "Geometry" && object_class == "Mesh") return FbxKind::kMesh;
   if (record == "Geometry" && object_class == "Shape") return FbxKind::kShape;
   if (record == "Deformer" && object_class == "BlendShape") return FbxKind::kBlendShape;
@@ -78,7 +79,7 @@ class FbxObjects::Collector {
     object.kind = *kind;
     object.is_lod_group = *kind == FbxKind::kModel && is_lod_class(object_class);
     out_.objects_.push_back(object);
-    return *kind == FbxKind::kModel || *kind == FbxKind::kChannel;
+    return *kind == FbxKind::kModel || *kind == FbxKind::kLayer || *kind == FbxKind::kChannel;
   }
 
   bool add_connection(const FbxRecord& record) {
@@ -111,7 +112,7 @@ class FbxObjects::Collector {
     const std::string_view name = record.values[0].text;
     const bool is_on = record.values[4].number != 0;
     FbxObject& object = out_.objects_.back();
-    if (name == "Visibility") object.is_visible = is_on;
+    if (name == (object.kind == FbxKind::kLayer ? "Show" : "Visibility")) object.is_visible = is_on;
     if (name == "Visibility Inheritance") object.inherits_visibility = is_on;
     if (name == "DeformPercent") set_percent(record.values[4]);
   }
@@ -141,7 +142,7 @@ std::optional<FbxObjects> FbxObjects::read(std::string_view file) {
   Collector collector(out);
   if (!walk_fbx(file, std::ref(collector))) return std::nullopt;
   out.sort();
-  out.mark_lod_groups();
+  out.mark_models();
   out.collect_shapes();
   return out;
 }
@@ -150,7 +151,7 @@ std::optional<FbxObjects> FbxObjects::read(std::string_view file) {
 void FbxObjects::sort() {
   std::ranges::reverse(objects_);
   std::ranges::stable_sort(objects_, {}, &FbxObject::id);
-  objects_.erase(std::ranges::unique(objects_, {}, &FbxObject::id).begin(), objects_.end());
+  objects_.erase(std::unique(objects_.begin(), objects_.end(), [](const FbxObject& a, const FbxObject& b) { return a.id == b.id; }), objects_.end());
   std::ranges::stable_sort(connections_, {}, &FbxConnection::to);
 }
 
@@ -160,17 +161,18 @@ const FbxObject* FbxObjects::find(std::int64_t id) const {
 }
 
 std::span<const FbxConnection> FbxObjects::below(std::int64_t id) const {
-  const auto found = std::ranges::equal_range(connections_, id, {}, &FbxConnection::to);
-  return {found.begin(), found.end()};
+  const auto begin = std::ranges::lower_bound(connections_, id, {}, &FbxConnection::to);
+  return {begin, std::ranges::upper_bound(begin, connections_.end(), id, {}, &FbxConnection::to)};
 }
 
-/// Some writers say it in the model's attribute alone.
-void FbxObjects::mark_lod_groups() {
+/// Some writers say in the model's attribute alone that it is a LodGroup. A layer that is off hides its models.
+void FbxObjects::mark_models() {
   for (const FbxConnection& connection : connections_) {
     const FbxObject* const from = find(connection.from);
     const FbxObject* const to = find(connection.to);
-    if (from == nullptr || to == nullptr || from->kind != FbxKind::kLodAttribute || to->kind != FbxKind::kModel) continue;
-    objects_[std::size_t(to - objects_.data())].is_lod_group = true;
+    if (from == nullptr || to == nullptr) continue;
+    if (from->kind == FbxKind::kLodAttribute && to->kind == FbxKind::kModel) objects_[std::size_t(to - objects_.data())].is_lod_group = true;
+    if (from->kind == FbxKind::kModel && to->kind == FbxKind::kLayer && !to->is_visible) objects_[std::size_t(from - objects_.data())].is_visible = false;
   }
 }
 
@@ -222,7 +224,8 @@ void FbxObjects::add_channel(const FbxObject& channel, std::span<const FbxConnec
     for (std::size_t i = 0; i < shapes.size(); ++i) full.push_back(100.0 * double(i + 1) / double(shapes.size()));
   }
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    shapes_.push_back({channel.name.empty() ? shapes[i]->name : channel.name, i == 0 ? channel.percent / 100 : 0, shape_weight(full, i, channel.percent)});
+    const double weight = shape_weight(full, i, channel.percent);
+    shapes_.push_back({channel.name.empty() ? shapes[i]->name : channel.name, i == 0 ? channel.percent / 100 : 0, std::isfinite(weight) ? weight : 0});
   }
 }
 

@@ -11,13 +11,13 @@
 
 namespace coif {
 
-enum class FbxKind : std::uint8_t { kModel, kLodAttribute, kMesh, kShape, kBlendShape, kChannel };
+enum class FbxKind : std::uint8_t { kModel, kLodAttribute, kLayer, kMesh, kShape, kBlendShape, kChannel };
 
 struct FbxObject {
   std::int64_t id = 0;
   std::string_view name;  ///< Points into the file.
   FbxKind kind = FbxKind::kModel;
-  bool is_visible = true;           ///< Of a model: its property Visibility is not 0.
+  bool is_visible = true;           ///< Of a model: neither its Visibility is 0 nor Show of a layer that it is in. Of a layer: Show.
   bool inherits_visibility = true;  ///< Of a model: hidden where the one above it is.
   bool is_lod_group = false;        ///< Of a model: its children are levels of detail, the finest first.
   double percent = 0;               ///< Of a channel: DeformPercent, 100 where the key is fully on.
@@ -43,6 +43,8 @@ class FbxObjects {
   /// Empty where the file cannot be read. `file` outlives what is returned, which takes memory in proportion to it.
   [[nodiscard]] static std::optional<FbxObjects> read(std::string_view file);
 
+  /// By id.
+  [[nodiscard]] std::span<const FbxObject> all() const { return objects_; }
   /// Null where there is none.
   [[nodiscard]] const FbxObject* find(std::int64_t id) const;
   /// In the file's order.
@@ -52,7 +54,7 @@ class FbxObjects {
  private:
   class Collector;
   void sort();
-  void mark_lod_groups();
+  void mark_models();
   void collect_shapes();
   bool add_shapes_of(const FbxObject& mesh, std::size_t& steps_left);
   void add_channel(const FbxObject& channel, std::span<const FbxConnection> below_channel);
