@@ -1,6 +1,7 @@
 // Where an FBX says that meshes stand, and which of them it shows.
 
 #include "import/fbx_files.h"
+#include "import/fbx_objects.h"
 #include "import/imported_model.h"
 #include "import/model_files.h"
 
@@ -130,6 +131,16 @@ TEST_F(FbxScene, ADisplayLayerThatIsOffHidesItsModels) {
     const SourceModel model = import_or_fail(folder_.write("m.fbx", file));
     EXPECT_EQ(shown_nodes(model), show == 0 ? Names{"hair"} : (Names{"hair", "old hair"}));
   }
+}
+
+// Records deeper than the walker goes, which assimp passes over.
+TEST_F(FbxScene, AFileWhoseRecordsCannotBeReadIsReadAsAssimpReadsIt) {
+  std::string file = test::text_fbx({{20, "hair", 0, ""}, {21, "off", 0, fbx_property("Visibility", "Visibility", 0)}});
+  std::string nested = "A: 1\n";
+  for (int i = 0; i < 70; ++i) nested = "A: {\n" + nested + "}\n";
+  file += "Extra: {\n" + nested + "}\n";
+  EXPECT_FALSE(FbxObjects::read(file));
+  EXPECT_EQ(shown_nodes(import_or_fail(folder_.write("m.fbx", file))), (Names{"hair", "off"}));
 }
 
 TEST_F(FbxScene, AFileThatHidesEveryMeshIsRefusedForThat) {
