@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,7 +43,14 @@ class GltfFaults {
   [[nodiscard]] std::vector<SourceDoubt> finish() &&;
 
  private:
+  /// How often one kind is true elsewhere, beside the places that are named.
+  struct Kind {
+    std::size_t named = 0;
+    std::size_t more = 0;
+    std::size_t last = 0;  ///< Of told_, the last one that names a place.
+  };
   std::vector<SourceDoubt> told_;
+  std::map<std::string, Kind> kinds_;
   std::size_t more_ = 0;
 };
 

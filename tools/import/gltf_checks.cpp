@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr std::size_t kMostFaults = 40;            ///< Sentences.
+constexpr std::size_t kMostPlaces = 3;  // of one kind
 constexpr std::size_t kMostCheckedNumbers = 1u << 28;  ///< Of an accessor: more is in no file that is read.
 
 /// What lies at an address, in its own byte order, which is this machine's.
@@ -43,10 +44,27 @@ NumberAt reader_of(std::uint32_t component) {
 
 }  // namespace
 
+namespace {
+
+/// What is said of a place, without the place and without numbers.
+std::string kind_of(const std::string& text) {
+  const std::size_t place = text.find(": ");
+  std::string kind = place == std::string::npos ? text : text.substr(place);
+  std::erase_if(kind, [](char letter) { return letter >= '0' && letter <= '9'; });
+  return kind;
+}
+
+}  // namespace
+
 void GltfFaults::add(const char* code, std::string text) {
   const bool is_known = std::ranges::any_of(told_, [&](const SourceDoubt& told) { return told.text == text; });
   if (is_known) return;
-  if (told_.size() < kMostFaults) {
+  Kind& kind = kinds_[kind_of(text)];
+  if (kind.named == kMostPlaces) {
+    ++kind.more;
+  } else if (told_.size() < kMostFaults) {
+    ++kind.named;
+    kind.last = told_.size();
     told_.push_back({code, std::move(text)});
   } else {
     ++more_;
@@ -54,6 +72,9 @@ void GltfFaults::add(const char* code, std::string text) {
 }
 
 std::vector<SourceDoubt> GltfFaults::finish() && {
+  for (const auto& [text, kind] : kinds_) {
+    if (kind.more > 0) told_[kind.last].text += fmt::format(" (and the same in {} more)", counted(kind.more, "place", "places"));
+  }
   if (more_ > 0) told_.push_back({gltf_code::kRules, fmt::format("{} more places break the rules of glTF", more_)});
   return std::move(told_);
 }

@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "gltf/accessors.h"
 #include "gltf/document.h"
+#include "gltf/instances.h"
 #include "gltf/primitive.h"
 #include "gltf/tree.h"
 
@@ -18,7 +19,6 @@ namespace {
 using Eigen::Affine3d;
 using nlohmann::json;
 
-constexpr std::size_t kMostInstances = 65536;
 constexpr std::size_t kMostJoints = 65536;
 constexpr std::size_t kMostPlacedVertices = std::size_t{1} << 26;  // of all meshes and instances together
 
@@ -66,10 +66,10 @@ class MeshReader {
       model_.warnings.push_back(fmt::format("node '{}': refers to an absent mesh", nodes_.nodes[n].name));
       return {};
     }
-    std::vector<Affine3d> instances;
-    if (std::string bad = read_instances(node, instances); !bad.empty()) return fmt::format("node '{}': {}", nodes_.nodes[n].name, bad);
+    auto instances = read_gltf_instances(document_, buffers_, node);
+    if (!instances) return fmt::format("node '{}': {}", nodes_.nodes[n].name, instances.error());
     const auto [carrier, carrier_from_node] = carrier_of(n);
-    for (Affine3d& instance : instances) instance = carrier_from_node * instance;
+    for (Affine3d& instance : *instances) instance = carrier_from_node * instance;
     const json& primitives = list_of(member(meshes_[*mesh], "primitives"));
     for (std::size_t p = 0; p < primitives.size(); ++p) {
       RawMesh raw;
@@ -77,7 +77,7 @@ class MeshReader {
       if (std::string bad = read_primitive(meshes_[*mesh], primitives[p], node, raw); !bad.empty()) {
         return fmt::format("mesh '{}', {}", raw.name, bad);
       }
-      if (std::string bad = place(raw, carrier, instances); !bad.empty()) return bad;
+      if (std::string bad = place(raw, carrier, *instances); !bad.empty()) return bad;
     }
     return {};
   }
@@ -237,37 +237,6 @@ class MeshReader {
     const std::string label = fmt::format("mesh '{}'", raw.name);
     warn_count(absent, label, "bones dropped: they are no nodes of the scene", model_.warnings);
     warn_count(unusable, label, "bones dropped: their bind matrix is absent or not finite", model_.warnings);
-    return {};
-  }
-
-  /// EXT_mesh_gpu_instancing; one that does nothing where there is none.
-  std::string read_instances(const json& node, std::vector<Affine3d>& out) {
-    const json& attributes = member(extension(node, "EXT_mesh_gpu_instancing"), "attributes");
-    if (!attributes.is_object()) {
-      out.push_back(Affine3d::Identity());
-      return {};
-    }
-    std::vector<float> numbers[3];
-    constexpr const char* kAttributes[] = {"TRANSLATION", "ROTATION", "SCALE"};
-    std::size_t count = 0;
-    for (int k = 0; k < 3; ++k) {
-      if (member(attributes, kAttributes[k]).is_null()) continue;
-      const std::size_t width = k == 1 ? 4 : 3;
-      auto read = read_gltf_numbers(document_, buffers_, member(attributes, kAttributes[k]), {k == 1 ? "VEC4" : "VEC3", width, kMostInstances});
-      if (!read) return fmt::format("{} of its instances: {}", kAttributes[k], read.error());
-      numbers[k] = std::move(*read);
-      if (count != 0 && numbers[k].size() / width != count) return "its instances have attributes of unlike length";
-      count = numbers[k].size() / width;
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto vector = [&](int k, double otherwise) -> Eigen::Vector3d {
-        return numbers[k].empty() ? Eigen::Vector3d::Constant(otherwise) : Eigen::Map<const Eigen::Vector3f>(&numbers[k][3 * i]).cast<double>().eval();
-      };
-      Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
-      if (!numbers[1].empty()) turn = Eigen::Map<const Eigen::Quaternionf>(&numbers[1][4 * i]).cast<double>();
-      if (!(turn.norm() > 1e-3)) turn.setIdentity();
-      out.push_back(gltf_placed(vector(0, 0), turn.normalized(), vector(2, 1)));
-    }
     return {};
   }
 

@@ -5,6 +5,7 @@
 #include "import/gltf_checks.h"
 #include "import/vrm_springs.h"
 
+#include <algorithm>
 #include <iterator>
 
 namespace coif {
@@ -63,6 +64,9 @@ tl::expected<SourceModel, ToolError> read_gltf_model(const std::filesystem::path
   model.side_files.assign(buffers.side_files().begin(), buffers.side_files().end());
   model.doubts.insert(model.doubts.end(), std::make_move_iterator(doubts.begin()), std::make_move_iterator(doubts.end()));
   read_vrm_extensions(member(*document, "extensions"), nodes.of_file, to_model, model);
+  if (model.meshes.empty() && std::ranges::find(nodes.is_hidden, true) != nodes.is_hidden.end()) {
+    return file_failure(ToolError::Kind::kBadInput, path, "hides all of its meshes; show the hair and export again");
+  }
   if (model.meshes.empty()) return no_triangles(path);
   keep_finest_levels(model);
   return model;

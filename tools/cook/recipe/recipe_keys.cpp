@@ -8,8 +8,7 @@ namespace {
 
 using R = Recipe;
 
-constexpr bool kNamesFile = true;
-constexpr bool kIsLater = true;
+constexpr bool kNamesFile = true, kIsLater = true;
 constexpr const char* kOrChannel = "; or {\"file\": ..., \"channel\": \"r\", \"g\", \"b\", \"a\" or \"luminance\", \"invert\": true}";
 
 // clang-format off
@@ -288,17 +287,6 @@ const RecipeKey kCookKeys[] = {
 // clang-format on
 
 }  // namespace
-
-std::vector<std::string> files_named_by(const Recipe& recipe) {
-  std::vector<std::string> files;
-  for (const RecipeKey& key : recipe_keys()) {
-    if (!key.names_file) continue;
-    const nlohmann::json value = write_value(key, recipe);
-    const nlohmann::json& file = value.is_object() ? member(value, "file") : value;
-    if (file.is_string() && !file.get_ref<const std::string&>().empty()) files.push_back(file.get<std::string>());
-  }
-  return files;
-}
 
 std::span<const RecipeKey> recipe_keys() {
   static const std::vector<RecipeKey> keys = [] {

@@ -244,18 +244,13 @@ std::string accuracy_page(const ReportHeading& heading, const AccuracyReport& re
   page.figure(work_precision_figure(report));
   page.figure(own_model_figure(report));
   page.table(settings_table(report));
-  page.paragraph(
-      fmt::format("All motions at {} frames per second. Steps are sub-steps of a frame, or iterations for solvers that "
-                  "repeat their "
-                  "constraints instead. Errors are distances of chain tips, seen from the head, in % of the chain's "
-                  "length; stretch "
-                  "is in % of a bone's length; penetration is how deep a bone's end is in a collider, in % of the "
-                  "collider's radius, "
-                  "and beside it the same of whole bones. Time is the least that one thread took of several runs, of "
-                  "its processor's own clock: other "
-                  "programs do not count. Where it is less than with fewer steps the machine was disturbed all the "
-                  "same, and the row says so.",
-                  main_frame_rate(report)));
+  page.paragraph(fmt::format(
+      "All motions at {} frames per second. Steps are sub-steps of a frame, or iterations for solvers that repeat their "
+      "constraints instead. Errors are distances of chain tips, seen from the head, in % of the chain's length; stretch "
+      "is in % of a bone's length; penetration is how deep a bone's end is in a collider, in % of the collider's radius, "
+      "and beside it the same of whole bones. Time is the least that one thread took of several runs, of its processor's own clock: other "
+      "programs do not count. Where it is less than with fewer steps the machine was disturbed all the same, and the row says so.",
+      main_frame_rate(report)));
   page.heading("Does it look the same at every frame rate?");
   page.paragraph(
       "A solver whose error is large and changes with the frame rate makes hair that looks different on every machine; "
