@@ -64,6 +64,7 @@ coif_cli_case(print_recipe_has_solver_keys EXIT 0
 coif_cli_case(cook_over_budget EXIT 4 TIMEOUT 120
   STDERR "bob.glb: \"budget\": an error of 1e-05 % .* was asked for and [0-9.]+ % reached, where 2000 ns .*allowed, with [1-9][0-9]* ns"
   TEXT r.json "{\"budget\": {\"error\": 1e-5, \"ns_per_frame\": 2000}}"
+  WRITES report.json
   ARGS cook ${sample} --recipe r.json -o out.coif --report report.json)
 
 # The search for draw orders takes most of a cook's time and says nothing here.

@@ -102,16 +102,16 @@ TEST(GltfChecks, ReferencesToNothing) {
   EXPECT_EQ(codes_of(model), Codes{"S116"});
 }
 
-TEST(GltfChecks, ManyFaultsGiveSomeDozensOfSentences) {
+TEST(GltfChecks, FaultsOfOneKindGiveAFewSentences) {
   SmallGltf model;
   model.nodes = "[";
   for (int i = 0; i < 500; ++i) model.nodes += R"({"mesh": 9},)";
   model.nodes += R"({"mesh": 0}])";
   const TemporaryFolder folder;
   const auto doubts = check_gltf(model.write(folder, "many.gltf"));
-  EXPECT_GT(doubts.size(), 20u);
-  EXPECT_LT(doubts.size(), 60u);
-  EXPECT_NE(doubts.back().text.find("more places"), std::string::npos) << doubts.back().text;
+  EXPECT_LT(doubts.size(), 10u);
+  const auto of_nodes = std::ranges::find_if(doubts, [](const SourceDoubt& doubt) { return doubt.text.find("the same in 497 more places") != std::string::npos; });
+  EXPECT_NE(of_nodes, doubts.end()) << doubts.front().text;
 }
 
 TEST(GltfChecks, WhatIsNoJsonIsAFault) {

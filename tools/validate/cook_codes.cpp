@@ -52,8 +52,6 @@ constexpr IssueCode kCookIssueCodes[] = {
      "Set \"textures.base_color\"."},
     {"C147", kTextures, kWarning, "texture cannot be read", "It is damaged or of a format that is not read: it is cooked without.",
      "Save it as PNG."},
-    {"C148", kTextures, kWarning, "map that is not read", "The material has a map that a cook does not read.",
-     "The message says where its content belongs."},
     {"C149", kTextures, kWarning, "normal map not used", "It is none of normals, or damaged.",
      "Bake it as a tangent-space map."},
     {"C150", kTextures, kWarning, "materials that cannot be joined", "The hair has materials that look different, and all of it gets one.",
