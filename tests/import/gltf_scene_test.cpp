@@ -61,7 +61,7 @@ TEST_F(GltfScene, TheBaseTextureNamesItsSetOfUvs) {
 TEST_F(GltfScene, SamplersSayWhatATextureShowsOutside) {
   GltfBuilder file;
   file.textured({{"index", 0}}, {{"wrapS", 33071}, {"wrapT", 33648}});
-  const SourceTexture& texture = model_of(file).materials.at(0).base_texture;
+  const SourceTexture texture = model_of(file).materials.at(0).base_texture;
   EXPECT_EQ(texture.wrap[0], TextureWrap::kClamp);
   EXPECT_EQ(texture.wrap[1], TextureWrap::kMirror);
   EXPECT_EQ(texture.path, "hair.png");
