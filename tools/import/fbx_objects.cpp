@@ -125,7 +125,7 @@ class FbxObjects::Collector {
   void add_full_weights(std::string_view doubles) {
     FbxObject& channel = out_.objects_.back();
     const std::size_t count = doubles.size() / sizeof(double), begin = out_.full_weights_.size();
-    if (count > kMostFbxValues || channel.end != 0) return;
+    if (count == 0 || count > kMostFbxValues || channel.end != 0) return;
     out_.full_weights_.resize(begin + count);
     std::memcpy(out_.full_weights_.data() + begin, doubles.data(), count * sizeof(double));
     channel.begin = std::uint32_t(begin);
