@@ -38,7 +38,7 @@ class ExportedSurfaces : public testing::Test {
 };
 
 TEST_F(ExportedSurfaces, AMappingNodeShowsTheSameQuarterFromFbxAsFromObj) {
-  // Of an atlas of four quarters the upper left one, of which V grows downwards.
+  // The upper left quarter of an atlas; V grows downwards.
   for (const char* file : {"blender/b02_mapping_node.fbx", "obj/uvscale.obj"}) {
     const SourceModel model = import_or_fail(kExported / file);
     const auto [low, high] = range_of(hair_of(model));

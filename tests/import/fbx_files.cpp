@@ -1,5 +1,7 @@
 #include "import/fbx_files.h"
 
+#include "import/model_files.h"
+
 #include <fmt/format.h>
 
 #include <utility>
@@ -65,19 +67,6 @@ void append_keys(const FbxModel& model, std::string& objects, std::string& conne
   }
 }
 
-std::string triangle(const FbxModel& model) {
-  return fmt::format(R"(  Geometry: {0}, "Geometry::{1}", "Mesh" {{
-    Vertices: *9 {{
-      a: 0,0,0,1,0,0,0,2,3
-    }}
-    PolygonVertexIndex: *3 {{
-      a: 0,1,-3
-    }}
-    GeometryVersion: 124
-  }}
-)", 1000 + model.id, model.name);
-}
-
 }  // namespace
 
 std::string fbx_int32(std::int32_t value) { return "I" + bytes_of_number(value); }
@@ -124,29 +113,13 @@ std::string text_fbx(const std::vector<FbxModel>& models) {
   std::string objects, connections;
   for (const FbxModel& model : models) {
     const bool has_mesh = model.model_class == "Mesh";
-    if (has_mesh) objects += triangle(model);
-    objects += fmt::format("  Model: {}, \"Model::{}\", \"{}\" {{\n    Version: 232\n    Properties70:  {{\n{}    }}\n  }}\n", model.id, model.name,
-                           model.model_class, model.properties);
+    objects += has_mesh ? fbx_triangle(1000 + model.id, model.name, model.id, model.properties)
+                        : fbx_model(model.id, model.name, model.model_class, model.properties);
     connections += fmt::format("  C: \"OO\",{},{}\n", model.id, model.parent);
     if (has_mesh) connections += fmt::format("  C: \"OO\",{},{}\n", 1000 + model.id, model.id);
     append_keys(model, objects, connections);
   }
-  return fmt::format(R"(; FBX 7.4.0 project file
-FBXHeaderExtension:  {{
-  FBXHeaderVersion: 1003
-  FBXVersion: 7400
-}}
-GlobalSettings:  {{
-  Version: 1000
-  Properties70:  {{
-P: "UnitScaleFactor", "double", "Number", "",100
-  }}
-}}
-Objects:  {{
-{}}}
-Connections:  {{
-{}}}
-)", objects, connections);
+  return fbx_document("P: \"UnitScaleFactor\", \"double\", \"Number\", \"\",100\n", objects, connections);
 }
 
 }  // namespace coif::test

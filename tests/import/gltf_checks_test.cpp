@@ -17,7 +17,7 @@ Codes codes_of(const std::vector<SourceDoubt>& doubts) {
   return codes;
 }
 
-/// Of a file without bounds, which SmallGltf does not write: what it says beside that.
+/// What a file says beside its lack of bounds, which SmallGltf does not write.
 Codes codes_of(const SmallGltf& model) {
   const TemporaryFolder folder;
   Codes codes = codes_of(check_gltf(model.write(folder, "small.gltf")));

@@ -89,7 +89,7 @@ std::string fbx_int(const std::string& name, int value) {
   return fmt::format("P: \"{}\", \"int\", \"Integer\", \"\",{}\n", name, value);
 }
 
-std::string small_fbx(const std::string& settings) {
+std::string fbx_document(const std::string& settings, const std::string& objects, const std::string& connections) {
   return fmt::format(R"(; FBX 7.4.0 project file
 FBXHeaderExtension:  {{
   FBXHeaderVersion: 1003
@@ -101,7 +101,14 @@ GlobalSettings:  {{
 {}  }}
 }}
 Objects:  {{
-  Geometry: 1000, "Geometry::strip", "Mesh" {{
+{}}}
+Connections:  {{
+{}}}
+)", settings, objects, connections);
+}
+
+std::string fbx_triangle(int geometry, const std::string& name, int model, const std::string& properties) {
+  return fmt::format(R"(  Geometry: {}, "Geometry::{}", "Mesh" {{
     Vertices: *9 {{
       a: 0,0,0,1,0,0,0,2,3
     }}
@@ -110,18 +117,16 @@ Objects:  {{
     }}
     GeometryVersion: 124
   }}
-  Model: 2000, "Model::strip", "Mesh" {{
-    Version: 232
-    Properties70:  {{
-    }}
-  }}
-}}
-Connections:  {{
-  C: "OO",2000,0
-  C: "OO",1000,2000
-}}
-)",
-                     settings);
+)", geometry, name) + fbx_model(model, name, "Mesh", properties);
+}
+
+std::string fbx_model(int model, const std::string& name, const std::string& model_class, const std::string& properties) {
+  return fmt::format("  Model: {}, \"Model::{}\", \"{}\" {{\n    Version: 232\n    Properties70:  {{\n{}    }}\n  }}\n", model, name, model_class,
+                     properties);
+}
+
+std::string small_fbx(const std::string& settings) {
+  return fbx_document(settings, fbx_triangle(1000, "strip", 2000), "  C: \"OO\",2000,0\n  C: \"OO\",1000,2000\n");
 }
 
 std::string small_dae(const std::string& unit_metres, const std::string& up_axis) {

@@ -55,7 +55,7 @@ struct CookOptions {
   unsigned jobs = all_threads();
   std::optional<unsigned> threads;  ///< Of each cook.
   SourceLimits limits;
-  std::function<void(const ToolError&)> end;  ///< Of LimitedWork.
+  std::function<void(const ToolError&)> end;  ///< LimitedWork calls it.
   OutputFormat format = OutputFormat::kText;
   bool shows_progress = true;
   bool quiet = false;  ///< Errors and warnings only, and what was asked for as JSON.

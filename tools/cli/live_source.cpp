@@ -60,7 +60,7 @@ LiveCooking cooking_of(const LiveOptions& options, const Messages& messages) {
   cooking.import_settings = [messages, limits = options.limits](const Recipe& recipe, const std::vector<fs::path>& roots) {
     return limits.of_import(import_settings(recipe, roots), messages);
   };
-  const auto work = std::make_shared<std::optional<LimitedWork>>();  // Of the one cook that runs.
+  const auto work = std::make_shared<std::optional<LimitedWork>>();  // One cook runs at a time.
   cooking.within_limits = [messages, work, limits = options.limits](const std::string& source, const auto& cook) {
     work->emplace(source, limits, all_threads(), messages);
     return (*work)->run(cook);

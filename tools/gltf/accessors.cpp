@@ -23,48 +23,45 @@ Number stored(const std::byte* at) {
   return value;
 }
 
-template <class Integer>
-float fraction(const std::byte* at) {
-  return float(std::max(double(stored<Integer>(at)) / double(std::numeric_limits<Integer>::max()), -1.0));
-}
-
 template <class Number>
-float itself(const std::byte* at) {
-  return float(stored<Number>(at));
+double stored_double(const std::byte* at) {
+  return double(stored<Number>(at));
 }
 
 template <class Integer>
-std::uint32_t whole(const std::byte* at) {
-  return stored<Integer>(at);
-}
-
-template <class Integer>
-GltfComponent integer(bool normalized) {
-  GltfComponent out{sizeof(Integer), normalized ? fraction<Integer> : itself<Integer>, nullptr, !normalized};
-  if constexpr (std::is_unsigned_v<Integer>) out.index = whole<Integer>;
-  return out;
-}
+constexpr GltfComponent kInteger{sizeof(Integer), double(std::numeric_limits<Integer>::max()), std::is_unsigned_v<Integer>,
+                                 stored_double<Integer>};
 
 }  // namespace
 
-GltfComponent gltf_component(std::uint32_t type, bool normalized) {
+GltfComponent gltf_component(std::uint32_t type) {
   switch (type) {
-    case 5120: return integer<std::int8_t>(normalized);
-    case 5121: return integer<std::uint8_t>(normalized);
-    case 5122: return integer<std::int16_t>(normalized);
-    case 5123: return integer<std::uint16_t>(normalized);
-    case 5125: return integer<std::uint32_t>(normalized);
-    case 5126: return {sizeof(float), itself<float>, nullptr, false};
+    case 5120: return kInteger<std::int8_t>;
+    case 5121: return kInteger<std::uint8_t>;
+    case 5122: return kInteger<std::int16_t>;
+    case 5123: return kInteger<std::uint16_t>;
+    case 5125: return kInteger<std::uint32_t>;
+    case 5126: return {sizeof(float), 0, false, stored_double<float>};
     default: return {};
   }
 }
 
+double gltf_value(const GltfComponent& component, bool normalized, double stored) {
+  return normalized && component.largest > 0 ? std::max(stored / component.largest, -1.0) : stored;
+}
+
+std::size_t gltf_type_width(const json& type) {
+  constexpr std::pair<const char*, std::size_t> kWidths[] = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4},
+                                                             {"MAT2", 4},   {"MAT3", 9}, {"MAT4", 16}};
+  for (const auto& [name, width] : kWidths) {
+    if (type == name) return width;
+  }
+  return 0;
+}
+
 namespace {
 
-GltfComponent component_of(const json& accessor) {
-  const auto type = index_of(member(accessor, "componentType"), 10000);
-  return gltf_component(type.value_or(0), member(accessor, "normalized") == true);
-}
+GltfComponent component_of(const json& accessor) { return gltf_component(index_of(member(accessor, "componentType"), 10000).value_or(0)); }
 
 /// Copies `count` elements of `size` bytes out of a view, from `offset` on.
 std::string copy_elements(const GltfView& view, const json& offset, std::size_t size, std::span<std::byte> out) {
@@ -88,7 +85,7 @@ std::string replace_sparse(GltfBuffers& buffers, const json& sparse, std::size_t
   if (!count) return "is sparse, with more replaced elements than it has";
   const json &indices = member(sparse, "indices"), &values = member(sparse, "values");
   const GltfComponent index = component_of(indices);
-  if (index.index == nullptr) return "is sparse, with indices that are no unsigned integers";
+  if (!index.is_unsigned) return "is sparse, with indices that are no unsigned integers";
   const auto index_view = buffers.view(member(indices, "bufferView"));
   if (!index_view) return "is sparse, and its list of indices " + index_view.error();
   std::vector<std::byte> places(*count * index.size), replacements(*count * size);
@@ -101,7 +98,7 @@ std::string replace_sparse(GltfBuffers& buffers, const json& sparse, std::size_t
     return "is sparse, and its list of values " + bad;
   }
   for (std::size_t i = 0; i < *count; ++i) {
-    const std::size_t place = index.index(&places[i * index.size]);
+    const auto place = std::size_t(index.stored(&places[i * index.size]));
     if (place >= elements) return fmt::format("is sparse, and replaces element {} of {}", place, elements);
     std::memcpy(&out[place * size], &replacements[i * size], size);
   }
@@ -130,17 +127,29 @@ Bytes packed_elements(GltfBuffers& buffers, const json& accessor, std::size_t si
   return out;
 }
 
+}  // namespace
+
+tl::expected<GltfElements, std::string> read_gltf_elements(GltfBuffers& buffers, const json& accessor, std::size_t most) {
+  GltfElements out{component_of(accessor), member(accessor, "normalized") == true, gltf_type_width(member(accessor, "type")), {}};
+  if (out.component.size == 0 || out.width == 0) return fault("is of no type of glTF's");
+  auto bytes = packed_elements(buffers, accessor, out.component.size * out.width, most);
+  if (!bytes) return tl::unexpected(bytes.error());
+  out.bytes = std::move(*bytes);
+  return out;
+}
+
+namespace {
+
 tl::expected<std::vector<float>, std::string> read_numbers(GltfBuffers& buffers, const json& accessor, const NumbersWanted& wanted) {
   if (member(accessor, "type") != wanted.type) return fault("is not of type {}", wanted.type);
   const GltfComponent component = component_of(accessor);
-  if (component.size == 0 || (component.stands_for_itself && !wanted.may_be_quantized)) {
-    return fault("has neither floats nor normalized integers");
-  }
-  const auto bytes = packed_elements(buffers, accessor, component.size * wanted.width, wanted.most_elements);
-  if (!bytes) return tl::unexpected(bytes.error());
-  std::vector<float> numbers(bytes->size() / component.size);
+  const bool stands_for_itself = component.largest > 0 && member(accessor, "normalized") != true;
+  if (component.size == 0 || (stands_for_itself && !wanted.may_be_quantized)) return fault("has neither floats nor normalized integers");
+  const auto elements = read_gltf_elements(buffers, accessor, wanted.most_elements);
+  if (!elements) return tl::unexpected(elements.error());
+  std::vector<float> numbers(elements->count());
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    numbers[i] = component.number(&(*bytes)[i * component.size]);
+    numbers[i] = float(gltf_value(component, elements->normalized, elements->stored(i)));
     if (!wanted.may_be_infinite && !std::isfinite(numbers[i])) return fault("is not finite in element {}", i / wanted.width);
   }
   return numbers;
@@ -148,14 +157,13 @@ tl::expected<std::vector<float>, std::string> read_numbers(GltfBuffers& buffers,
 
 tl::expected<std::vector<std::uint32_t>, std::string> read_integers(GltfBuffers& buffers, const json& accessor, std::size_t most,
                                                                     std::size_t width) {
-  const GltfComponent component = component_of(accessor);
-  if (component.index == nullptr || member(accessor, "type") != (width == 1 ? "SCALAR" : "VEC4")) {
+  if (!component_of(accessor).is_unsigned || member(accessor, "type") != (width == 1 ? "SCALAR" : "VEC4")) {
     return fault("has no plain list of unsigned numbers");
   }
-  const auto bytes = packed_elements(buffers, accessor, component.size * width, most);
-  if (!bytes) return tl::unexpected(bytes.error());
-  std::vector<std::uint32_t> numbers(bytes->size() / component.size);
-  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = component.index(&(*bytes)[i * component.size]);
+  const auto elements = read_gltf_elements(buffers, accessor, most);
+  if (!elements) return tl::unexpected(elements.error());
+  std::vector<std::uint32_t> numbers(elements->count());
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = std::uint32_t(elements->stored(i));
   return numbers;
 }
 

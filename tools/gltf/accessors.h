@@ -41,13 +41,34 @@ struct NumbersWanted {
 
 /// How a component of an accessor is stored.
 struct GltfComponent {
-  std::size_t size = 0;                      ///< Bytes.
-  float (*number)(const std::byte*) = nullptr;    ///< What it means, normalized or not.
-  std::uint32_t (*index)(const std::byte*) = nullptr;  ///< Null for floats and signed integers.
-  bool stands_for_itself = false;            ///< An integer that is not normalized.
+  std::size_t size = 0;  ///< Bytes.
+  double largest = 0;    ///< Of integers, which is 1 where they are normalized; 0 for floats.
+  bool is_unsigned = false;
+  double (*stored)(const std::byte*) = nullptr;  ///< The number as it stands there.
 };
 
 /// `type` is a componentType of the document; size 0 where there is none of that number.
-[[nodiscard]] GltfComponent gltf_component(std::uint32_t type, bool normalized);
+[[nodiscard]] GltfComponent gltf_component(std::uint32_t type);
+
+/// What a stored number means: itself, or where it is normalized the fraction of the largest.
+[[nodiscard]] double gltf_value(const GltfComponent& component, bool normalized, double stored);
+
+/// Numbers of an element of that type; 0 for what is no type.
+[[nodiscard]] std::size_t gltf_type_width(const nlohmann::json& type);
+
+/// The elements of an accessor as they are stored, one after another, replaced where it is sparse. Without a bufferView they are zeros.
+struct GltfElements {
+  GltfComponent component;
+  bool normalized = false;
+  std::size_t width = 1;  ///< Numbers of an element.
+  std::vector<std::byte> bytes;
+
+  [[nodiscard]] std::size_t count() const { return bytes.size() / component.size; }  ///< Of numbers.
+  [[nodiscard]] double stored(std::size_t i) const { return component.stored(&bytes[i * component.size]); }
+};
+
+/// `accessor` is one of the document's, not its index; more than `most` elements are refused. The error is a sentence's end: "is cut
+/// off".
+[[nodiscard]] tl::expected<GltfElements, std::string> read_gltf_elements(GltfBuffers& buffers, const nlohmann::json& accessor, std::size_t most);
 
 }  // namespace coif

@@ -55,16 +55,20 @@ Bytes read_binary_chunk(const fs::path& path, std::size_t wanted) {
 }
 
 Bytes read_data_uri(const std::string& text, std::size_t wanted) {
-  const std::size_t comma = text.find(";base64,");
-  if (comma == std::string::npos) return fault("a data: URI that is not base64");
-  auto bytes = from_base64(std::string_view(text).substr(comma + std::strlen(";base64,")));
-  if (!bytes) return fault("not base64");
+  auto bytes = bytes_of_data_uri(text);
+  if (!bytes) return fault("a data: URI that is not base64");
   if (bytes->size() < wanted) return fault("cut off: {} of {} bytes", bytes->size(), wanted);
   bytes->resize(wanted);
   return std::move(*bytes);
 }
 
 }  // namespace
+
+std::optional<std::vector<std::byte>> bytes_of_data_uri(std::string_view uri) {
+  constexpr std::string_view kMark = ";base64,";
+  const std::size_t mark = uri.find(kMark);
+  return mark == std::string_view::npos ? std::nullopt : from_base64(uri.substr(mark + kMark.size()));
+}
 
 Bytes GltfBuffers::read_side_file(const std::string& uri, std::size_t wanted) {
   const fs::path name = decoded_uri(uri);

@@ -10,9 +10,11 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace coif {
@@ -57,6 +59,9 @@ class GltfBuffers {
   std::map<std::size_t, std::vector<std::byte>> decompressed_;
   std::set<std::string> side_files_;
 };
+
+/// What a "data:" URI holds; none where that is not base64.
+[[nodiscard]] std::optional<std::vector<std::byte>> bytes_of_data_uri(std::string_view uri);
 
 /// What EXT_meshopt_compression made of a bufferView, undone. `compression` is the extension's object. The error is a sentence.
 [[nodiscard]] tl::expected<std::vector<std::byte>, std::string> decompress_meshopt(const nlohmann::json& compression,

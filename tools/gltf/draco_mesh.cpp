@@ -47,41 +47,39 @@ std::vector<std::uint32_t> DracoMesh::triangles() const {
   return out;
 }
 
-GltfComponent DracoMesh::component(std::uint32_t id, bool normalized) const {
+tl::expected<GltfElements, std::string> DracoMesh::elements(std::uint32_t id, std::size_t width) const {
   const draco::PointAttribute* const attribute = mesh_->GetAttributeByUniqueId(id);
-  return attribute == nullptr ? GltfComponent{} : gltf_component(component_type(attribute->data_type()), normalized);
-}
-
-tl::expected<std::vector<std::byte>, std::string> DracoMesh::bytes(std::uint32_t id, std::size_t width, const GltfComponent& component) const {
-  const draco::PointAttribute* const attribute = mesh_->GetAttributeByUniqueId(id);
-  if (attribute == nullptr || component.size == 0) return fault("has no compressed attribute {} of a known kind", id);
-  if (std::size_t(attribute->num_components()) != width) return fault("has {} numbers to the element in compressed attribute {}, and {} are meant", int{attribute->num_components()}, id, width);
-  const std::size_t size = component.size * width;
-  std::vector<std::byte> out(mesh_->num_points() * size);
+  GltfElements out;
+  if (attribute != nullptr) out.component = gltf_component(component_type(attribute->data_type()));
+  if (out.component.size == 0) return fault("has no compressed attribute {} of a known kind", id);
+  if (std::size_t(attribute->num_components()) != width) {
+    return fault("has {} numbers to the element in compressed attribute {}, and {} are meant", int{attribute->num_components()}, id, width);
+  }
+  const std::size_t size = out.component.size * width;
+  out.width = width;
+  out.bytes.resize(mesh_->num_points() * size);
   for (draco::PointIndex point(0); point < mesh_->num_points(); ++point) {
     const draco::AttributeValueIndex value = attribute->mapped_index(point);
     if (value.value() >= attribute->size()) return fault("is damaged: compressed attribute {} lacks values", id);
-    std::memcpy(&out[point.value() * size], attribute->GetAddress(value), size);
+    std::memcpy(&out.bytes[point.value() * size], attribute->GetAddress(value), size);
   }
   return out;
 }
 
 tl::expected<std::vector<float>, std::string> DracoMesh::numbers(std::uint32_t id, std::size_t width, bool normalized) const {
-  const GltfComponent stored = component(id, normalized);
-  const auto packed = bytes(id, width, stored);
+  const auto packed = elements(id, width);
   if (!packed) return tl::unexpected(packed.error());
-  std::vector<float> out(packed->size() / stored.size);
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = stored.number(&(*packed)[i * stored.size]);
+  std::vector<float> out(packed->count());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = float(gltf_value(packed->component, normalized, packed->stored(i)));
   return out;
 }
 
 tl::expected<std::vector<std::uint32_t>, std::string> DracoMesh::integers(std::uint32_t id, std::size_t width) const {
-  const GltfComponent stored = component(id, false);
-  if (stored.index == nullptr) return fault("has no unsigned numbers in compressed attribute {}", id);
-  const auto packed = bytes(id, width, stored);
+  const auto packed = elements(id, width);
   if (!packed) return tl::unexpected(packed.error());
-  std::vector<std::uint32_t> out(packed->size() / stored.size);
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = stored.index(&(*packed)[i * stored.size]);
+  if (!packed->component.is_unsigned) return fault("has no unsigned numbers in compressed attribute {}", id);
+  std::vector<std::uint32_t> out(packed->count());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = std::uint32_t(packed->stored(i));
   return out;
 }
 

@@ -34,8 +34,7 @@ class DracoMesh {
 
  private:
   explicit DracoMesh(std::unique_ptr<draco::Mesh> mesh);
-  [[nodiscard]] tl::expected<std::vector<std::byte>, std::string> bytes(std::uint32_t id, std::size_t width, const GltfComponent& component) const;
-  [[nodiscard]] GltfComponent component(std::uint32_t id, bool normalized) const;
+  [[nodiscard]] tl::expected<GltfElements, std::string> elements(std::uint32_t id, std::size_t width) const;
 
   std::unique_ptr<draco::Mesh> mesh_;
 };

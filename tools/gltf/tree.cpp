@@ -98,13 +98,13 @@ tl::expected<std::vector<std::uint32_t>, std::string> GltfTree::with_parents(std
   return chain;
 }
 
-std::vector<GltfSceneNode> gltf_scene_nodes(const json& document) {
+std::vector<GltfSceneNode> gltf_scene_nodes(const json& document, const Eigen::Affine3d& model_from_file) {
   const json& nodes = list_of(member(document, "nodes"));
   std::vector<bool> is_seen(nodes.size(), false);
   std::vector<GltfSceneNode> out, pending;  // a list instead of recursion: a file may nest nodes deeper than the stack
   const auto push = [&](const json& list, std::optional<std::uint32_t> parent, bool is_hidden) {
     for (std::size_t i = list.size(); i-- > 0;) {
-      if (const auto index = index_of(list[i], nodes.size())) pending.push_back({*index, parent, is_hidden});
+      if (const auto index = index_of(list[i], nodes.size())) pending.push_back({.in_file = *index, .parent = parent, .is_hidden = is_hidden});
     }
   };
   push(scene_roots(document), std::nullopt, false);
@@ -115,9 +115,13 @@ std::vector<GltfSceneNode> gltf_scene_nodes(const json& document) {
     is_seen[next.in_file] = true;
     const json& node = nodes[next.in_file];
     if (member(extension(node, "KHR_node_visibility"), "visible") == false) next.is_hidden = true;
-    const auto place = static_cast<std::uint32_t>(out.size());
+    const Eigen::Affine3d& above = next.parent ? out[*next.parent].model_from_node : model_from_file;
+    const auto place = gltf_place(node);
+    next.model_from_node = place ? above * place->parent_from_node : above;
+    next.is_placed = place && next.model_from_node.matrix().allFinite();
+    if (!next.is_placed) next.model_from_node = above;
     out.push_back(next);
-    push(list_of(member(node, "children")), place, next.is_hidden);
+    push(list_of(member(node, "children")), static_cast<std::uint32_t>(out.size() - 1), next.is_hidden);
   }
   return out;
 }

@@ -55,10 +55,13 @@ struct GltfSceneNode {
   std::uint32_t in_file = 0;
   std::optional<std::uint32_t> parent;  ///< Place of an earlier one in the list.
   bool is_hidden = false;               ///< By KHR_node_visibility, of its own or of one that it hangs on.
+  bool is_placed = true;                ///< False where its numbers are no place: it stands where its parent does.
+  Eigen::Affine3d model_from_node = Eigen::Affine3d::Identity();
 };
 
 /// The nodes of the document's scene (`scene`, else the first; all roots where there is no scene), depth first, children in their order,
-/// each once however often a damaged file names it.
-[[nodiscard]] std::vector<GltfSceneNode> gltf_scene_nodes(const nlohmann::json& document);
+/// each once however often a damaged file names it. `model_from_file` is applied above the roots.
+[[nodiscard]] std::vector<GltfSceneNode> gltf_scene_nodes(const nlohmann::json& document,
+                                                          const Eigen::Affine3d& model_from_file = Eigen::Affine3d::Identity());
 
 }  // namespace coif

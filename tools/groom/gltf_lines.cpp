@@ -29,15 +29,10 @@ class LineScene {
 
   /// Of the scene's nodes, but for hidden ones.
   std::string read() {
-    const std::vector<GltfSceneNode> scene = gltf_scene_nodes(document_);
-    std::vector<Eigen::Affine3d> model_from;
-    for (const GltfSceneNode& entry : scene) {
-      const Eigen::Affine3d above = entry.parent ? model_from[*entry.parent] : Eigen::Affine3d::Identity();
-      const json& node = nodes_[entry.in_file];
-      const auto place = gltf_place(node);
-      model_from.push_back(place ? above * place->parent_from_node : above);
+    for (const GltfSceneNode& entry : gltf_scene_nodes(document_)) {
       if (entry.is_hidden) continue;
-      if (std::string fault = read_mesh(node, model_from.back()); !fault.empty()) return fmt::format("node {}: {}", entry.in_file, fault);
+      const std::string fault = read_mesh(nodes_[entry.in_file], entry.model_from_node);
+      if (!fault.empty()) return fmt::format("node {}: {}", entry.in_file, fault);
     }
     return builder_.finish();
   }

@@ -4,8 +4,8 @@
 #include "base/text.h"
 #include "import/fbx_objects.h"
 #include "import/import.h"
-#include "import/raw_mesh.h"
 #include "import/scene_surface.h"
+#include "import/shown_meshes.h"
 
 #include <assimp/BaseImporter.h>
 #include <assimp/DefaultIOSystem.h>
@@ -148,7 +148,7 @@ tl::unexpected<ToolError> refusal(const std::filesystem::path& path, const Sourc
 
 bool hides_all_meshes(const SceneNodes& nodes) {
   bool hides_one = false;
-  for (std::size_t n = 0; n < nodes.nodes.size(); ++n) {
+  for (std::size_t n = 0; n < nodes.origin.size(); ++n) {
     const bool has_mesh = nodes.origin[n]->mNumMeshes != 0;
     if (has_mesh && !nodes.is_hidden[n]) return false;
     hides_one = hides_one || has_mesh;
@@ -169,11 +169,9 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   convert_materials(scene, suffix.format, model);
   model.named_images = named_images(scene);
   model.meshes = convert_meshes(scene, nodes, {suffix.format, model.space.generator}, model.doubts, model.warnings);
-  if (model.meshes.empty() && hides_all_meshes(nodes))
-    return file_failure(ToolError::Kind::kBadInput, path, "hides all of its meshes; show the hair and export again");
-  if (model.meshes.empty()) return no_triangles(path);
+  const bool hides_all = hides_all_meshes(nodes);
   model.nodes = std::move(nodes.nodes);
-  keep_finest_levels(model);
+  if (auto kept = keep_shown_meshes(path, hides_all, model); !kept) return tl::unexpected(kept.error());
   return model;
 }
 
@@ -212,11 +210,6 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
   throw;
 } catch (const std::exception& error) {
   return refusal(path, suffix, error.what());
-}
-
-tl::unexpected<ToolError> no_triangles(const std::filesystem::path& path) {
-  return file_failure(ToolError::Kind::kBadInput, path,
-                      "no usable triangles; convert curves and hair particles to polygon strips before the export");
 }
 
 void set_importer(SourceModel& model) {

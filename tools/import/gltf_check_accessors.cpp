@@ -71,7 +71,7 @@ class AccessorChecks {
 
   void check_accessor(std::size_t a) {
     const json& entry = file_.list("accessors")[a];
-    const std::size_t component = gltf_component_size(index_of(member(entry, "componentType"), 10000).value_or(0));
+    const std::size_t component = gltf_component(index_of(member(entry, "componentType"), 10000).value_or(0)).size;
     const std::size_t width = gltf_type_width(member(entry, "type"));
     const auto count = index_of(member(entry, "count"), kAnySize);
     if (component == 0 || width == 0 || !count || *count == 0)

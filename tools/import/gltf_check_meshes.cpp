@@ -163,12 +163,12 @@ class MeshChecks {
     const auto stored = file_.read(accessor);
     if (!index_of(accessor, file_.list("accessors").size())) return wrong(gltf_code::kRules, "its indices are none of the file's accessors; export it again");
     if (!stored) return;
-    if (stored->width != 1 || (stored->component != 5121 && stored->component != 5123 && stored->component != 5125))
+    if (stored->width != 1 || !stored->component.is_unsigned)
       return wrong(gltf_code::kRules, "its indices are no list of unsigned numbers; export it again");
     std::size_t outside = 0, first = 0, restarts = 0;
     for (std::size_t i = 0; i < stored->numbers.size(); ++i) {
-      restarts += stored->numbers[i] == stored->largest() ? 1 : 0;
-      if (stored->numbers[i] < double(vertices) && stored->numbers[i] != stored->largest()) continue;
+      restarts += stored->numbers[i] == stored->component.largest ? 1 : 0;
+      if (stored->numbers[i] < double(vertices) && stored->numbers[i] != stored->component.largest) continue;
       if (outside++ == 0) first = i;
     }
     if (outside == 0 || vertices == 0) return;

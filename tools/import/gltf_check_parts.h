@@ -3,6 +3,7 @@
 // What the checks of gltf_checks.h share. Private to them.
 
 #include "base/json.h"
+#include "gltf/accessors.h"
 #include "gltf/buffers.h"
 #include "gltf/document.h"
 #include "import/source_model.h"
@@ -12,8 +13,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,23 +57,21 @@ class GltfFaults {
 
 /// The numbers of an accessor as they are stored.
 struct StoredNumbers {
-  std::uint32_t component = 0;  ///< glTF's number of the type.
+  GltfComponent component;
   bool normalized = false;
   std::size_t width = 1;  ///< Numbers of an element.
   std::vector<double> numbers;
 
   [[nodiscard]] std::size_t count() const { return numbers.size() / width; }
-  [[nodiscard]] bool is_float() const { return component == 5126; }
+  [[nodiscard]] bool is_float() const { return component.largest == 0; }
   /// The value that the stored number stands for.
-  [[nodiscard]] double value(std::size_t i) const;
-  /// Of the component's type; 0 for floats.
-  [[nodiscard]] double largest() const;
+  [[nodiscard]] double value(std::size_t i) const { return gltf_value(component, normalized, numbers[i]); }
 };
 
 /// A glTF document whose parts are looked at.
 class CheckedGltf {
  public:
-  CheckedGltf(const std::filesystem::path& path, const nlohmann::json& parsed) : document(parsed), buffers_(path, parsed) {}
+  CheckedGltf(const nlohmann::json& parsed, GltfBuffers& buffers) : document(parsed), buffers_(buffers) {}
 
   const nlohmann::json& document;
   GltfFaults faults;
@@ -84,15 +83,9 @@ class CheckedGltf {
   [[nodiscard]] std::optional<std::size_t> buffer_size(std::size_t buffer, std::string& why);
 
  private:
-  std::optional<std::vector<double>> plain(const nlohmann::json& place, std::uint32_t component, std::size_t width,
-                                           std::size_t count);
-  GltfBuffers buffers_;
+  GltfBuffers& buffers_;
 };
 
-/// Bytes of a component; 0 for what is no type.
-[[nodiscard]] std::size_t gltf_component_size(std::uint32_t component);
-/// Numbers of an element of that type; 0 for what is no type.
-[[nodiscard]] std::size_t gltf_type_width(const nlohmann::json& type);
 /// "mesh 'hair', primitive 2"
 [[nodiscard]] std::string gltf_part_name(const char* what, const nlohmann::json& object, std::size_t index);
 

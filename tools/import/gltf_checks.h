@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gltf/buffers.h"
 #include "import/source_model.h"
 
 #include <filesystem>
@@ -13,5 +14,7 @@ namespace coif {
 /// is what lies in compressed buffer views. Throws std::bad_alloc alone. Reads the whole file: call it where files are parsed.
 /// Source: Khronos, "glTF 2.0 Specification", chapters 3.5 to 3.11, 4.4 and 5.
 [[nodiscard]] std::vector<SourceDoubt> check_gltf(const std::filesystem::path& path);
+/// The same of a file whose document is read; `buffers` are its.
+[[nodiscard]] std::vector<SourceDoubt> check_gltf(const std::filesystem::path& path, const nlohmann::json& document, GltfBuffers& buffers);
 
 }  // namespace coif

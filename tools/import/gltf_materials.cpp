@@ -1,6 +1,5 @@
 #include "import/gltf_scene.h"
 
-#include "base/encodings.h"
 #include "base/text.h"
 #include "gltf/document.h"
 
@@ -131,9 +130,7 @@ class MaterialReader {
   std::uint32_t embed(const json& image, const json& uri, bool is_data, const std::string& name) {
     std::vector<std::uint8_t> bytes;
     if (is_data) {
-      const auto& text = uri.get_ref<const std::string&>();
-      const std::size_t comma = text.find(";base64,");
-      const auto decoded = comma == std::string::npos ? std::nullopt : from_base64(std::string_view(text).substr(comma + 8));
+      const auto decoded = bytes_of_data_uri(uri.get_ref<const std::string&>());
       if (!decoded) return reject(name, "its data: URI is not base64");
       const auto* const first = reinterpret_cast<const std::uint8_t*>(decoded->data());
       bytes.assign(first, first + decoded->size());

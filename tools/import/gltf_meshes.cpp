@@ -6,6 +6,7 @@
 #include "gltf/instances.h"
 #include "gltf/primitive.h"
 #include "gltf/tree.h"
+#include "import/shown_meshes.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -29,12 +30,12 @@ class MeshReader {
 
   std::string read(const std::string& variant) {
     if (std::string bad = choose_variant(variant); !bad.empty()) return bad;
-    for (std::uint32_t n = 0; n < nodes_.nodes.size(); ++n) {
+    for (std::uint32_t n = 0; n < model_.nodes.size(); ++n) {
       if (nodes_.in_file[n] == kNoIndex) continue;
       const json& node = list_of(member(document_, "nodes"))[nodes_.in_file[n]];
       if (member(node, "mesh").is_null()) continue;
       if (nodes_.is_hidden[n]) {
-        hidden_.push_back(nodes_.nodes[n].name);
+        hidden_.push_back(model_.nodes[n].name);
       } else if (std::string bad = read_node(node, n); !bad.empty()) {
         return bad;
       }
@@ -63,11 +64,11 @@ class MeshReader {
   std::string read_node(const json& node, std::uint32_t n) {
     const auto mesh = index_of(member(node, "mesh"), meshes_.size());
     if (!mesh) {
-      model_.warnings.push_back(fmt::format("node '{}': refers to an absent mesh", nodes_.nodes[n].name));
+      model_.warnings.push_back(fmt::format("node '{}': refers to an absent mesh", model_.nodes[n].name));
       return {};
     }
     auto instances = read_gltf_instances(document_, buffers_, node);
-    if (!instances) return fmt::format("node '{}': {}", nodes_.nodes[n].name, instances.error());
+    if (!instances) return fmt::format("node '{}': {}", model_.nodes[n].name, instances.error());
     const auto [carrier, carrier_from_node] = carrier_of(n);
     for (Affine3d& instance : *instances) instance = carrier_from_node * instance;
     const json& primitives = list_of(member(meshes_[*mesh], "primitives"));
@@ -87,7 +88,7 @@ class MeshReader {
   [[nodiscard]] std::pair<std::uint32_t, Affine3d> carrier_of(std::uint32_t n) const {
     const json& in_file = list_of(member(document_, "nodes"));
     const auto is_named = [&](std::uint32_t at) { return !printable_text_of(member(in_file[nodes_.in_file[at]], "name")).empty(); };
-    const std::uint32_t parent = nodes_.nodes[n].parent;
+    const std::uint32_t parent = model_.nodes[n].parent;
     const json& node = in_file[nodes_.in_file[n]];
     const bool is_of_packing = !is_named(n) && list_of(member(node, "children")).empty() && parent != kNoIndex &&
                                nodes_.in_file[parent] != kNoIndex && is_named(parent);

@@ -20,31 +20,24 @@ std::string node_name(const json& node, std::uint32_t index) {
 
 }  // namespace
 
-GltfNodes read_gltf_nodes(const json& document, const Eigen::Affine3d& model_from_file, std::vector<std::string>& warnings) {
+GltfNodes read_gltf_nodes(const json& document, const Eigen::Affine3d& model_from_file, SourceModel& model) {
   const json& in_file = list_of(member(document, "nodes"));
-  const std::vector<GltfSceneNode> scene = gltf_scene_nodes(document);
+  const std::vector<GltfSceneNode> scene = gltf_scene_nodes(document, model_from_file);
   const auto roots = std::ranges::count_if(scene, [](const GltfSceneNode& node) { return !node.parent; });
   const std::uint32_t first = roots == 1 ? 0 : 1;
   GltfNodes out;
   out.of_file.assign(in_file.size(), kNoIndex);
   if (first == 1) {
-    out.nodes.push_back({kSceneNode, kNoIndex, model_from_file});
+    model.nodes.push_back({kSceneNode, kNoIndex, model_from_file});
     out.in_file.push_back(kNoIndex);
     out.is_hidden.push_back(false);
   }
   for (const GltfSceneNode& entry : scene) {
     const std::uint32_t parent = entry.parent ? *entry.parent + first : first == 1 ? 0 : kNoIndex;
-    const Eigen::Affine3d& above = parent == kNoIndex ? model_from_file : out.nodes[parent].model_from_node;
-    SourceNode node{node_name(in_file[entry.in_file], entry.in_file), parent, above};
-    const auto place = gltf_place(in_file[entry.in_file]);
-    const Eigen::Affine3d placed = place ? above * place->parent_from_node : above;
-    if (place && placed.matrix().allFinite()) {
-      node.model_from_node = placed;
-    } else {
-      warnings.push_back(fmt::format("node '{}': transform is not finite; its parent's is used", node.name));
-    }
-    out.of_file[entry.in_file] = static_cast<std::uint32_t>(out.nodes.size());
-    out.nodes.push_back(std::move(node));
+    SourceNode node{node_name(in_file[entry.in_file], entry.in_file), parent, entry.model_from_node};
+    if (!entry.is_placed) model.warnings.push_back(fmt::format("node '{}': transform is not finite; its parent's is used", node.name));
+    out.of_file[entry.in_file] = static_cast<std::uint32_t>(model.nodes.size());
+    model.nodes.push_back(std::move(node));
     out.in_file.push_back(entry.in_file);
     out.is_hidden.push_back(entry.is_hidden);
   }

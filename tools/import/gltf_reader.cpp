@@ -3,9 +3,9 @@
 #include "base/text.h"
 #include "gltf/document.h"
 #include "import/gltf_checks.h"
+#include "import/shown_meshes.h"
 #include "import/vrm_springs.h"
 
-#include <algorithm>
 #include <iterator>
 
 namespace coif {
@@ -41,6 +41,16 @@ std::vector<std::string> names_of_images(const json& document) {
   return names;
 }
 
+bool hides_all_meshes(const json& document, const GltfNodes& nodes) {
+  bool hides_one = false;
+  for (std::size_t n = 0; n < nodes.in_file.size(); ++n) {
+    const bool has_mesh = nodes.in_file[n] != kNoIndex && !member(list_of(member(document, "nodes"))[nodes.in_file[n]], "mesh").is_null();
+    if (has_mesh && !nodes.is_hidden[n]) return false;
+    hides_one = hides_one || has_mesh;
+  }
+  return hides_one;
+}
+
 }  // namespace
 
 tl::expected<SourceModel, ToolError> read_gltf_model(const std::filesystem::path& path, const ImportSettings& settings) {
@@ -54,21 +64,16 @@ tl::expected<SourceModel, ToolError> read_gltf_model(const std::filesystem::path
   model.warnings = extensions.warnings;
   const Eigen::Affine3d to_model = model_from_gltf(*document, settings, model.space);
   GltfBuffers buffers(path, *document, settings.roots);
-  const GltfNodes nodes = read_gltf_nodes(*document, to_model, model.warnings);
-  model.nodes = nodes.nodes;
+  const GltfNodes nodes = read_gltf_nodes(*document, to_model, model);
   const auto uvs = read_gltf_materials(*document, buffers, model);
   std::string bad = uvs ? read_gltf_meshes(*document, buffers, nodes, *uvs, settings.variant, model) : uvs.error();
   if (!bad.empty()) return unreadable(path, fmt::format("{}; {}", bad, kReexport));
-  std::vector<SourceDoubt> doubts = check_gltf(path);
+  std::vector<SourceDoubt> doubts = check_gltf(path, *document, buffers);
   model.named_images = names_of_images(*document);
   model.side_files.assign(buffers.side_files().begin(), buffers.side_files().end());
   model.doubts.insert(model.doubts.end(), std::make_move_iterator(doubts.begin()), std::make_move_iterator(doubts.end()));
   read_vrm_extensions(member(*document, "extensions"), nodes.of_file, to_model, model);
-  if (model.meshes.empty() && std::ranges::find(nodes.is_hidden, true) != nodes.is_hidden.end()) {
-    return file_failure(ToolError::Kind::kBadInput, path, "hides all of its meshes; show the hair and export again");
-  }
-  if (model.meshes.empty()) return no_triangles(path);
-  keep_finest_levels(model);
+  if (auto kept = keep_shown_meshes(path, hides_all_meshes(*document, nodes), model); !kept) return tl::unexpected(kept.error());
   return model;
 }
 

@@ -30,15 +30,14 @@ struct GltfExtensions {
 };
 [[nodiscard]] GltfExtensions check_gltf_extensions(const nlohmann::json& document);
 
-/// The nodes of the document's scene as the model's, under a node of their own unless the scene has exactly one root.
+/// Which nodes of the document and of the model are the same.
 struct GltfNodes {
-  std::vector<SourceNode> nodes;
-  std::vector<std::uint32_t> in_file;  ///< For each of `nodes`; kNoIndex for the one above the roots.
-  std::vector<bool> is_hidden;         ///< For each of `nodes`.
-  std::vector<std::uint32_t> of_file;  ///< For each of the document's: into `nodes`, or kNoIndex outside the scene.
+  std::vector<std::uint32_t> in_file;  ///< For each of the model's; kNoIndex for the one above the roots.
+  std::vector<bool> is_hidden;         ///< For each of the model's.
+  std::vector<std::uint32_t> of_file;  ///< For each of the document's: into the model's, or kNoIndex outside the scene.
 };
-[[nodiscard]] GltfNodes read_gltf_nodes(const nlohmann::json& document, const Eigen::Affine3d& model_from_file,
-                                        std::vector<std::string>& warnings);
+/// Fills `nodes` with those of the document's scene, under a node of their own unless the scene has exactly one root.
+[[nodiscard]] GltfNodes read_gltf_nodes(const nlohmann::json& document, const Eigen::Affine3d& model_from_file, SourceModel& model);
 
 /// Which set of UVs a material's base texture is laid out in, and how they are moved on the way.
 struct GltfUvs {

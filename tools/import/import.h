@@ -34,6 +34,8 @@ struct ImportSettings {
 
 /// Name and version of the library that reads sources, for example "assimp 5.2.4".
 [[nodiscard]] std::string importer_name();
+/// Notes it in a model, as cooks of all formats record it: that of the library that reads what is not glTF.
+void set_importer(SourceModel& model);
 
 /// Reads the meshes of an FBX, glTF, GLB, VRM, OBJ or DAE. The parser runs in a child process under limits: third-party importers crash
 /// on hostile files. Throws TookTooLong alone, where the time of this process (base/work_limit.h) is over. Errors: kFileAccess (absent, unreadable), kBadInput (not parseable, crash, limit,

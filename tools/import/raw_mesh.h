@@ -2,16 +2,13 @@
 
 // A mesh as a file has it, before it stands in the model: every reader makes these, and one function places them.
 
-#include "base/tool_error.h"
 #include "import/source_model.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
-#include <tl/expected.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -94,23 +91,5 @@ void keep_mesh(const RawMesh& raw, SourceMesh placed, std::vector<SourceMesh>& m
 
 /// Fills `posed_node` and `posed_degrees` of what became of the mesh.
 void measure_pose(const RawMesh& mesh, std::span<const SourceNode> nodes, SourceMesh& out);
-
-/// Where the file hides meshes, by the names of their nodes: a warning that they are left out.
-void warn_of_hidden(std::span<const std::string> nodes, std::vector<std::string>& warnings);
-
-/// A warning that names meshes, or nodes with one, that are left out as coarser levels of detail; none where there are none.
-void warn_of_coarser(std::span<const std::string> meshes, std::vector<std::string>& warnings);
-
-/// A warning that shape keys are part of the mesh's shape, each as "'Longer' at 0.5"; none where none is on.
-void warn_of_shape_keys(const std::string& mesh, std::span<const std::string> on, std::vector<std::string>& warnings);
-
-/// Of meshes that are levels of detail of one thing ("Hair_LOD0", "Hair_LOD1": nodes, those above them or meshes of one beginning) keeps
-/// the finest, with a warning that names the others.
-void keep_finest_levels(SourceModel& model);
-
-/// Of a model without a mesh.
-[[nodiscard]] tl::unexpected<ToolError> no_triangles(const std::filesystem::path& path);
-/// Notes the importer's name and version, as cooks of all formats record them: that of the library that reads what is not glTF.
-void set_importer(SourceModel& model);
 
 }  // namespace coif

@@ -2,6 +2,7 @@
 #include "import/scene_surface.h"
 
 #include "import/raw_mesh.h"
+#include "import/shown_meshes.h"
 
 #include <assimp/scene.h>
 #include <fmt/format.h>

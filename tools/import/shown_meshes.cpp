@@ -1,4 +1,4 @@
-#include "import/raw_mesh.h"
+#include "import/shown_meshes.h"
 
 #include "base/text.h"
 
@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -39,8 +40,9 @@ std::optional<LevelName> level_in(std::string_view name) {
     if (!begins_word || digit == low.size() || !is_digit(low[digit])) continue;
     std::size_t end = at;
     while (end > 0 && !is_letter(low[end - 1]) && !is_digit(low[end - 1])) --end;
-    return LevelName{low.substr(0, end), unsigned(low[digit] - '0') * (digit + 1 < low.size() && is_digit(low[digit + 1]) ? 10u : 1u) +
-                                             (digit + 1 < low.size() && is_digit(low[digit + 1]) ? unsigned(low[digit + 1] - '0') : 0u)};
+    LevelName found{low.substr(0, end)};
+    std::from_chars(&low[digit], low.data() + std::min(digit + 2, low.size()), found.level);
+    return found;
   }
   return std::nullopt;
 }
@@ -74,6 +76,8 @@ void warn_of_shape_keys(const std::string& mesh, std::span<const std::string> on
                                  "where that is not meant", mesh, fmt::join(on, ", ")));
 }
 
+namespace {
+
 void keep_finest_levels(SourceModel& model) {
   std::vector<std::optional<LevelName>> levels;
   std::map<std::string, unsigned> finest;
@@ -94,6 +98,18 @@ void keep_finest_levels(SourceModel& model) {
   }
   model.meshes = std::move(kept);
   warn_of_coarser(dropped, model.warnings);
+}
+
+}  // namespace
+
+tl::expected<void, ToolError> keep_shown_meshes(const std::filesystem::path& path, bool hides_all, SourceModel& model) {
+  using Kind = ToolError::Kind;
+  if (model.meshes.empty() && hides_all) return file_failure(Kind::kBadInput, path, "hides all of its meshes; show the hair and export again");
+  if (model.meshes.empty()) {
+    return file_failure(Kind::kBadInput, path, "no usable triangles; convert curves and hair particles to polygon strips before the export");
+  }
+  keep_finest_levels(model);
+  return {};
 }
 
 }  // namespace coif

@@ -31,7 +31,7 @@ struct PassiveBone {
   V3<D> moved;
   V<D> per_fold;
   V3<D> load, torque, reaction;
-  V<D> inertia;        ///< Of its own.
+  V<D> inertia;        ///< The bone's own.
   bool has_below;      ///< Some child has handed up.
   bool is_near;        ///< Some lane's bone may reach a collider of its head.
   V<D> against_fold;   ///< Stiffness of the fold alone, by the square of how far a side leads towards the arc.
