@@ -5,9 +5,9 @@
 #include "base/text.h"
 #include "base/timing.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <fcntl.h>
 #include <signal.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -180,8 +180,10 @@ TEST(Files, OutputsAreNoInputs) {
   std::ofstream(folder / "hair.png") << "pixels";
   fs::create_hard_link(folder / "hair.png", folder / "hard.png");
   fs::create_symlink("hair.png", folder / "soft.png");
-  const std::vector<fs::path> inputs{folder / "hair.obj", folder / "below/../hair.png", folder / "absent.png", fs::path()};
-  for (const char* output : {"hair.png", "hard.png", "soft.png", "below/../hair.png", "absent.png", "below/../absent.png"}) {
+  const std::vector<fs::path> inputs{folder / "hair.obj", folder / "below/../hair.png", folder / "absent.png",
+                                     fs::path()};
+  for (const char* output :
+       {"hair.png", "hard.png", "soft.png", "below/../hair.png", "absent.png", "below/../absent.png"}) {
     const auto checked = check_output(folder / output, inputs);
     ASSERT_FALSE(checked) << output;
     EXPECT_EQ(checked.error().kind, ToolError::Kind::kUsage);
@@ -235,7 +237,9 @@ TEST(Files, NamesOfAnyLengthAreWritten) {
 }
 
 TEST(Text, TerminalsGetNothingToObey) {
-  EXPECT_EQ(printable_text("a\x1b[2Jb\x7f\xc2\x9b" "2J\n\xc2\xa0\xc3\xa9"), "a?[2Jb??2J \xc2\xa0\xc3\xa9");
+  EXPECT_EQ(printable_text("a\x1b[2Jb\x7f\xc2\x9b"
+                           "2J\n\xc2\xa0\xc3\xa9"),
+            "a?[2Jb??2J \xc2\xa0\xc3\xa9");
 }
 
 TEST(PrintableText, KeepsTextInEveryScript) { EXPECT_EQ(printable_text("Zöpfe 髪 \U0001F487"), "Zöpfe 髪 \U0001F487"); }

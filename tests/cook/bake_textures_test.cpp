@@ -265,9 +265,11 @@ TEST(BakeTextures, ShiftAndMaskThatAreTheSameEverywhereAreNumbersInstead) {
 
 TEST(BakeTextures, NumbersOfStrandsThatTheRecipeNamesShiftTheirHighlights) {
   const ImageFolder folder;
-  folder.write("packed.png", encoded(painted(16, 16, [](std::uint32_t x, std::uint32_t) {
-                                       return Rgba{9, 9, std::uint8_t(x < 4 ? 0 : 255), 255};
-                                     }), FileFormat::kPng));
+  folder.write("packed.png", encoded(painted(16, 16,
+                                             [](std::uint32_t x, std::uint32_t) {
+                                               return Rgba{9, 9, std::uint8_t(x < 4 ? 0 : 255), 255};
+                                             }),
+                                     FileFormat::kPng));
   SourceModel model;
   model.path = folder.source("wig.glb").string();
   add_surface(model, "hair");

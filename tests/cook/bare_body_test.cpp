@@ -12,15 +12,19 @@ namespace coif::bare_body_test {
 SourceMesh ball(float open_below, const Eigen::Vector3f& radii = {0.09f, 0.12f, 0.1f}) {
   constexpr int kRings = 24, kSectors = 32;
   const auto at = [&](int ring, int sector) {
-    const float polar = float(M_PI) * float(ring) / kRings, around = 2 * float(M_PI) * float(sector % kSectors) / kSectors;
-    return Eigen::Vector3f(Eigen::Vector3f(0, 1.6f, 0) + radii.cwiseProduct(Eigen::Vector3f(std::sin(polar) * std::sin(around), std::cos(polar), std::sin(polar) * std::cos(around))));
+    const float polar = float(M_PI) * float(ring) / kRings,
+                around = 2 * float(M_PI) * float(sector % kSectors) / kSectors;
+    return Eigen::Vector3f(Eigen::Vector3f(0, 1.6f, 0) +
+                           radii.cwiseProduct(Eigen::Vector3f(std::sin(polar) * std::sin(around), std::cos(polar),
+                                                              std::sin(polar) * std::cos(around))));
   };
   SourceMesh mesh;
   mesh.name = "Mesh_0";
   for (int ring = 0; ring < kRings; ++ring) {
     if (std::cos(M_PI * (ring + 1) / kRings) < double(2 * open_below - 1)) break;
     for (int sector = 0; sector < kSectors; ++sector) {
-      for (const Eigen::Vector3f corner : {at(ring, sector), at(ring + 1, sector), at(ring + 1, sector + 1), at(ring, sector), at(ring + 1, sector + 1), at(ring, sector + 1)}) {
+      for (const Eigen::Vector3f corner : {at(ring, sector), at(ring + 1, sector), at(ring + 1, sector + 1),
+                                           at(ring, sector), at(ring + 1, sector + 1), at(ring, sector + 1)}) {
         mesh.triangles.push_back(std::uint32_t(mesh.positions.size()));
         mesh.positions.push_back(corner);
       }
@@ -46,7 +50,8 @@ std::string refusal_of(const SourceModel& model) {
 TEST(ChooseHair, NoHairIsInventedFromAHeadWhateverItIsCalled) {
   for (const float open_below : {0.0f, 0.12f}) {
     const std::string why = refusal_of(model_of({ball(open_below)}));
-    EXPECT_NE(why.find("there is no hair, only what looks like a body: mesh 'Mesh_0'"), std::string::npos) << open_below << why;
+    EXPECT_NE(why.find("there is no hair, only what looks like a body: mesh 'Mesh_0'"), std::string::npos)
+        << open_below << why;
     EXPECT_NE(why.find("Object > Convert > Mesh"), std::string::npos) << why;
   }
   // In pieces: eyeballs of half a centimetre beside it.

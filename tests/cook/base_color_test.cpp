@@ -30,7 +30,8 @@ SaidColor base_color_of(const SourceModel& model, const Recipe& recipe = default
 
 /// The one warning; else what is wrong.
 std::string only_warning(const SaidColor& color) {
-  return color.warnings.size() == 1 ? std::string(color.warnings[0]) : std::to_string(color.warnings.size()) + " warnings";
+  return color.warnings.size() == 1 ? std::string(color.warnings[0])
+                                    : std::to_string(color.warnings.size()) + " warnings";
 }
 
 bool has_color(const BaseColor& color, const Rgba& wanted) {

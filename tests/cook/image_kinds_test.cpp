@@ -35,9 +35,15 @@ TEST(ImageKinds, KindsThatAreNotReadAreNamedWithTheCommandThatConvertsThem) {
   const struct {
     std::string_view begin;
     const char *name, *command;
-  } kinds[] = {{"\xABKTX 20\xBB\r\n", "KTX2", "ktx extract"},   {"DDS |", "DDS", "convert hair.dds hair.png"},
-               {"8BPS", "Photoshop", "convert hair.psd hair.png"}, {std::string_view("II*\0", 4), "TIFF", "convert hair.tif hair.png"},
-               {"GIF89a", "GIF", "convert hair.gif hair.png"},     {std::string_view("\0\0\0\x1c" "ftypavif", 12), "AVIF", "convert hair.avif"}};
+  } kinds[] = {{"\xABKTX 20\xBB\r\n", "KTX2", "ktx extract"},
+               {"DDS |", "DDS", "convert hair.dds hair.png"},
+               {"8BPS", "Photoshop", "convert hair.psd hair.png"},
+               {std::string_view("II*\0", 4), "TIFF", "convert hair.tif hair.png"},
+               {"GIF89a", "GIF", "convert hair.gif hair.png"},
+               {std::string_view("\0\0\0\x1c"
+                                 "ftypavif",
+                                 12),
+                "AVIF", "convert hair.avif"}};
   for (const auto& kind : kinds) {
     const auto image = decode_image(bytes_of(kind.begin));
     ASSERT_FALSE(image);

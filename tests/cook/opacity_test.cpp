@@ -53,7 +53,8 @@ TEST_F(Opacity, AMapOfTheFileIsTheAlpha) {
   material().opacity_texture.path = "map.png";
   EXPECT_EQ(shown(), (Rgba{200, 30, 20, 60}));
   EXPECT_TRUE(findings_.warnings.empty());
-  const auto told = std::ranges::find_if(findings_.notes, [](const std::string& n) { return n.find("\"opacity\"") != std::string::npos; });
+  const auto told = std::ranges::find_if(
+      findings_.notes, [](const std::string& n) { return n.find("\"opacity\"") != std::string::npos; });
   EXPECT_NE(told, findings_.notes.end()) << "with the key that chooses another";
 }
 
@@ -73,10 +74,12 @@ TEST_F(Opacity, TheFilesChannelAndDirectionHold) {
 }
 
 TEST_F(Opacity, ASmallMapIsInterpolatedOverALargeImage) {
-  folder_.write("map.png", encoded(painted(2, 1, [](std::uint32_t x, std::uint32_t) {
-                                     const std::uint8_t grey = x == 0 ? 0 : 255;
-                                     return Rgba{grey, grey, grey, 255};
-                                   }), FileFormat::kPng));
+  folder_.write("map.png", encoded(painted(2, 1,
+                                           [](std::uint32_t x, std::uint32_t) {
+                                             const std::uint8_t grey = x == 0 ? 0 : 255;
+                                             return Rgba{grey, grey, grey, 255};
+                                           }),
+                                   FileFormat::kPng));
   folder_.write("rgb.png", encoded(flat(64, 64, kRed), FileFormat::kPng));
   material().opacity_texture.path = "map.png";
   const BaseColor color = cooked();

@@ -292,11 +292,13 @@ TEST(Recipe, ATextureIsAPathOrAFileWithAChannel) {
   ASSERT_TRUE(again) << again.error().message;
   EXPECT_EQ(again->opacity_texture.channel, TextureChannel::kGreen);
   EXPECT_TRUE(again->opacity_texture.is_inverted);
-  for (const char* wrong : {R"({"channel": "g"})", R"({"file": "a.png", "channel": "x"})", R"({"file": "a.png", "chanel": "g"})",
-                            R"({"file": 3})", "7", R"({"file": "a.png", "invert": 1})"}) {
+  for (const char* wrong :
+       {R"({"channel": "g"})", R"({"file": "a.png", "channel": "x"})", R"({"file": "a.png", "chanel": "g"})",
+        R"({"file": 3})", "7", R"({"file": "a.png", "invert": 1})"}) {
     const auto refused = opacity_of(wrong);
     ASSERT_FALSE(refused) << wrong;
-    EXPECT_NE(refused.error().message.find("\"textures.opacity\" wants a path, or {\"file\""), std::string::npos) << refused.error().message;
+    EXPECT_NE(refused.error().message.find("\"textures.opacity\" wants a path, or {\"file\""), std::string::npos)
+        << refused.error().message;
   }
 }
 

@@ -3,8 +3,8 @@
 #include "cook/rig/skeleton.h"
 #include "cook/select/hair_evidence.h"
 
-#include <cmath>
 #include <gtest/gtest.h>
+#include <cmath>
 
 namespace coif::select_hair_test {
 

@@ -83,7 +83,8 @@ TEST(StrandLines, HairWithoutTextureCoordinatesHasNone) {
 
 TEST(StrandLines, AMapFromRootToTipSaysWhichEndIsTheRoot) {
   const HairStrips hair = strips_from(hair_from(strip_over({0, 0}, {1, 1})));
-  const auto root_in = [&](const std::function<std::uint8_t(std::uint32_t, std::uint32_t)>& number, const char* said = "auto") {
+  const auto root_in = [&](const std::function<std::uint8_t(std::uint32_t, std::uint32_t)>& number,
+                           const char* said = "auto") {
     Image map{kSide, kSide, 1, {}};
     for (std::uint32_t y = 0; y < kSide; ++y) {
       for (std::uint32_t x = 0; x < kSide; ++x) map.texels.push_back(number(x, y));
@@ -96,7 +97,8 @@ TEST(StrandLines, AMapFromRootToTipSaysWhichEndIsTheRoot) {
   EXPECT_EQ(root_in([](auto, std::uint32_t y) { return std::uint8_t(255 - 2 * y); }), "high_v");
   EXPECT_EQ(root_in([](std::uint32_t x, auto) { return std::uint8_t(2 * x); }), "low_u");
   EXPECT_EQ(root_in([](auto, auto) { return std::uint8_t(90); }), "auto") << "it grows nowhere";
-  EXPECT_EQ(root_in([](auto, std::uint32_t y) { return std::uint8_t(2 * y); }, "high_v"), "high_v") << "the recipe has said it";
+  EXPECT_EQ(root_in([](auto, std::uint32_t y) { return std::uint8_t(2 * y); }, "high_v"), "high_v")
+      << "the recipe has said it";
 }
 
 }  // namespace coif::strand_lines_test

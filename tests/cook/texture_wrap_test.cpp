@@ -31,8 +31,8 @@ class TextureWraps : public testing::Test {
   void expect_shown(const BaseColor& color, float (*sampled)(float)) const {
     ASSERT_TRUE(color.image);
     for (std::size_t t = 0; t < hair_.triangle_count(); ++t) {
-      for (const auto& w : {Eigen::Vector3f(0.34f, 0.33f, 0.33f), Eigen::Vector3f(0.8f, 0.1f, 0.1f), Eigen::Vector3f(0.1f, 0.8f, 0.1f),
-                            Eigen::Vector3f(0.1f, 0.1f, 0.8f)}) {
+      for (const auto& w : {Eigen::Vector3f(0.34f, 0.33f, 0.33f), Eigen::Vector3f(0.8f, 0.1f, 0.1f),
+                            Eigen::Vector3f(0.1f, 0.8f, 0.1f), Eigen::Vector3f(0.1f, 0.1f, 0.8f)}) {
         Eigen::Vector2f was(0, 0), is(0, 0);
         for (std::size_t k = 0; k < 3; ++k) {
           const auto i = Eigen::Index(k);

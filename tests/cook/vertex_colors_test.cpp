@@ -19,7 +19,8 @@ class VertexColors : public testing::Test {
   VertexColors() { model_.path = "wig.glb"; }
 
   /// A surface over the whole of a white image, or of none, whose vertices have the color of where they stand in the texture.
-  SourceMaterial& add(const char* name, bool has_image, const std::function<Eigen::Vector4f(const Eigen::Vector2f&)>& color) {
+  SourceMaterial& add(const char* name, bool has_image,
+                      const std::function<Eigen::Vector4f(const Eigen::Vector2f&)>& color) {
     SourceMaterial& material = add_surface(model_, name);
     if (has_image) {
       model_.images = {{"white", encoded(flat(64, 64, kWhite), FileFormat::kPng)}};
@@ -27,7 +28,8 @@ class VertexColors : public testing::Test {
     }
     SourceMesh& mesh = model_.meshes.back();
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-      mesh.colors.push_back(color(mesh.uvs.empty() ? Eigen::Vector2f(0, float(v) / float(mesh.positions.size() - 1)) : mesh.uvs[v]));
+      mesh.colors.push_back(
+          color(mesh.uvs.empty() ? Eigen::Vector2f(0, float(v) / float(mesh.positions.size() - 1)) : mesh.uvs[v]));
     }
     return material;
   }
@@ -93,7 +95,8 @@ TEST_F(VertexColors, StripsThatShowTheSameTexelsInOtherColorsGetTheirOwn) {
   ASSERT_TRUE(color.image && color.atlas);
   EXPECT_EQ(color.atlas->tiles.size(), 3u);
   EXPECT_TRUE(findings_.warnings.empty()) << findings_.warnings[0];
-  EXPECT_TRUE(std::ranges::any_of(findings_.notes, [](const std::string& n) { return n.find("stored 3 times") != std::string::npos; }));
+  EXPECT_TRUE(std::ranges::any_of(findings_.notes,
+                                  [](const std::string& n) { return n.find("stored 3 times") != std::string::npos; }));
   const std::size_t each = hair_.triangle_count() / 3;
   const double reds[] = {0.1, 0.5, 0.9};
   for (std::size_t t = 0; t < hair_.triangle_count(); ++t) {
@@ -110,7 +113,8 @@ TEST_F(VertexColors, CopiesThatMustBeSmallerAreAWarning) {
   recipe.texture_max_size = 64;
   (void)cooked(recipe);
   ASSERT_EQ(findings_.warnings.size(), 1u);
-  EXPECT_NE(findings_.warnings[0].find("stored 3 times, at 58 % of its size"), std::string::npos) << findings_.warnings[0];
+  EXPECT_NE(findings_.warnings[0].find("stored 3 times, at 58 % of its size"), std::string::npos)
+      << findings_.warnings[0];
 }
 
 TEST_F(VertexColors, StripsThatAgreeShareTheirTexels) {
@@ -150,7 +154,8 @@ TEST_F(VertexColors, WithoutTextureCoordinatesAnImageOfTheColorsShowsThem) {
   model_.meshes.back().uvs.clear();
   (void)cooked();
   const std::vector<Eigen::Vector4f> given = hair_.colors;
-  ASSERT_EQ(given.size(), model_.meshes.back().colors.size()) << "left for later, since coordinates of colours are no places of strands";
+  ASSERT_EQ(given.size(), model_.meshes.back().colors.size())
+      << "left for later, since coordinates of colours are no places of strands";
   BaseColor color;
   keep_vertex_colors(1024, color, hair_, findings_);
   ASSERT_TRUE(color.image && color.is_of_vertex_colors);

@@ -81,9 +81,15 @@ std::string small_lines() {
 
 void write_fbx_objects(const fs::path& folder) {
   write(folder / "text.fbx", test::text_fbx({{1, "group", 0, "", "LodGroup"},
-                                             {2, "fine", 1, test::fbx_property("Visibility", "Visibility", 1), "Mesh", {{"Longer", 50}, {"Wide", 20, 2, "25,100"}}},
+                                             {2,
+                                              "fine",
+                                              1,
+                                              test::fbx_property("Visibility", "Visibility", 1),
+                                              "Mesh",
+                                              {{"Longer", 50}, {"Wide", 20, 2, "25,100"}}},
                                              {3, "coarse", 1, test::fbx_property("Visibility", "Visibility", 0)}}));
-  for (const std::uint32_t version : {7400u, 7500u}) write(folder / fmt::format("binary_{}.fbx", version), test::small_binary_fbx(version));
+  for (const std::uint32_t version : {7400u, 7500u})
+    write(folder / fmt::format("binary_{}.fbx", version), test::small_binary_fbx(version));
 }
 
 void write_grooms(const fs::path& folder) {

@@ -23,7 +23,8 @@ class ExportedSurfaces : public testing::Test {
   }
 
   static const SourceMesh& hair_of(const SourceModel& model) {
-    const auto hair = std::ranges::find_if(model.meshes, [](const SourceMesh& mesh) { return mesh.name.starts_with("Hair"); });
+    const auto hair =
+        std::ranges::find_if(model.meshes, [](const SourceMesh& mesh) { return mesh.name.starts_with("Hair"); });
     return hair == model.meshes.end() ? model.meshes.front() : *hair;
   }
 
@@ -61,7 +62,8 @@ TEST_F(ExportedSurfaces, OpacityTexturesAreTheFilesOwn) {
   for (const char* file : {"blender/b13_separate_alpha.fbx", "blender/b13_separate_alpha.obj", "obj/mapd.obj"}) {
     const SourceModel model = import_or_fail(kExported / file);
     const SourceMaterial& material = model.materials.at(hair_of(model).material);
-    EXPECT_NE(material.opacity_texture.path.find("alpha.png"), std::string::npos) << file << ": " << material.opacity_texture.path;
+    EXPECT_NE(material.opacity_texture.path.find("alpha.png"), std::string::npos)
+        << file << ": " << material.opacity_texture.path;
     EXPECT_EQ(material.alpha_use, AlphaUse::kBlend) << file;
   }
 }

@@ -17,19 +17,23 @@ std::string bytes_of_number(Number number) {
 template <class Number>
 std::string plain_array(char type, const std::vector<Number>& numbers) {
   std::string out(1, type);
-  out += bytes_of_number(std::uint32_t(numbers.size())) + bytes_of_number(std::uint32_t{0}) + bytes_of_number(std::uint32_t(numbers.size() * sizeof(Number)));
+  out += bytes_of_number(std::uint32_t(numbers.size())) + bytes_of_number(std::uint32_t{0}) +
+         bytes_of_number(std::uint32_t(numbers.size() * sizeof(Number)));
   for (const Number number : numbers) out += bytes_of_number(number);
   return out;
 }
 
-std::string size_bytes(std::uint64_t size, bool is_wide) { return is_wide ? bytes_of_number(size) : bytes_of_number(std::uint32_t(size)); }
+std::string size_bytes(std::uint64_t size, bool is_wide) {
+  return is_wide ? bytes_of_number(size) : bytes_of_number(std::uint32_t(size));
+}
 std::string zeros(bool is_wide) { return std::string(is_wide ? 25 : 13, '\0'); }
 
 void append_record(const FbxTree& record, bool is_wide, std::string& out) {
   std::string values;
   for (const std::string& value : record.values) values += value;
   const std::size_t begin = out.size(), size_width = is_wide ? 8 : 4;
-  out += size_bytes(0, is_wide) + size_bytes(record.values.size(), is_wide) + size_bytes(values.size(), is_wide) + char(record.name.size()) + record.name + values;
+  out += size_bytes(0, is_wide) + size_bytes(record.values.size(), is_wide) + size_bytes(values.size(), is_wide) +
+         char(record.name.size()) + record.name + values;
   for (const FbxTree& inner : record.records) append_record(inner, is_wide, out);
   if (!record.records.empty()) out += zeros(is_wide);
   out.replace(begin, size_width, size_bytes(out.size(), is_wide));
@@ -44,8 +48,11 @@ void append_keys(const FbxModel& model, std::string& objects, std::string& conne
   int number = 1000 * model.id + 100000;
   for (const FbxKey& key : model.keys) {
     const int channel = number++;
-    objects += fmt::format("  Deformer: {}, \"SubDeformer::{}\", \"BlendShapeChannel\" {{\n    Version: 100\n    DeformPercent: {}\n", channel, key.name, key.percent);
-    if (!key.full_weights.empty()) objects += fmt::format("    FullWeights: *{} {{\n      a: {}\n    }}\n", key.shapes, key.full_weights);
+    objects += fmt::format(
+        "  Deformer: {}, \"SubDeformer::{}\", \"BlendShapeChannel\" {{\n    Version: 100\n    DeformPercent: {}\n",
+        channel, key.name, key.percent);
+    if (!key.full_weights.empty())
+      objects += fmt::format("    FullWeights: *{} {{\n      a: {}\n    }}\n", key.shapes, key.full_weights);
     objects += "  }\n";
     connections += fmt::format("  C: \"OO\",{},{}\n", channel, deformer);
     for (int shape = 1; shape <= key.shapes; ++shape) {
@@ -61,7 +68,8 @@ void append_keys(const FbxModel& model, std::string& objects, std::string& conne
       a: 0,0,0
     }}
   }}
-)", number, 10 * shape);
+)",
+                             number, 10 * shape);
       connections += fmt::format("  C: \"OO\",{},{}\n", number++, channel);
     }
   }
@@ -77,10 +85,13 @@ std::string fbx_doubles(const std::vector<double>& values) { return plain_array(
 std::string fbx_ints(const std::vector<std::int32_t>& values) { return plain_array('i', values); }
 
 std::string fbx_packed_array(char type, std::uint32_t count, const std::string& bytes) {
-  return std::string(1, type) + bytes_of_number(count) + bytes_of_number(std::uint32_t{1}) + bytes_of_number(std::uint32_t(bytes.size())) + bytes;
+  return std::string(1, type) + bytes_of_number(count) + bytes_of_number(std::uint32_t{1}) +
+         bytes_of_number(std::uint32_t(bytes.size())) + bytes;
 }
 
-std::string fbx_name(const std::string& name, const std::string& of) { return fbx_text(name + std::string("\0\1", 2) + of); }
+std::string fbx_name(const std::string& name, const std::string& of) {
+  return fbx_text(name + std::string("\0\1", 2) + of);
+}
 
 std::string binary_fbx(std::uint32_t version, const std::vector<FbxTree>& records) {
   const bool is_wide = version >= 7500;
@@ -90,19 +101,28 @@ std::string binary_fbx(std::uint32_t version, const std::vector<FbxTree>& record
 }
 
 std::string small_binary_fbx(std::uint32_t version) {
-  const FbxTree hidden{"P", {fbx_text("Visibility"), fbx_text("Visibility"), fbx_text(""), fbx_text("A"), fbx_double(0)}, {}};
-  const auto object = [](const char* record, std::int64_t id, const char* name, const char* of, const char* kind, std::vector<FbxTree> inner) {
+  const FbxTree hidden{
+      "P", {fbx_text("Visibility"), fbx_text("Visibility"), fbx_text(""), fbx_text("A"), fbx_double(0)}, {}};
+  const auto object = [](const char* record, std::int64_t id, const char* name, const char* of, const char* kind,
+                         std::vector<FbxTree> inner) {
     return FbxTree{record, {fbx_long(id), fbx_name(name, of), fbx_text(kind)}, std::move(inner)};
   };
-  const auto connection = [](std::int64_t from, std::int64_t to) { return FbxTree{"C", {fbx_text("OO"), fbx_long(from), fbx_long(to)}, {}}; };
+  const auto connection = [](std::int64_t from, std::int64_t to) {
+    return FbxTree{"C", {fbx_text("OO"), fbx_long(from), fbx_long(to)}, {}};
+  };
   return binary_fbx(
-      version, {{"Objects", {}, {object("Model", 1, "Hair", "Model", "LodGroup", {{"Properties70", {}, {hidden}}}),
-                                 object("Geometry", 2, "", "Geometry", "Mesh", {{"Vertices", {fbx_doubles({0, 0, 0})}, {}}}),
-                                 object("Deformer", 3, "", "Deformer", "BlendShape", {}),
-                                 object("Deformer", 4, "Long", "SubDeformer", "BlendShapeChannel",
-                                        {{"DeformPercent", {fbx_double(50)}, {}}, {"FullWeights", {fbx_doubles({25, 75})}, {}}}),
-                                 object("Geometry", 5, "a", "Geometry", "Shape", {}), object("Geometry", 6, "b", "Geometry", "Shape", {})}},
-                {"Connections", {}, {connection(2, 1), connection(3, 2), connection(4, 3), connection(5, 4), connection(6, 4), connection(1, 0)}}});
+      version,
+      {{"Objects",
+        {},
+        {object("Model", 1, "Hair", "Model", "LodGroup", {{"Properties70", {}, {hidden}}}),
+         object("Geometry", 2, "", "Geometry", "Mesh", {{"Vertices", {fbx_doubles({0, 0, 0})}, {}}}),
+         object("Deformer", 3, "", "Deformer", "BlendShape", {}),
+         object("Deformer", 4, "Long", "SubDeformer", "BlendShapeChannel",
+                {{"DeformPercent", {fbx_double(50)}, {}}, {"FullWeights", {fbx_doubles({25, 75})}, {}}}),
+         object("Geometry", 5, "a", "Geometry", "Shape", {}), object("Geometry", 6, "b", "Geometry", "Shape", {})}},
+       {"Connections",
+        {},
+        {connection(2, 1), connection(3, 2), connection(4, 3), connection(5, 4), connection(6, 4), connection(1, 0)}}});
 }
 
 std::string fbx_property(const std::string& name, const std::string& type, double value) {

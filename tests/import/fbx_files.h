@@ -44,7 +44,7 @@ struct FbxKey {
 struct FbxModel {
   int id = 0;  ///< From 1 to 99.
   std::string name;
-  int parent = 0;          ///< 0: the scene.
+  int parent = 0;               ///< 0: the scene.
   std::string properties = {};  ///< Lines of Properties70.
   std::string model_class = "Mesh";
   std::vector<FbxKey> keys = {};

@@ -17,10 +17,13 @@ namespace coif::fbx_objects_test {
 TEST(FbxObjectsOf, ShapesConnectedCrosswiseAreLeftOut) {
   std::string objects = "Geometry: 1, \"Geometry::\", \"Mesh\" {\n}\n", connections;
   for (int i = 0; i < 100; ++i) {
-    objects += fmt::format("Deformer: {}, \"\", \"BlendShape\" {{\n}}\nDeformer: {}, \"\", \"BlendShapeChannel\" {{\n}}\nGeometry: {}, \"\", \"Shape\" {{\n}}\n",
-                           100 + i, 200 + i, 300 + i);
+    objects += fmt::format(
+        "Deformer: {}, \"\", \"BlendShape\" {{\n}}\nDeformer: {}, \"\", \"BlendShapeChannel\" {{\n}}\nGeometry: {}, "
+        "\"\", \"Shape\" {{\n}}\n",
+        100 + i, 200 + i, 300 + i);
     connections += fmt::format("C: \"OO\",{},1\n", 100 + i);
-    for (int k = 0; k < 100; ++k) connections += fmt::format("C: \"OO\",{},{}\nC: \"OO\",{},{}\n", 200 + k, 100 + i, 300 + k, 200 + i);
+    for (int k = 0; k < 100; ++k)
+      connections += fmt::format("C: \"OO\",{},{}\nC: \"OO\",{},{}\n", 200 + k, 100 + i, 300 + k, 200 + i);
   }
   const std::string file = "Objects: {\n" + objects + "}\nConnections: {\n" + connections + "}\n";
   const auto read = FbxObjects::read(file);
@@ -47,7 +50,8 @@ TEST(FbxObjectsOf, BinaryFilesSayTheSame) {
 }
 
 TEST(FbxObjectsOf, OfObjectsWithOneIdTheLastCounts) {
-  const auto read = FbxObjects::read("Objects: {\nModel: 1, \"Model::a\", \"Mesh\" {\n}\nModel: 1, \"Model::b\", \"Mesh\" {\n}\n}\n");
+  const auto read =
+      FbxObjects::read("Objects: {\nModel: 1, \"Model::a\", \"Mesh\" {\n}\nModel: 1, \"Model::b\", \"Mesh\" {\n}\n}\n");
   ASSERT_TRUE(read);
   EXPECT_EQ(read->find(1)->name, "b");
 }

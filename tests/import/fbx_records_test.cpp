@@ -1,8 +1,8 @@
 // The walker of FBX records: both encodings, and files that lie.
 
+#include "import/fbx_records.h"
 #include "import/fbx_files.h"
 #include "import/fbx_objects.h"
-#include "import/fbx_records.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,8 @@ using test::FbxTree;
 
 std::string text_of_value(const FbxValue& value) {
   if (value.kind == FbxValue::Kind::kNumber) return fmt::format("{}|{:g}", value.whole, value.number);
-  return value.kind == FbxValue::Kind::kText ? fmt::format("'{}'", value.text) : fmt::format("array of {} bytes", value.text.size());
+  return value.kind == FbxValue::Kind::kText ? fmt::format("'{}'", value.text)
+                                             : fmt::format("array of {} bytes", value.text.size());
 }
 
 struct Walked {
@@ -42,8 +43,12 @@ Walked walk(const std::string& file, const std::string& closed = "") {
 }
 
 std::vector<FbxTree> small_file() {
-  return {{"Objects", {}, {{"Model", {test::fbx_long(7000000000), test::fbx_text("Hair"), test::fbx_text("Mesh")}, {{"Version", {test::fbx_int32(232)}, {}}}},
-                           {"Empty", {}, {}}}},
+  return {{"Objects",
+           {},
+           {{"Model",
+             {test::fbx_long(7000000000), test::fbx_text("Hair"), test::fbx_text("Mesh")},
+             {{"Version", {test::fbx_int32(232)}, {}}}},
+            {"Empty", {}, {}}}},
           {"Connections", {}, {{"C", {test::fbx_text("OO"), test::fbx_long(7000000000), test::fbx_double(0.5)}, {}}}}};
 }
 
@@ -60,9 +65,11 @@ Connections: {C: "OO",7000000000,
 )";
 
 TEST(FbxRecords, BinaryFilesAndTextsOfAllVersionsGiveTheSame) {
-  const std::vector<std::string> expected{"0 Objects", "1 Model 7000000000|7e+09 'Hair' 'Mesh'", "2 Version 232|232", "1 Empty", "0 Connections",
-                                          "1 C 'OO' 7000000000|7e+09 0|0.5"};
-  for (const std::string& file : {binary_fbx(7400, small_file()), binary_fbx(7500, small_file()), binary_fbx(7700, small_file()), std::string(kSmallText)}) {
+  const std::vector<std::string> expected{"0 Objects",         "1 Model 7000000000|7e+09 'Hair' 'Mesh'",
+                                          "2 Version 232|232", "1 Empty",
+                                          "0 Connections",     "1 C 'OO' 7000000000|7e+09 0|0.5"};
+  for (const std::string& file : {binary_fbx(7400, small_file()), binary_fbx(7500, small_file()),
+                                  binary_fbx(7700, small_file()), std::string(kSmallText)}) {
     const Walked walked = walk(file);
     EXPECT_TRUE(walked.is_whole);
     EXPECT_EQ(walked.records, expected);
@@ -70,20 +77,26 @@ TEST(FbxRecords, BinaryFilesAndTextsOfAllVersionsGiveTheSame) {
 }
 
 TEST(FbxRecords, WhatIsNotEnteredIsPassedOver) {
-  for (const std::string& file : {binary_fbx(7400, small_file()), binary_fbx(7500, small_file()), std::string(kSmallText)}) {
+  for (const std::string& file :
+       {binary_fbx(7400, small_file()), binary_fbx(7500, small_file()), std::string(kSmallText)}) {
     EXPECT_EQ(walk(file, "Model").records.size(), 5u);
     EXPECT_EQ(walk(file, "Objects").records.size(), 3u);
   }
 }
 
 TEST(FbxRecords, NumbersOfEveryTypeAreRead) {
-  const Walked walked = walk(binary_fbx(7400, {{"A", {std::string("C\1", 2), std::string("Y\xff\xff", 3), test::fbx_int32(-3), test::fbx_long(-4), test::fbx_double(1e300),
-                                                     std::string("F\0\0\x80\x3f", 5)}, {}}}));
+  const Walked walked =
+      walk(binary_fbx(7400, {{"A",
+                              {std::string("C\1", 2), std::string("Y\xff\xff", 3), test::fbx_int32(-3),
+                               test::fbx_long(-4), test::fbx_double(1e300), std::string("F\0\0\x80\x3f", 5)},
+                              {}}}));
   EXPECT_EQ(walked.records, std::vector<std::string>{"0 A 1|1 -1|-1 -3|-3 -4|-4 0|1e+300 1|1"});
 }
 
 TEST(FbxRecords, ArraysArePassedOverAndPlainDoublesHandedOut) {
-  const Walked walked = walk(binary_fbx(7400, {{"A", {test::fbx_doubles({1, 2}), test::fbx_packed_array('d', 1u << 31, "junk"), test::fbx_int32(5)}, {}}}));
+  const Walked walked = walk(binary_fbx(
+      7400,
+      {{"A", {test::fbx_doubles({1, 2}), test::fbx_packed_array('d', 1u << 31, "junk"), test::fbx_int32(5)}, {}}}));
   EXPECT_TRUE(walked.is_whole);
   EXPECT_EQ(walked.records, std::vector<std::string>{"0 A array of 16 bytes array of 0 bytes 5|5"});
 }
@@ -101,7 +114,8 @@ TEST(FbxRecords, ValuesBeyondTheFirstEightArePassedOver) {
 }
 
 TEST(FbxRecords, EveryTruncationEndsAndInventsNothing) {
-  for (const std::string& good : {binary_fbx(7400, small_file()), binary_fbx(7500, small_file()), std::string(kSmallText)}) {
+  for (const std::string& good :
+       {binary_fbx(7400, small_file()), binary_fbx(7500, small_file()), std::string(kSmallText)}) {
     const std::size_t whole_count = walk(good).records.size();
     std::size_t refused = 0;
     for (std::size_t size = 0; size < good.size(); ++size) {
@@ -116,7 +130,8 @@ TEST(FbxRecords, EveryTruncationEndsAndInventsNothing) {
 TEST(FbxRecords, RandomDamageNeverHangsOrReadsBeyondTheFile) {
   std::mt19937 random(5);
   std::size_t refused = 0;
-  for (const std::string& good : {binary_fbx(7400, small_file()), binary_fbx(7500, small_file()), std::string(kSmallText)}) {
+  for (const std::string& good :
+       {binary_fbx(7400, small_file()), binary_fbx(7500, small_file()), std::string(kSmallText)}) {
     for (int round = 0; round < 20000; ++round) {
       std::string bad = good;
       for (int i = 0; i < 1 + round % 4; ++i) bad[random() % bad.size()] = char(random());
@@ -159,7 +174,8 @@ TEST(FbxRecords, DepthIsLimitedInBothEncodings) {
 }
 
 TEST(FbxRecords, WhatIsNoFbxIsRefused) {
-  for (const char* const text : {"", "hello", "{", "}", "A: {", "A: }", "A: \"open", "1, 2", ": 3", "{\"asset\": {}}"}) {
+  for (const char* const text :
+       {"", "hello", "{", "}", "A: {", "A: }", "A: \"open", "1, 2", ": 3", "{\"asset\": {}}"}) {
     EXPECT_FALSE(walk(text).is_whole) << text;
   }
 }

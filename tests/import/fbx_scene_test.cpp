@@ -29,9 +29,12 @@ std::string vector_property(const char* name, int x, int y, int z) {
 
 class FbxScene : public testing::Test {
  protected:
-  SourceModel model_of(const std::vector<FbxModel>& models) { return import_or_fail(folder_.write("m.fbx", test::text_fbx(models))); }
+  SourceModel model_of(const std::vector<FbxModel>& models) {
+    return import_or_fail(folder_.write("m.fbx", test::text_fbx(models)));
+  }
   static const SourceMesh& mesh_on(const SourceModel& model, const std::string& node) {
-    return *std::ranges::find_if(model.meshes, [&](const SourceMesh& mesh) { return model.nodes[mesh.node].name == node; });
+    return *std::ranges::find_if(model.meshes,
+                                 [&](const SourceMesh& mesh) { return model.nodes[mesh.node].name == node; });
   }
   TemporaryFolder folder_;
 };
@@ -44,29 +47,32 @@ TEST_F(FbxScene, AGeometricTransformMovesItsMeshAlone) {
 }
 
 TEST_F(FbxScene, AMeshHasItsOwnPivotBesideItsParents) {
-  const SourceModel model =
-      model_of({{20, "head", 0, vector_property("Lcl Translation", 10, 0, 0) + vector_property("GeometricTranslation", 0, 5, 0)},
-                {21, "hair", 20, vector_property("Lcl Translation", 0, 1, 0) + vector_property("GeometricTranslation", 0, 0, -2)}});
+  const SourceModel model = model_of(
+      {{20, "head", 0, vector_property("Lcl Translation", 10, 0, 0) + vector_property("GeometricTranslation", 0, 5, 0)},
+       {21, "hair", 20,
+        vector_property("Lcl Translation", 0, 1, 0) + vector_property("GeometricTranslation", 0, 0, -2)}});
   EXPECT_TRUE(mesh_on(model, "head").positions[2].isApprox(Eigen::Vector3f(10, 7, 3), 1e-5f));
   EXPECT_TRUE(mesh_on(model, "hair").positions[2].isApprox(Eigen::Vector3f(10, 3, 1), 1e-5f));
 }
 
 TEST_F(FbxScene, ATurnIsAboutTheRotationPivotForChildrenToo) {
-  const SourceModel model = model_of(
-      {{20, "head", 0, vector_property("Lcl Rotation", 0, 0, 180) + vector_property("RotationPivot", 1, 0, 0)}, {21, "hair", 20, ""}});
+  const SourceModel model =
+      model_of({{20, "head", 0, vector_property("Lcl Rotation", 0, 0, 180) + vector_property("RotationPivot", 1, 0, 0)},
+                {21, "hair", 20, ""}});
   for (const char* const name : {"head", "hair"}) {
     EXPECT_TRUE(mesh_on(model, name).positions[2].isApprox(Eigen::Vector3f(2, -2, 3), 1e-5f)) << name;
   }
-  EXPECT_TRUE(std::ranges::none_of(model.nodes, [](const SourceNode& node) { return node.name.find('$') != std::string::npos; }));
+  EXPECT_TRUE(std::ranges::none_of(model.nodes,
+                                   [](const SourceNode& node) { return node.name.find('$') != std::string::npos; }));
 }
 
 TEST_F(FbxScene, HiddenMeshesAndAllBelowAreLeftOut) {
-  const SourceModel model = model_of({{20, "shown", 0, ""},
-                                      {21, "off", 0, "P: \"Show\", \"bool\", \"\", \"\",0\n"},
-                                      {22, "below", 21, ""}});
+  const SourceModel model =
+      model_of({{20, "shown", 0, ""}, {21, "off", 0, "P: \"Show\", \"bool\", \"\", \"\",0\n"}, {22, "below", 21, ""}});
   ASSERT_EQ(model.meshes.size(), 1u);
   EXPECT_EQ(model.nodes[model.meshes[0].node].name, "shown");
-  EXPECT_TRUE(std::ranges::any_of(model.warnings, [](const std::string& text) { return text.find("'off', 'below'") != std::string::npos; }));
+  EXPECT_TRUE(std::ranges::any_of(
+      model.warnings, [](const std::string& text) { return text.find("'off', 'below'") != std::string::npos; }));
 }
 
 TEST_F(FbxScene, OfLevelsOfDetailTheFinestIsKept) {
@@ -91,19 +97,24 @@ TEST_F(FbxScene, VisibilityOfZeroHidesAModelAndAllBelow) {
                                       {23, "group", 20, fbx_property("Visibility", "Visibility", 0), "Null"},
                                       {24, "in group", 23, ""}});
   EXPECT_EQ(shown_nodes(model), Names{"shown"});
-  EXPECT_TRUE(warns(model, "3 meshes left out, since the file hides them: 'in group', 'off', 'below'")) << warnings_of(model);
+  EXPECT_TRUE(warns(model, "3 meshes left out, since the file hides them: 'in group', 'off', 'below'"))
+      << warnings_of(model);
 }
 
 TEST_F(FbxScene, AModelThatDoesNotInheritVisibilityIsShownBelowAHiddenOne) {
-  const SourceModel model = model_of({{20, "off", 0, fbx_property("Visibility", "Visibility", 0)},
-                                      {21, "hair", 20, fbx_property("Visibility Inheritance", "Visibility Inheritance", 0)}});
+  const SourceModel model =
+      model_of({{20, "off", 0, fbx_property("Visibility", "Visibility", 0)},
+                {21, "hair", 20, fbx_property("Visibility Inheritance", "Visibility Inheritance", 0)}});
   EXPECT_EQ(shown_nodes(model), Names{"hair"});
 }
 
 TEST_F(FbxScene, AmongModelsOfOneNameTheHiddenOneIsLeftOut) {
   for (const int hidden : {0, 1, 2}) {
     std::vector<FbxModel> models;
-    for (int i = 0; i < 3; ++i) models.push_back({20 + i, "hair", 0, vector_property("Lcl Translation", i, 0, 0) + fbx_property("Visibility", "Visibility", i == hidden ? 0 : 1)});
+    for (int i = 0; i < 3; ++i)
+      models.push_back({20 + i, "hair", 0,
+                        vector_property("Lcl Translation", i, 0, 0) +
+                            fbx_property("Visibility", "Visibility", i == hidden ? 0 : 1)});
     const SourceModel model = model_of(models);
     ASSERT_EQ(model.meshes.size(), 2u);
     for (const SourceMesh& mesh : model.meshes) EXPECT_NE(mesh.positions[0].x(), float(hidden));
@@ -111,22 +122,26 @@ TEST_F(FbxScene, AmongModelsOfOneNameTheHiddenOneIsLeftOut) {
 }
 
 TEST_F(FbxScene, AHiddenModelWithPivotsIsFoundToo) {
-  const SourceModel model = model_of({{20, "hair", 0, ""},
-                                      {21, "off", 0, vector_property("RotationPivot", 1, 0, 0) + vector_property("GeometricTranslation", 0, 5, 0) +
-                                                         vector_property("Lcl Rotation", 0, 0, 90) + fbx_property("Visibility", "Visibility", 0)},
-                                      {22, "below", 21, ""}});
+  const SourceModel model =
+      model_of({{20, "hair", 0, ""},
+                {21, "off", 0,
+                 vector_property("RotationPivot", 1, 0, 0) + vector_property("GeometricTranslation", 0, 5, 0) +
+                     vector_property("Lcl Rotation", 0, 0, 90) + fbx_property("Visibility", "Visibility", 0)},
+                {22, "below", 21, ""}});
   EXPECT_EQ(shown_nodes(model), Names{"hair"});
 }
 
 TEST_F(FbxScene, ADisplayLayerThatIsOffHidesItsModels) {
   for (const int show : {0, 1}) {
     std::string file = test::text_fbx({{20, "hair", 0, ""}, {21, "old hair", 0, ""}});
-    file.insert(file.find("Objects:  {\n") + 12, fmt::format(R"(  CollectionExclusive: 70, "DisplayLayer::layer1", "DisplayLayer" {{
+    file.insert(file.find("Objects:  {\n") + 12,
+                fmt::format(R"(  CollectionExclusive: 70, "DisplayLayer::layer1", "DisplayLayer" {{
     Properties70:  {{
       P: "Show", "bool", "", "",{}
     }}
   }}
-)", show));
+)",
+                            show));
     file.insert(file.find("Connections:  {\n") + 16, "  C: \"OO\",21,70\n");
     const SourceModel model = import_or_fail(folder_.write("m.fbx", file));
     EXPECT_EQ(shown_nodes(model), show == 0 ? Names{"hair"} : (Names{"hair", "old hair"}));
@@ -144,7 +159,8 @@ TEST_F(FbxScene, AFileWhoseRecordsCannotBeReadIsReadAsAssimpReadsIt) {
 }
 
 TEST_F(FbxScene, AFileThatHidesEveryMeshIsRefusedForThat) {
-  const auto model = import_model(folder_.write("m.fbx", test::text_fbx({{20, "hair", 0, fbx_property("Visibility", "Visibility", 0)}})));
+  const auto model = import_model(
+      folder_.write("m.fbx", test::text_fbx({{20, "hair", 0, fbx_property("Visibility", "Visibility", 0)}})));
   ASSERT_FALSE(model);
   EXPECT_NE(model.error().message.find("hides all of its meshes"), std::string::npos) << model.error().message;
 }
@@ -160,11 +176,16 @@ TEST_F(FbxScene, OfALodGroupTheFirstChildWithAMeshIsKeptWhateverItsName) {
                                       {27, "below", 26, ""},
                                       {28, "other", 0, ""}});
   EXPECT_EQ(shown_nodes(model), (Names{"strands", "bun", "other"}));
-  EXPECT_TRUE(warns(model, "2 meshes left out as coarser levels of detail of what is there in a finer one: 'coarse', 'below'")) << warnings_of(model);
+  EXPECT_TRUE(
+      warns(model, "2 meshes left out as coarser levels of detail of what is there in a finer one: 'coarse', 'below'"))
+      << warnings_of(model);
 }
 
 TEST_F(FbxScene, TheFinestLevelIsTheFirstThatIsShown) {
-  const SourceModel model = model_of({{20, "group", 0, "", "LodGroup"}, {21, "a", 20, fbx_property("Visibility", "Visibility", 0)}, {22, "b", 20, ""}, {23, "c", 20, ""}});
+  const SourceModel model = model_of({{20, "group", 0, "", "LodGroup"},
+                                      {21, "a", 20, fbx_property("Visibility", "Visibility", 0)},
+                                      {22, "b", 20, ""},
+                                      {23, "c", 20, ""}});
   EXPECT_EQ(shown_nodes(model), Names{"b"});
 }
 
@@ -173,7 +194,10 @@ float third_corner(const SourceModel& model) { return model.meshes.at(0).positio
 TEST_F(FbxScene, AShapeKeyThatIsOnIsPartOfTheShape) {
   const SourceModel model = model_of({{20, "hair", 0, "", "Mesh", {{"off", 0}, {"Longer", 50}, {"Wide", 10}}}});
   EXPECT_FLOAT_EQ(third_corner(model), 5 + 1);
-  EXPECT_TRUE(warns(model, "mesh 'hair': shape keys are on ('Longer' at 0.5, 'Wide' at 0.1) and are part of the hair's shape; turn them off")) << warnings_of(model);
+  EXPECT_TRUE(warns(model,
+                    "mesh 'hair': shape keys are on ('Longer' at 0.5, 'Wide' at 0.1) and are part of the hair's shape; "
+                    "turn them off"))
+      << warnings_of(model);
 }
 
 TEST_F(FbxScene, ShapeKeysThatAreOffChangeNothing) {
@@ -200,12 +224,19 @@ TEST_F(FbxScene, EachInstanceOfAMeshHasItsShapeKeys) {
   const SourceModel model = import_or_fail(folder_.write("m.fbx", file));
   ASSERT_EQ(model.meshes.size(), 2u);
   for (const SourceMesh& mesh : model.meshes) EXPECT_FLOAT_EQ(mesh.positions.at(2).x(), 10);
-  EXPECT_EQ(std::ranges::count_if(model.warnings, [](const std::string& text) { return text.find("shape keys") != std::string::npos; }), 1);
+  EXPECT_EQ(std::ranges::count_if(model.warnings,
+                                  [](const std::string& text) { return text.find("shape keys") != std::string::npos; }),
+            1);
 }
 
 TEST_F(FbxScene, DamagedFilesGiveAModelOrAnErrorOfTheFile) {
   const std::string good = test::text_fbx({{20, "group", 0, "", "LodGroup"},
-                                           {21, "fine", 20, fbx_property("Visibility", "Visibility", 1), "Mesh", {{"Longer", 50}, {"Wide", 20, 2, "25,100"}}},
+                                           {21,
+                                            "fine",
+                                            20,
+                                            fbx_property("Visibility", "Visibility", 1),
+                                            "Mesh",
+                                            {{"Longer", 50}, {"Wide", 20, 2, "25,100"}}},
                                            {22, "coarse", 20, fbx_property("Visibility", "Visibility", 0)}});
   std::mt19937 random(7);
   std::size_t read = 0, refused = 0;

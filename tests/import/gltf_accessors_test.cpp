@@ -21,8 +21,9 @@ using test::Storage;
 using test::TemporaryFolder;
 
 std::string name_of(const Storage& storage) {
-  return fmt::format("component {}{}, {} bytes between, {}{}", storage.component, storage.normalized ? " normalized" : "", storage.padding,
-                     storage.sparse ? "sparse" : "in a view", storage.meshopt ? ", compressed" : "");
+  return fmt::format("component {}{}, {} bytes between, {}{}", storage.component,
+                     storage.normalized ? " normalized" : "", storage.padding, storage.sparse ? "sparse" : "in a view",
+                     storage.meshopt ? ", compressed" : "");
 }
 
 /// Each component type, normalized and not, tight and apart, sparse and compressed.
@@ -103,13 +104,15 @@ TEST_F(GltfAccessors, ColoursWithoutAlphaAreOpaque) {
 TEST_F(GltfAccessors, WeightsOfAnyKindHoldTheSameVertices) {
   const std::vector<float> joints{0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
   const std::vector<float> weights{0.6f, 0.4f, 0, 0, 0.2f, 0.8f, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
-  for (const Storage& stored_weights : {Storage{5126}, Storage{5121, true}, Storage{5123, true}, Storage{5121, true, 4}, compressed(5121, true, 4)}) {
+  for (const Storage& stored_weights :
+       {Storage{5126}, Storage{5121, true}, Storage{5123, true}, Storage{5121, true, 4}, compressed(5121, true, 4)}) {
     for (const Storage& stored_joints : {Storage{5121}, Storage{5123}}) {
       SCOPED_TRACE(name_of(stored_weights));
       GltfBuilder file;
       file.attribute("JOINTS_0", joints, "VEC4", stored_joints).attribute("WEIGHTS_0", weights, "VEC4", stored_weights);
       // Both joints have one name, which says nothing: the skin's list does.
-      file.document["nodes"] = {{{"name", "strip"}, {"mesh", 0}, {"skin", 0}}, {{"name", "bone"}, {"children", {2}}}, {{"name", "bone"}}};
+      file.document["nodes"] = {
+          {{"name", "strip"}, {"mesh", 0}, {"skin", 0}}, {{"name", "bone"}, {"children", {2}}}, {{"name", "bone"}}};
       file.document["scenes"][0]["nodes"] = {0, 1};
       file.document["skins"] = {{{"joints", {1, 2}}}};
       const SourceModel model = import_or_fail(file.write(folder_));
@@ -131,7 +134,8 @@ TEST_F(GltfAccessors, OfSkinsWithMoreThanFourBonesAVertexAllCount) {
   for (std::size_t v = 0; v < 4; ++v) half[4 * v] = 0.5f;
   file.attribute("JOINTS_0", first, "VEC4", {.component = 5121}).attribute("WEIGHTS_0", half, "VEC4");
   file.attribute("JOINTS_1", second, "VEC4", {.component = 5121}).attribute("WEIGHTS_1", half, "VEC4");
-  file.document["nodes"] = {{{"name", "strip"}, {"mesh", 0}, {"skin", 0}}, {{"name", "a"}, {"children", {2}}}, {{"name", "b"}}};
+  file.document["nodes"] = {
+      {{"name", "strip"}, {"mesh", 0}, {"skin", 0}}, {{"name", "a"}, {"children", {2}}}, {{"name", "b"}}};
   file.document["scenes"][0]["nodes"] = {0, 1};
   file.document["skins"] = {{{"joints", {1, 2}}}};
   EXPECT_EQ(mesh_of(file).influences.size(), 8u);
@@ -144,8 +148,13 @@ TEST_F(GltfAccessors, WhatIsCutOffOrOfUnlikeLengthIsRefusedByName) {
     const auto model = import_model(file.write(folder_));
     return model ? std::string("read") : model.error().message;
   };
-  EXPECT_NE(message_of([](GltfBuilder& f) { f.document["accessors"][0]["count"] = 5; }).find("POSITION: accessor 0 is cut off"), std::string::npos);
-  EXPECT_NE(message_of([](GltfBuilder& f) { f.document["accessors"][2]["count"] = 3; }).find("TEXCOORD_0: there are 3 of them, and 4 positions"),
+  EXPECT_NE(message_of([](GltfBuilder& f) {
+              f.document["accessors"][0]["count"] = 5;
+            }).find("POSITION: accessor 0 is cut off"),
+            std::string::npos);
+  EXPECT_NE(message_of([](GltfBuilder& f) {
+              f.document["accessors"][2]["count"] = 3;
+            }).find("TEXCOORD_0: there are 3 of them, and 4 positions"),
             std::string::npos);
   EXPECT_NE(message_of([](GltfBuilder& f) {
               f.document["bufferViews"][0]["extensions"]["EXT_meshopt_compression"] = {

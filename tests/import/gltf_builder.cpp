@@ -39,7 +39,8 @@ std::size_t width_of(const std::string& type) {
 void add_bounds(std::span<const float> numbers, json& accessor) {
   for (std::size_t k = 0; k < 3; ++k) {
     float least = numbers[k], most = numbers[k];
-    for (std::size_t i = k; i < numbers.size(); i += 3) least = std::min(least, numbers[i]), most = std::max(most, numbers[i]);
+    for (std::size_t i = k; i < numbers.size(); i += 3)
+      least = std::min(least, numbers[i]), most = std::max(most, numbers[i]);
     accessor["min"].push_back(least);
     accessor["max"].push_back(most);
   }
@@ -61,7 +62,9 @@ GltfBuilder::GltfBuilder() {
   document = json::parse(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
                              "nodes": [{"name": "strip", "mesh": 0}], "meshes": [{"name": "hair", "primitives": [{"attributes": {}}]}],
                              "accessors": [], "bufferViews": []})");
-  attribute("POSITION", kStripPositions, "VEC3").attribute("NORMAL", kStripNormals, "VEC3").attribute("TEXCOORD_0", kStripUvs, "VEC2");
+  attribute("POSITION", kStripPositions, "VEC3")
+      .attribute("NORMAL", kStripNormals, "VEC3")
+      .attribute("TEXCOORD_0", kStripUvs, "VEC2");
   const std::vector<float> corners{0, 1, 2, 2, 1, 3};
   primitive()["indices"] = add(corners, "SCALAR", {.component = 5123});
 }
@@ -87,13 +90,19 @@ std::size_t GltfBuilder::add(std::span<const float> numbers, const std::string& 
   const std::size_t view = add_view(storage.meshopt ? compressed(bytes, count, stride) : bytes);
   json& entry = document["bufferViews"][view];
   if (storage.meshopt) {
-    entry["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0}, {"byteOffset", entry["byteOffset"]}, {"byteLength", entry["byteLength"]},
-                                                      {"byteStride", stride}, {"count", count}, {"mode", "ATTRIBUTES"}};
+    entry["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0},
+                                                      {"byteOffset", entry["byteOffset"]},
+                                                      {"byteLength", entry["byteLength"]},
+                                                      {"byteStride", stride},
+                                                      {"count", count},
+                                                      {"mode", "ATTRIBUTES"}};
   }
   if (storage.padding != 0) entry["byteStride"] = stride;
   if (storage.sparse) {
     const std::size_t index_view = add_view(indices);
-    accessor["sparse"] = {{"count", count}, {"indices", {{"bufferView", index_view}, {"componentType", 5123}}}, {"values", {{"bufferView", view}}}};
+    accessor["sparse"] = {{"count", count},
+                          {"indices", {{"bufferView", index_view}, {"componentType", 5123}}},
+                          {"values", {{"bufferView", view}}}};
   } else {
     accessor["bufferView"] = view;
   }
@@ -101,7 +110,8 @@ std::size_t GltfBuilder::add(std::span<const float> numbers, const std::string& 
   return document["accessors"].size() - 1;
 }
 
-GltfBuilder& GltfBuilder::attribute(const std::string& name, std::span<const float> numbers, const std::string& type, const Storage& storage) {
+GltfBuilder& GltfBuilder::attribute(const std::string& name, std::span<const float> numbers, const std::string& type,
+                                    const Storage& storage) {
   const std::size_t index = add(numbers, type, storage);
   primitive()["attributes"][name] = index;
   if (name == "POSITION") add_bounds(numbers, document["accessors"][index]);
@@ -123,6 +133,8 @@ std::string GltfBuilder::glb() const {
   return glb_of(whole.dump(), buffer);
 }
 
-std::filesystem::path GltfBuilder::write(const TemporaryFolder& folder, const std::string& name) const { return folder.write(name, glb()); }
+std::filesystem::path GltfBuilder::write(const TemporaryFolder& folder, const std::string& name) const {
+  return folder.write(name, glb());
+}
 
 }  // namespace coif::test

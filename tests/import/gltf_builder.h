@@ -35,7 +35,8 @@ class GltfBuilder {
   /// Adds a bufferView and returns its number.
   std::size_t add_view(const std::string& bytes);
   /// Sets an attribute of the primitive.
-  GltfBuilder& attribute(const std::string& name, std::span<const float> numbers, const std::string& type, const Storage& storage = {});
+  GltfBuilder& attribute(const std::string& name, std::span<const float> numbers, const std::string& type,
+                         const Storage& storage = {});
   /// A material of the primitive with a texture, `texture_info` in the place of the base colour's.
   GltfBuilder& textured(const nlohmann::json& texture_info, const nlohmann::json& sampler = nlohmann::json::object());
 

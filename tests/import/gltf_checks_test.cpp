@@ -110,7 +110,9 @@ TEST(GltfChecks, FaultsOfOneKindGiveAFewSentences) {
   const TemporaryFolder folder;
   const auto doubts = check_gltf(model.write(folder, "many.gltf"));
   EXPECT_LT(doubts.size(), 10u);
-  const auto of_nodes = std::ranges::find_if(doubts, [](const SourceDoubt& doubt) { return doubt.text.find("the same in 497 more places") != std::string::npos; });
+  const auto of_nodes = std::ranges::find_if(doubts, [](const SourceDoubt& doubt) {
+    return doubt.text.find("the same in 497 more places") != std::string::npos;
+  });
   EXPECT_NE(of_nodes, doubts.end()) << doubts.front().text;
 }
 

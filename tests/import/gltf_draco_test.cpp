@@ -36,7 +36,9 @@ Packed pack() {
       auto a = of_vertex(kCorners[f][0]), b = of_vertex(kCorners[f][1]), c = of_vertex(kCorners[f][2]);
       builder.SetAttributeValuesForFace(id, draco::FaceIndex(std::uint32_t(f)), a.data(), b.data(), c.data());
     };
-    set(ids[0], [](int v) { return std::array{kStripPositions[3 * v], kStripPositions[3 * v + 1], kStripPositions[3 * v + 2]}; });
+    set(ids[0], [](int v) {
+      return std::array{kStripPositions[3 * v], kStripPositions[3 * v + 1], kStripPositions[3 * v + 2]};
+    });
     set(ids[1], [](int v) { return std::array{kStripUvs[2 * v], kStripUvs[2 * v + 1]}; });
     set(ids[2], [](int v) { return std::array<std::uint8_t, 4>{std::uint8_t(v < 2 ? 0 : 1), 0, 0, 0}; });
     set(ids[3], [](int) { return std::array<std::uint8_t, 4>{255, 0, 0, 0}; });
@@ -55,15 +57,20 @@ Packed pack() {
 GltfBuilder packed_file(const Packed& packed) {
   GltfBuilder file;
   const std::vector<float> zeros(16, 0), ones(16, 1);
-  file.attribute("JOINTS_0", zeros, "VEC4", {.component = 5121}).attribute("WEIGHTS_0", ones, "VEC4", {.component = 5121, .normalized = true});
+  file.attribute("JOINTS_0", zeros, "VEC4", {.component = 5121})
+      .attribute("WEIGHTS_0", ones, "VEC4", {.component = 5121, .normalized = true});
   for (auto& accessor : file.document["accessors"]) accessor.erase("bufferView");
   file.buffer.clear();
   file.document["bufferViews"] = nlohmann::json::array();
-  file.primitive()["extensions"]["KHR_draco_mesh_compression"] = {
-      {"bufferView", file.add_view(packed.bytes)},
-      {"attributes", {{"POSITION", packed.position}, {"TEXCOORD_0", packed.uv}, {"JOINTS_0", packed.joints}, {"WEIGHTS_0", packed.weights}}}};
+  file.primitive()["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", file.add_view(packed.bytes)},
+                                                                  {"attributes",
+                                                                   {{"POSITION", packed.position},
+                                                                    {"TEXCOORD_0", packed.uv},
+                                                                    {"JOINTS_0", packed.joints},
+                                                                    {"WEIGHTS_0", packed.weights}}}};
   file.primitive()["attributes"].erase("NORMAL");
-  file.document["nodes"] = {{{"name", "strip"}, {"mesh", 0}, {"skin", 0}}, {{"name", "a"}, {"children", {2}}}, {{"name", "b"}}};
+  file.document["nodes"] = {
+      {{"name", "strip"}, {"mesh", 0}, {"skin", 0}}, {{"name", "a"}, {"children", {2}}}, {{"name", "b"}}};
   file.document["scenes"][0]["nodes"] = {0, 1};
   file.document["skins"] = {{{"joints", {1, 2}}}};
   return file;

@@ -20,7 +20,8 @@ using test::kStripUvs;
 using test::TemporaryFolder;
 
 bool tells(const std::vector<std::string>& warnings, const std::string& text) {
-  return std::ranges::any_of(warnings, [&](const std::string& warning) { return warning.find(text) != std::string::npos; });
+  return std::ranges::any_of(warnings,
+                             [&](const std::string& warning) { return warning.find(text) != std::string::npos; });
 }
 
 class GltfScene : public testing::Test {
@@ -31,7 +32,10 @@ class GltfScene : public testing::Test {
 
 TEST_F(GltfScene, ATextureTransformMovesTheUvs) {
   GltfBuilder file;
-  file.textured({{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"offset", {0.25, 0.5}}, {"scale", {0.5, 0.25}}, {"rotation", std::numbers::pi / 2}}}}}});
+  file.textured({{"index", 0},
+                 {"extensions",
+                  {{"KHR_texture_transform",
+                    {{"offset", {0.25, 0.5}}, {"scale", {0.5, 0.25}}, {"rotation", std::numbers::pi / 2}}}}}});
   file.document["extensionsUsed"] = file.document["extensionsRequired"] = {"KHR_texture_transform"};
   const SourceModel model = model_of(file);
   for (std::size_t v = 0; v < 4; ++v) {
@@ -47,7 +51,8 @@ TEST_F(GltfScene, TheBaseTextureNamesItsSetOfUvs) {
   for (const bool by_transform : {false, true}) {
     GltfBuilder file;
     file.attribute("TEXCOORD_1", other, "VEC2");
-    const json in_transform = {{"index", 0}, {"texCoord", 0}, {"extensions", {{"KHR_texture_transform", {{"texCoord", 1}}}}}};
+    const json in_transform = {
+        {"index", 0}, {"texCoord", 0}, {"extensions", {{"KHR_texture_transform", {{"texCoord", 1}}}}}};
     file.textured(by_transform ? in_transform : json{{"index", 0}, {"texCoord", 1}});
     EXPECT_LT((model_of(file).meshes[0].uvs[0] - Eigen::Vector2f(&other[0])).norm(), 1e-6f);
   }
@@ -71,7 +76,8 @@ TEST_F(GltfScene, EachInstanceIsAMesh) {
   GltfBuilder file;
   const std::vector<float> places{0, 0, 0, 5, 0, 0, 0, 0, 7}, sizes{1, 1, 1, 2, 2, 2, 1, 1, 1};
   const std::size_t translation = file.add(places, "VEC3"), scale = file.add(sizes, "VEC3");
-  file.document["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"TRANSLATION", translation}, {"SCALE", scale}};
+  file.document["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"TRANSLATION", translation},
+                                                                                      {"SCALE", scale}};
   file.document["nodes"][0]["translation"] = {0, 10, 0};
   file.document["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
   const SourceModel model = model_of(file);
@@ -82,9 +88,10 @@ TEST_F(GltfScene, EachInstanceIsAMesh) {
 
 TEST_F(GltfScene, HiddenNodesAndAllBelowAreLeftOut) {
   GltfBuilder file;
-  file.document["nodes"] = {{{"name", "shown"}, {"mesh", 0}},
-                            {{"name", "off"}, {"children", {2}}, {"extensions", {{"KHR_node_visibility", {{"visible", false}}}}}},
-                            {{"name", "below"}, {"mesh", 0}}};
+  file.document["nodes"] = {
+      {{"name", "shown"}, {"mesh", 0}},
+      {{"name", "off"}, {"children", {2}}, {"extensions", {{"KHR_node_visibility", {{"visible", false}}}}}},
+      {{"name", "below"}, {"mesh", 0}}};
   file.document["scenes"][0]["nodes"] = {0, 1};
   const SourceModel model = model_of(file);
   ASSERT_EQ(model.meshes.size(), 1u);
@@ -145,7 +152,8 @@ TEST_F(GltfScene, TheCallerChoosesAVariant) {
   EXPECT_EQ(material_of(""), "brown");
   EXPECT_EQ(material_of("summer"), "blonde");
   EXPECT_EQ(material_of("winter"), "brown") << "the primitive has none for it";
-  EXPECT_NE(material_of("autumn").find("no variant 'autumn'; there are 'winter', 'summer'"), std::string::npos) << material_of("autumn");
+  EXPECT_NE(material_of("autumn").find("no variant 'autumn'; there are 'winter', 'summer'"), std::string::npos)
+      << material_of("autumn");
 }
 
 TEST_F(GltfScene, WhatIsRequiredAndNotReadIsRefusedByName) {
@@ -164,10 +172,12 @@ TEST_F(GltfScene, WhatIsRequiredAndNotReadIsRefusedByName) {
 }
 
 TEST_F(GltfScene, AFileSavedInAPoseSaysSo) {
-  const std::vector<float> joints{0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, all{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+  const std::vector<float> joints{0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0},
+      all{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
   GltfBuilder file;
   file.attribute("JOINTS_0", joints, "VEC4", {.component = 5121}).attribute("WEIGHTS_0", all, "VEC4");
-  file.document["nodes"] = {{{"name", "strip"}, {"mesh", 0}, {"skin", 0}}, {{"name", "root"}, {"children", {2}}}, {{"name", "lock"}}};
+  file.document["nodes"] = {
+      {{"name", "strip"}, {"mesh", 0}, {"skin", 0}}, {{"name", "root"}, {"children", {2}}}, {{"name", "lock"}}};
   file.document["scenes"][0]["nodes"] = {0, 1};
   file.document["skins"] = {{{"joints", {1, 2}}}};
   EXPECT_EQ(model_of(file).meshes[0].posed_node, kNoIndex);
@@ -183,7 +193,8 @@ TEST_F(GltfScene, AFileSavedInAPoseSaysSo) {
 TEST_F(GltfScene, ANamelessNodeOfAPackingToolIsNotTheMeshsName) {
   GltfBuilder file;
   file.document["meshes"][0].erase("name");
-  file.document["nodes"] = {{{"name", "Hair"}, {"children", {1}}, {"translation", {0, 4, 0}}}, {{"mesh", 0}, {"scale", {2, 2, 2}}}};
+  file.document["nodes"] = {{{"name", "Hair"}, {"children", {1}}, {"translation", {0, 4, 0}}},
+                            {{"mesh", 0}, {"scale", {2, 2, 2}}}};
   const SourceModel model = model_of(file);
   EXPECT_EQ(model.meshes[0].name, "Hair");
   EXPECT_EQ(model.nodes[model.meshes[0].node].name, "Hair");

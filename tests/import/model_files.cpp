@@ -104,7 +104,8 @@ Objects:  {{
 {}}}
 Connections:  {{
 {}}}
-)", settings, objects, connections);
+)",
+                     settings, objects, connections);
 }
 
 std::string fbx_triangle(int geometry, const std::string& name, int model, const std::string& properties) {
@@ -117,12 +118,15 @@ std::string fbx_triangle(int geometry, const std::string& name, int model, const
     }}
     GeometryVersion: 124
   }}
-)", geometry, name) + fbx_model(model, name, "Mesh", properties);
+)",
+                     geometry, name) +
+         fbx_model(model, name, "Mesh", properties);
 }
 
-std::string fbx_model(int model, const std::string& name, const std::string& model_class, const std::string& properties) {
-  return fmt::format("  Model: {}, \"Model::{}\", \"{}\" {{\n    Version: 232\n    Properties70:  {{\n{}    }}\n  }}\n", model, name, model_class,
-                     properties);
+std::string fbx_model(int model, const std::string& name, const std::string& model_class,
+                      const std::string& properties) {
+  return fmt::format("  Model: {}, \"Model::{}\", \"{}\" {{\n    Version: 232\n    Properties70:  {{\n{}    }}\n  }}\n",
+                     model, name, model_class, properties);
 }
 
 std::string small_fbx(const std::string& settings) {

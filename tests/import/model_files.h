@@ -52,11 +52,14 @@ struct SmallGltf {
 };
 
 /// An ASCII FBX of lines of GlobalSettings, objects and connections.
-[[nodiscard]] std::string fbx_document(const std::string& settings, const std::string& objects, const std::string& connections);
+[[nodiscard]] std::string fbx_document(const std::string& settings, const std::string& objects,
+                                       const std::string& connections);
 /// A model of such a file, with lines of its properties.
-[[nodiscard]] std::string fbx_model(int model, const std::string& name, const std::string& model_class, const std::string& properties = "");
+[[nodiscard]] std::string fbx_model(int model, const std::string& name, const std::string& model_class,
+                                    const std::string& properties = "");
 /// The same of a mesh, with its geometry: one triangle (0,0,0) (1,0,0) (0,2,3) in file units.
-[[nodiscard]] std::string fbx_triangle(int geometry, const std::string& name, int model, const std::string& properties = "");
+[[nodiscard]] std::string fbx_triangle(int geometry, const std::string& name, int model,
+                                       const std::string& properties = "");
 /// ASCII FBX with one triangle (0,0,0) (1,0,0) (0,2,3) in file units; `settings` are lines of GlobalSettings.
 [[nodiscard]] std::string small_fbx(const std::string& settings);
 /// One line for small_fbx.

@@ -111,41 +111,36 @@ TEST_P(BrokenPromise, IsFoundAndRefused) {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-INSTANTIATE_TEST_SUITE_P(Model, BrokenPromise,
-                         testing::Values<Break>([](SourceModel& m) { m.nodes[1].parent = 1; },
-                                                [](SourceModel& m) {
-                                                  m.nodes[0].model_from_node(0, 0) =
-                                                      std::numeric_limits<double>::infinity();
-                                                },
-                                                [](SourceModel& m) { m.meshes.clear(); },
-                                                [](SourceModel& m) { m.meshes[0].node = 2; },
-                                                [](SourceModel& m) { m.meshes[0].material = 1; },
-                                                [](SourceModel& m) { m.meshes[0].triangles[2] = 3; },
-                                                [](SourceModel& m) { m.meshes[0].triangles.pop_back(); },
-                                                [](SourceModel& m) { m.meshes[0].positions[1].x() = kNan; },
-                                                [](SourceModel& m) {
-                                                  m.meshes[0].normals[1] = {0, 0, 2};
-                                                },
-                                                [](SourceModel& m) { m.meshes[0].normals.pop_back(); },
-                                                [](SourceModel& m) { m.meshes[0].uvs[1].y() = kNan; },
-                                                [](SourceModel& m) { m.meshes[0].uvs.pop_back(); },
-                                                [](SourceModel& m) { m.meshes[0].colors.pop_back(); },
-                                                [](SourceModel& m) { m.meshes[0].colors[1].w() = kNan; },
-                                                [](SourceModel& m) { m.meshes[0].colors[1].w() = -1; },
-                                                [](SourceModel& m) { m.materials[0].opacity_texture.image = 1; },
-                                                [](SourceModel& m) {
-                                                  m.meshes[0].influence_begin = {0, 2, 1, 4};
-                                                },
-                                                [](SourceModel& m) { m.meshes[0].influence_begin.back() = 5; },
-                                                [](SourceModel& m) { m.meshes[0].influences[0].node = 2; },
-                                                [](SourceModel& m) { m.meshes[0].influences[0].weight = kNan; },
-                                                [](SourceModel& m) { m.meshes[0].influences[3].weight = 0.5f; },
-                                                [](SourceModel& m) { m.materials[0].base_texture.image = 1; },
-                                                [](SourceModel& m) { m.materials[0].base_color.x() = kNan; },
-                                                [](SourceModel& m) { m.materials[0].normal_strength = kNan; },
-                                                [](SourceModel& m) { m.materials[0].normal_strength = -1; },
-                                                [](SourceModel& m) { m.materials[0].normal_strength = 17; },
-                                                [](SourceModel& m) { m.materials[0].alpha_cutoff = 2; }));
+INSTANTIATE_TEST_SUITE_P(
+    Model, BrokenPromise,
+    testing::Values<Break>(
+        [](SourceModel& m) { m.nodes[1].parent = 1; },
+        [](SourceModel& m) { m.nodes[0].model_from_node(0, 0) = std::numeric_limits<double>::infinity(); },
+        [](SourceModel& m) { m.meshes.clear(); }, [](SourceModel& m) { m.meshes[0].node = 2; },
+        [](SourceModel& m) { m.meshes[0].material = 1; }, [](SourceModel& m) { m.meshes[0].triangles[2] = 3; },
+        [](SourceModel& m) { m.meshes[0].triangles.pop_back(); },
+        [](SourceModel& m) { m.meshes[0].positions[1].x() = kNan; },
+        [](SourceModel& m) {
+          m.meshes[0].normals[1] = {0, 0, 2};
+        },
+        [](SourceModel& m) { m.meshes[0].normals.pop_back(); }, [](SourceModel& m) { m.meshes[0].uvs[1].y() = kNan; },
+        [](SourceModel& m) { m.meshes[0].uvs.pop_back(); }, [](SourceModel& m) { m.meshes[0].colors.pop_back(); },
+        [](SourceModel& m) { m.meshes[0].colors[1].w() = kNan; },
+        [](SourceModel& m) { m.meshes[0].colors[1].w() = -1; },
+        [](SourceModel& m) { m.materials[0].opacity_texture.image = 1; },
+        [](SourceModel& m) {
+          m.meshes[0].influence_begin = {0, 2, 1, 4};
+        },
+        [](SourceModel& m) { m.meshes[0].influence_begin.back() = 5; },
+        [](SourceModel& m) { m.meshes[0].influences[0].node = 2; },
+        [](SourceModel& m) { m.meshes[0].influences[0].weight = kNan; },
+        [](SourceModel& m) { m.meshes[0].influences[3].weight = 0.5f; },
+        [](SourceModel& m) { m.materials[0].base_texture.image = 1; },
+        [](SourceModel& m) { m.materials[0].base_color.x() = kNan; },
+        [](SourceModel& m) { m.materials[0].normal_strength = kNan; },
+        [](SourceModel& m) { m.materials[0].normal_strength = -1; },
+        [](SourceModel& m) { m.materials[0].normal_strength = 17; },
+        [](SourceModel& m) { m.materials[0].alpha_cutoff = 2; }));
 
 INSTANTIATE_TEST_SUITE_P(
     Springs, BrokenPromise,

@@ -57,13 +57,13 @@ class References : public testing::Test {
 TEST_F(References, OfTheModelsOwnFolderAreRead) { EXPECT_EQ(red(read("own.mtl")), 0); }
 
 TEST_F(References, ThatLeadOutAreNotReadAndSaid) {
-  for (const std::string& library : {std::string("../secret.mtl"), (folder_.path() / "secret.mtl").string(), std::string("link.mtl")}) {
+  for (const std::string& library :
+       {std::string("../secret.mtl"), (folder_.path() / "secret.mtl").string(), std::string("link.mtl")}) {
     const SourceModel model = read(library);
     EXPECT_EQ(red(model), 1) << library << ": white, as without a library";
     ASSERT_FALSE(model.warnings.empty()) << library;
     const char* const why = library[0] == '/' ? "was not read" : "of the model's folder, which --root allows";
-    EXPECT_NE(model.warnings[0].find(why), std::string::npos)
-        << model.warnings[0];
+    EXPECT_NE(model.warnings[0].find(why), std::string::npos) << model.warnings[0];
   }
 }
 
@@ -74,14 +74,16 @@ TEST_F(References, MayLeadIntoRoots) {
 
 TEST_F(References, NameEveryImage) {
   folder_.write("model/own.mtl", "newmtl hair\nmap_Kd color.png\nmap_Ks gloss.png\nmap_d alpha.png\nbump relief.png\n");
-  EXPECT_EQ(read("own.mtl").named_images, (std::vector<std::string>{"alpha.png", "color.png", "gloss.png", "relief.png"}));
+  EXPECT_EQ(read("own.mtl").named_images,
+            (std::vector<std::string>{"alpha.png", "color.png", "gloss.png", "relief.png"}));
 }
 
 /// From now on this process has a kernel without Landlock.
 void take_landlock_away() {
   sock_filter program[] = {BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
                            BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_landlock_create_ruleset, 0, 1),
-                           BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | ENOSYS), BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)};
+                           BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | ENOSYS),
+                           BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)};
   const sock_fprog filter{std::size(program), program};
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter, 0, 0);
@@ -103,8 +105,9 @@ TEST_F(References, ReadNothingWithoutASandboxWhereOneIsRequired) {
   };
   EXPECT_EQ(told(true, true), "read, ");
   EXPECT_EQ(told(false, false), "read, this kernel has no Landlock, or it is turned off");
-  EXPECT_NE(told(false, true).find("was not read: this kernel has no Landlock, or it is turned off, and --require-sandbox"),
-            std::string::npos);
+  EXPECT_NE(
+      told(false, true).find("was not read: this kernel has no Landlock, or it is turned off, and --require-sandbox"),
+      std::string::npos);
 }
 
 }  // namespace coif::sandbox_test

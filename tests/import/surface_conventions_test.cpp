@@ -21,8 +21,10 @@ class SurfaceConventions : public testing::Test {
 
 TEST_F(SurfaceConventions, ScaleAndOffsetOfAnObjsTextureMoveItsCoordinates) {
   folder_.write("m.mtl", "newmtl moved\nmap_Kd -s 0.5 0.25 1 -o 0.5 0.125 0 hair.png\nnewmtl plain\nmap_Kd hair.png\n");
-  const SourceModel model = import_or_fail(folder_.write(
-      "m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl moved\nf 1/1 2/2 3/3\nusemtl plain\nf 1/1 3/3 2/2\n"));
+  const SourceModel model =
+      import_or_fail(folder_.write("m.obj",
+                                   "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl moved\nf "
+                                   "1/1 2/2 3/3\nusemtl plain\nf 1/1 3/3 2/2\n"));
   for (const SourceMesh& mesh : model.meshes) {
     const bool is_moved = material_name(model, mesh) == "moved";
     for (std::size_t v = 0; v < mesh.uvs.size(); ++v) {
@@ -36,9 +38,10 @@ TEST_F(SurfaceConventions, ScaleAndOffsetOfAnObjsTextureMoveItsCoordinates) {
 }
 
 TEST_F(SurfaceConventions, OptionsOfAnObjsTextureLeaveItsPathWhole) {
-  folder_.write("m.mtl", "newmtl hair\nmap_Kd -s 2 3 -o 0.25 0.5-1 hair.png\nmap_d -imfchan g -blendu on packed alpha.png\n");
-  const SourceModel model = import_or_fail(
-      folder_.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl hair\nf 1/1 2/2 3/3\n"));
+  folder_.write("m.mtl",
+                "newmtl hair\nmap_Kd -s 2 3 -o 0.25 0.5-1 hair.png\nmap_d -imfchan g -blendu on packed alpha.png\n");
+  const SourceModel model = import_or_fail(folder_.write(
+      "m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl hair\nf 1/1 2/2 3/3\n"));
   const SourceMaterial& material = model.materials.at(model.meshes.at(0).material);
   EXPECT_EQ(material.base_texture.path, "0.5-1 hair.png") << "a name may begin like a number";
   EXPECT_EQ(material.opacity_texture.path, "packed alpha.png");
@@ -48,31 +51,36 @@ TEST_F(SurfaceConventions, OptionsOfAnObjsTextureLeaveItsPathWhole) {
 
 TEST_F(SurfaceConventions, AnObjsOpacityThatLiesElsewhereIsTold) {
   folder_.write("m.mtl", "newmtl moved\nmap_Kd -s 2 2 1 hair.png\nmap_d alpha.png\n");
-  const SourceModel model = import_or_fail(
-      folder_.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl moved\nf 1/1 2/2 3/3\n"));
+  const SourceModel model = import_or_fail(folder_.write(
+      "m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl moved\nf 1/1 2/2 3/3\n"));
   ASSERT_EQ(model.warnings.size(), 1u);
   EXPECT_NE(model.warnings[0].find("map_d is placed otherwise than map_Kd"), std::string::npos);
 }
 
 TEST_F(SurfaceConventions, AnObjsClampedTextureIsKnown) {
   folder_.write("m.mtl", "newmtl held\nmap_Kd -clamp on hair.png\n");
-  const SourceModel model = import_or_fail(
-      folder_.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl held\nf 1/1 2/2 3/3\n"));
+  const SourceModel model = import_or_fail(folder_.write(
+      "m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl held\nf 1/1 2/2 3/3\n"));
   EXPECT_EQ(model.materials.at(model.meshes.at(0).material).base_texture.wrap[0], TextureWrap::kClamp);
   EXPECT_EQ(model.materials.at(model.meshes.at(0).material).base_texture.wrap[1], TextureWrap::kClamp);
 }
 
 TEST_F(SurfaceConventions, VertexColorsOfAnObjAreReadAsAScreenShowsThem) {
-  const SourceModel model = import_or_fail(folder_.write("m.obj", "v 0 0 0 1 0.5 0\nv 1 0 0 1 0.5 0\nv 0 1 0 1 0.5 0\nf 1 2 3\n"));
+  const SourceModel model =
+      import_or_fail(folder_.write("m.obj", "v 0 0 0 1 0.5 0\nv 1 0 0 1 0.5 0\nv 0 1 0 1 0.5 0\nf 1 2 3\n"));
   ASSERT_EQ(model.meshes.at(0).colors.size(), 3u);
-  EXPECT_TRUE(model.meshes[0].colors[0].isApprox(Eigen::Vector4f(1, 0.2140411f, 0, 1), 1e-4f)) << model.meshes[0].colors[0].transpose();
-  const SourceModel white = import_or_fail(folder_.write("w.obj", "v 0 0 0 1 1 1\nv 1 0 0 1 1 1\nv 0 1 0 1 1 1\nf 1 2 3\n"));
+  EXPECT_TRUE(model.meshes[0].colors[0].isApprox(Eigen::Vector4f(1, 0.2140411f, 0, 1), 1e-4f))
+      << model.meshes[0].colors[0].transpose();
+  const SourceModel white =
+      import_or_fail(folder_.write("w.obj", "v 0 0 0 1 1 1\nv 1 0 0 1 1 1\nv 0 1 0 1 1 1\nf 1 2 3\n"));
   EXPECT_TRUE(white.meshes.at(0).colors.empty()) << "white says nothing";
 }
 
 TEST_F(SurfaceConventions, ColladaSaysWhichNumbersOfATextureAreTheOpacity) {
   const auto material_of = [&](const std::string& opaque) {
-    const SourceModel model = import_or_fail(folder_.write("m.dae", R"(<?xml version="1.0"?>
+    const SourceModel model = import_or_fail(folder_.write(
+        "m.dae",
+        R"(<?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><asset><up_axis>Y_UP</up_axis></asset>
 <library_images><image id="c"><init_from>c.png</init_from></image><image id="a"><init_from>a.png</init_from></image></library_images>
 <library_effects><effect id="e"><profile_COMMON>
@@ -81,7 +89,9 @@ TEST_F(SurfaceConventions, ColladaSaysWhichNumbersOfATextureAreTheOpacity) {
 <newparam sid="as"><surface type="2D"><init_from>a</init_from></surface></newparam>
 <newparam sid="at"><sampler2D><source>as</source></sampler2D></newparam>
 <technique sid="t"><lambert><diffuse><texture texture="ct" texcoord="UV"/></diffuse>
-<transparent )" + opaque + R"(><texture texture="at" texcoord="UV"/></transparent></lambert></technique></profile_COMMON></effect></library_effects>
+<transparent )" +
+            opaque +
+            R"(><texture texture="at" texcoord="UV"/></transparent></lambert></technique></profile_COMMON></effect></library_effects>
 <library_materials><material id="m" name="Hair"><instance_effect url="#e"/></material></library_materials>
 <library_geometries><geometry id="g"><mesh><source id="p"><float_array id="pa" count="9">0 0 0 1 0 0 0 1 0</float_array>
 <technique_common><accessor source="#pa" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>

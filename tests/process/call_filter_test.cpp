@@ -4,17 +4,17 @@
 
 #include <gtest/gtest.h>
 
-#include <cerrno>
-#include <csignal>
 #include <fcntl.h>
-#include <functional>
-#include <string>
 #include <sys/ptrace.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
-#include <thread>
 #include <unistd.h>
+#include <cerrno>
+#include <csignal>
+#include <functional>
+#include <string>
+#include <thread>
 
 namespace coif::call_filter_test {
 
@@ -118,7 +118,8 @@ TEST(ChildProcess, NeedsFewDescriptorsAndSaysWhenThereAreNone) {
       const rlimit limit{most, most};
       setrlimit(RLIMIT_NOFILE, &limit);
       const auto inner = run_in_child({std::uint64_t{1} << 30, 20, 64}, [] { return std::vector<std::uint8_t>{7}; });
-      return {std::uint8_t(inner.end), std::uint8_t(inner.code), inner.output.empty() ? std::uint8_t(0) : inner.output[0]};
+      return {std::uint8_t(inner.end), std::uint8_t(inner.code),
+              inner.output.empty() ? std::uint8_t(0) : inner.output[0]};
     });
   };
   EXPECT_EQ(with(8).output, (std::vector<std::uint8_t>{std::uint8_t(ChildResult::End::kFinished), 0, 7}));

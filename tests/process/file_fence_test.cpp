@@ -5,15 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <fcntl.h>
-#include <filesystem>
-#include <fstream>
-#include <functional>
 #include <linux/landlock.h>
 #include <signal.h>
-#include <string>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
 
 namespace coif::file_fence_test {
 
@@ -83,7 +83,8 @@ TEST_F(FileFence, NothingIsWrittenMadeMovedOrRemoved) {
 
 TEST_F(FileFence, SignalsNobodyWhereTheKernelKnowsScopes) {
   if (!has_fence()) GTEST_SKIP() << "this kernel has no Landlock";
-  if (syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION) < 6) GTEST_SKIP() << "Landlock before 6";
+  if (syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION) < 6)
+    GTEST_SKIP() << "Landlock before 6";
   EXPECT_EQ(behind([] { return kill(getppid(), 0) == 0; }), "n");
   EXPECT_EQ(behind([] { return kill(getpid(), 0) == 0; }), "y");
 }

@@ -58,11 +58,13 @@ TEST(IssueCodes, EveryWarningOfTheCookHasItsRow) {
   std::set<std::string> used;
   std::size_t without = 0;
   for (const char* folder : {"cook", "cards", "render"}) {
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(COIF_ISSUES_PAGE).parent_path().parent_path() / folder)) {
+    for (const fs::directory_entry& entry :
+         fs::recursive_directory_iterator(fs::path(COIF_ISSUES_PAGE).parent_path().parent_path() / folder)) {
       if (entry.path().extension() != ".cpp") continue;
       std::ifstream file(entry.path());
       const std::string text((std::istreambuf_iterator<char>(file)), {});
-      for (std::sregex_iterator match(text.begin(), text.end(), site), end; match != end; ++match) used.insert((*match)[2]);
+      for (std::sregex_iterator match(text.begin(), text.end(), site), end; match != end; ++match)
+        used.insert((*match)[2]);
     }
   }
   for (const std::string& code : used) {

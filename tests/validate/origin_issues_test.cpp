@@ -97,7 +97,8 @@ TEST(SourceIssues, WarningsOfTheImportAreKept) {
 
 TEST(SourceIssues, DoubtsOfTheImportKeepTheirCodesAndAreAcknowledged) {
   SourceModel model = make_wig();
-  model.doubts = {{"S115", "mesh 'a': the weights of 3 vertices do not add up to 1"}, {"S211", "mesh 'b': 2 points or lines left out"}};
+  model.doubts = {{"S115", "mesh 'a': the weights of 3 vertices do not add up to 1"},
+                  {"S211", "mesh 'b': 2 points or lines left out"}};
   EXPECT_EQ(codes_of(model), (Codes{"S115", "S211"}));
   Recipe recipe = default_recipe();
   recipe.acknowledged_warnings = {"S211"};
@@ -120,7 +121,8 @@ TEST(SourceIssues, ACookInFullSaysWhatValidateDoes) {
 }
 
 TEST(SourceIssues, ACookThatFailsIsAnError) {
-  const Issues issues = find_source_issues(make_wig(), default_recipe(), tl::unexpected(ToolError{ToolError::Kind::kOverBudget, "wig.glb: too dear"}));
+  const Issues issues = find_source_issues(
+      make_wig(), default_recipe(), tl::unexpected(ToolError{ToolError::Kind::kOverBudget, "wig.glb: too dear"}));
   EXPECT_TRUE(coif::codes_of(issues).contains("S105"));
 }
 

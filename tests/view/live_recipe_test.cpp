@@ -90,7 +90,8 @@ TEST_F(LiveRecipeTest, ChangesNameNoFiles) {
   for (const RecipeKey& key : recipe_keys()) {
     if (!key.names_file) continue;
     keys.insert(key.path());
-    for (const char* value : {"\"/etc/passwd\"", "\"../secret.png\"", "\"\"", "{\"file\": \"/etc/passwd\"}", "[\"/etc/passwd\"]"}) {
+    for (const char* value :
+         {"\"/etc/passwd\"", "\"../secret.png\"", "\"\"", "{\"file\": \"/etc/passwd\"}", "[\"/etc/passwd\"]"}) {
       EXPECT_EQ(fault(fmt::format("{{\"{}\": {{\"{}\": {}}}}}", key.section, key.name, value)),
                 fmt::format("changes of the page: \"{}\" names a file; only a recipe's file may", key.path()))
           << value;

@@ -3,17 +3,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <new>
 #include <random>
 #include <system_error>
-#include <unistd.h>
 
 namespace coif {
 namespace {
@@ -96,7 +96,8 @@ bool lies_in(const fs::path& file, std::span<const fs::path> folders) {
   std::error_code error;
   const fs::path real = fs::canonical(file, error);
   if (error) return false;
-  return std::ranges::any_of(folders, [&](const fs::path& folder) { return std::ranges::mismatch(folder, real).in1 == folder.end(); });
+  return std::ranges::any_of(
+      folders, [&](const fs::path& folder) { return std::ranges::mismatch(folder, real).in1 == folder.end(); });
 }
 
 namespace {

@@ -64,7 +64,8 @@ inline constexpr const char* kLfsPointer = "Git LFS has not fetched what is in t
 
 /// Finds out before the long work whether its result could be written: the folder exists, the path is no folder and not "-", and
 /// leads to none of `inputs` (file_identity(); empty paths do not count). Errors: kFileAccess, kUsage.
-tl::expected<void, ToolError> check_output(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs);
+tl::expected<void, ToolError> check_output(const std::filesystem::path& output,
+                                           std::span<const std::filesystem::path> inputs);
 tl::expected<void, ToolError> check_output(const std::filesystem::path& output,
                                            std::initializer_list<std::filesystem::path> inputs);
 
@@ -75,7 +76,8 @@ struct NamedOutput {
 };
 
 /// check_output() of each, and that no two are one file. Errors: as there.
-tl::expected<void, ToolError> check_outputs(std::span<const NamedOutput> outputs, std::span<const std::filesystem::path> inputs);
+tl::expected<void, ToolError> check_outputs(std::span<const NamedOutput> outputs,
+                                            std::span<const std::filesystem::path> inputs);
 
 /// The output's suffix in lower case, with its dot, when it is one of `allowed`. Error (kUsage): lists them.
 tl::expected<std::string, ToolError> choose_suffix(const std::filesystem::path& output,

@@ -40,7 +40,8 @@ bool is_control(char c) { return (c >= 0 && c < 0x20) || c == 0x7F; }
 
 /// Characters that terminals obey: those of ASCII, and U+0080 to U+009F. `character`: one, well-formed.
 bool is_obeyed(std::string_view character) {
-  return is_control(character.front()) || (character.front() == '\xC2' && static_cast<std::uint8_t>(character[1]) < 0xA0);
+  return is_control(character.front()) ||
+         (character.front() == '\xC2' && static_cast<std::uint8_t>(character[1]) < 0xA0);
 }
 
 }  // namespace

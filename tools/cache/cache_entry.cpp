@@ -45,7 +45,9 @@ static void from_json(const json& in, PassTime& p) {
 
 static void to_json(json& out, const Warning& w) { out = {w.code, std::string(w)}; }
 
-static void from_json(const json& in, Warning& w) { w = Warning(in.at(0).get<std::string>(), in.at(1).get<std::string>()); }
+static void from_json(const json& in, Warning& w) {
+  w = Warning(in.at(0).get<std::string>(), in.at(1).get<std::string>());
+}
 
 static void to_json(json& out, const LeftOut& l) { out = {l.what, l.why, l.bytes, l.bytes_per_head, l.ns_per_frame}; }
 

@@ -62,7 +62,8 @@ struct CookIdentity {
 struct CacheEntry {
   std::vector<Dependency> dependencies;
   std::vector<TextureQuestion> questions;
-  std::vector<std::string> named;  ///< CookInputs::named_files, from the source's folder; absolute where they lie elsewhere.
+  std::vector<std::string>
+      named;          ///< CookInputs::named_files, from the source's folder; absolute where they lie elsewhere.
   CookReport report;  ///< As the cook that made it told it, times included.
   std::vector<std::byte> asset;
 };

@@ -131,7 +131,8 @@ Model read_model(const fs::path& path, const Recipe& recipe, const HairSourceSet
 Model read_hair_source(const fs::path& path, const Recipe& recipe, const HairSourceSettings& settings) {
   if (is_recipe_file(path)) return grown_hair(path, recipe, settings);
   const auto suffix = find_suffix(path);
-  const bool has_strands_alone = suffix && (suffix->format == SourceFormat::kHair || suffix->format == SourceFormat::kTressFx);
+  const bool has_strands_alone =
+      suffix && (suffix->format == SourceFormat::kHair || suffix->format == SourceFormat::kTressFx);
   if (!has_strands_alone) return read_model(path, recipe, settings);
   auto groom = read_groom(path, settings.import);
   if (!groom) return tl::unexpected(groom.error());

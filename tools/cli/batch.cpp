@@ -81,8 +81,9 @@ tl::expected<void, ToolError> check_outputs_of(const CookOptions& options, const
     const auto [place, is_new] = places.emplace(file_identity(output.path), "is also another output");
     if (!is_new) return file_failure(ToolError::Kind::kUsage, output.path, "{}; choose another output", place->second);
     if (output.path != options.report && !may_be_replaced(output.path)) {
-      return file_failure(ToolError::Kind::kUsage, output.path,
-                          "is there and no cooked asset, but may be what another source names; remove it, or choose another output");
+      return file_failure(
+          ToolError::Kind::kUsage, output.path,
+          "is there and no cooked asset, but may be what another source names; remove it, or choose another output");
     }
   }
   return {};

@@ -22,13 +22,14 @@
 namespace coif {
 namespace {
 
-tl::expected<Exit, ToolError> list_source(const CookOptions& options, const RecipeChoice& choice, const Messages& messages) {
+tl::expected<Exit, ToolError> list_source(const CookOptions& options, const RecipeChoice& choice,
+                                          const Messages& messages) {
   const unsigned threads = options.threads.value_or(all_threads());
   LimitedWork work(options.source(), options.limits, threads, messages, options.end);
   const auto model = work.run([&] {
     return read_hair_source(options.source(), draft_of(choice.recipe),
-                            {options.limits.of_import(import_settings(choice.recipe, options.roots), messages), choice.directory, threads,
-                             [&work](const char* part) { work.begin(part); }});
+                            {options.limits.of_import(import_settings(choice.recipe, options.roots), messages),
+                             choice.directory, threads, [&work](const char* part) { work.begin(part); }});
   });
   if (!model) return tl::unexpected(model.error());
   print_result(options.format == OutputFormat::kJson ? list_json(*model) : list_text(*model));
@@ -66,7 +67,9 @@ tl::expected<Exit, ToolError> run_options(const CookOptions& options, const Mess
     print_result(print_recipe(choice->recipe));
     return Exit::kOk;
   }
-  if (options.list) return *options.list == "patches" ? list_patches_of(options, *choice, messages) : list_source(options, *choice, messages);
+  if (options.list)
+    return *options.list == "patches" ? list_patches_of(options, *choice, messages)
+                                      : list_source(options, *choice, messages);
   if (options.output.empty()) return usage("needs -o OUT.coif; see 'coif cook --help'");
   if (options.report.ends_with(".html")) return usage("--report OUT.html is for several sources, or a --manifest");
   const auto summary = run_cook_job(options, *choice, messages);

@@ -10,8 +10,8 @@
 #include "cli/picture_options.h"
 #include "cli/source_limits.h"
 #include "cook/size/settle_size.h"
-#include "render/body_textures.h"
 #include "payload_hash.h"
+#include "render/body_textures.h"
 #include "render/picture.h"
 
 #include <algorithm>
@@ -85,7 +85,8 @@ tl::expected<Body, ToolError> read_body(const RenderOptions& options, const Asse
   if (!choice) return tl::unexpected(choice.error());
   LimitedWork work(options.body, options.limits, all_threads(), messages);
   auto model = work.run([&] {
-    return import_model(options.body, options.limits.of_import(import_settings(choice->recipe, options.roots), messages));
+    return import_model(options.body,
+                        options.limits.of_import(import_settings(choice->recipe, options.roots), messages));
   });
   if (!model) return tl::unexpected(model.error());
   std::vector<std::filesystem::path> files = files_of(*model);
@@ -161,7 +162,8 @@ tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Mes
   }
   const auto file = AssetFile::open(options.file);
   if (!file) return tl::unexpected(file.error());
-  if (auto checked = check_output(options.output, {options.file, clip_file(options.motion)}); !checked) return tl::unexpected(checked.error());
+  if (auto checked = check_output(options.output, {options.file, clip_file(options.motion)}); !checked)
+    return tl::unexpected(checked.error());
 
   PictureSettings settings = picture_settings(options);
   if (options.shading) settings.material = shaded_material(file->asset(), *options.shading);

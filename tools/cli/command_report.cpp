@@ -138,7 +138,8 @@ tl::expected<AccuracySettings, ToolError> accuracy_settings(const ReportOptions&
 
 tl::expected<void, ToolError> check_report_outputs(const ReportOptions& options) {
   const NamedOutput outputs[] = {{"--output", options.output}, {"--view", options.view}};
-  std::vector<std::filesystem::path> inputs{options.file, options.page, options.cards.source, options.cards.recipe.value_or("")};
+  std::vector<std::filesystem::path> inputs{options.file, options.page, options.cards.source,
+                                            options.cards.recipe.value_or("")};
   if (options.clip) inputs.push_back(options.clip->file);
   return check_outputs(outputs, inputs);
 }

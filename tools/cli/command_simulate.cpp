@@ -180,7 +180,8 @@ tl::expected<Exit, ToolError> run_simulate(const SimulateOptions& options, const
   const auto file = AssetFile::open(options.file);
   if (!file) return tl::unexpected(file.error());
   const Asset& asset = file->asset();
-  if (auto checked = check_output(options.output, {options.file, clip_file(options.motion), options.pose ? options.pose->file : std::filesystem::path()});
+  if (auto checked = check_output(options.output, {options.file, clip_file(options.motion),
+                                                   options.pose ? options.pose->file : std::filesystem::path()});
       !checked) {
     return tl::unexpected(checked.error());
   }

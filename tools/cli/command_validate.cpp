@@ -66,15 +66,16 @@ Found compare_with_new_cook(const Asset& asset, const SourceModel& model, const 
 
 /// Whether the asset still is what a cook of the source would give. Errors: those of reading source and recipe; with
 /// `recook` those of the cook.
-Found compare_with_origin(const Asset& asset, const OriginOptions& options, const Messages& messages, LimitedWork& work) {
+Found compare_with_origin(const Asset& asset, const OriginOptions& options, const Messages& messages,
+                          LimitedWork& work) {
   const auto bytes = FileBytes::read(options.source);
   if (!bytes) return tl::unexpected(bytes.error());
   const auto choice = choose_recipe(options.source, options.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
-  const auto model = read_hair_source(
-      options.source, choice->recipe,
-      {options.limits.of_import(import_settings(choice->recipe, options.roots), messages), choice->directory, all_threads(),
-       [&work](const char* part) { work.begin(part); }});
+  const auto model =
+      read_hair_source(options.source, choice->recipe,
+                       {options.limits.of_import(import_settings(choice->recipe, options.roots), messages),
+                        choice->directory, all_threads(), [&work](const char* part) { work.begin(part); }});
   if (!model) return tl::unexpected(model.error());
   const ProvenanceRecord now = make_provenance(*model, choice->recipe, xxh64(bytes->span()));
   std::vector<Issue> issues = find_origin_issues(asset, now);
@@ -99,8 +100,8 @@ Found validate_asset(std::span<const std::byte> bytes, const OriginOptions& orig
 }
 
 /// Cooks it, but for what takes longest and warns of nothing: the search for draw orders.
-std::vector<Issue> issues_of_a_cook(const fs::path& path, Recipe recipe, const fs::path& recipe_directory, const OriginOptions& options,
-                                    const Messages& messages) {
+std::vector<Issue> issues_of_a_cook(const fs::path& path, Recipe recipe, const fs::path& recipe_directory,
+                                    const OriginOptions& options, const Messages& messages) {
   recipe.order_method = "head";
   recipe.occlusion_strength = 0;
   LimitedWork work(path.string(), options.limits, all_threads(), messages);
@@ -110,8 +111,8 @@ std::vector<Issue> issues_of_a_cook(const fs::path& path, Recipe recipe, const f
   settings.progress = [&work](const char* part) { work.begin(part); };
   auto found = work.run([&]() -> Found {
     const auto model = read_hair_source(path, recipe,
-                                        {options.limits.of_import(import_settings(recipe, options.roots), messages), recipe_directory,
-                                         all_threads(), settings.progress});
+                                        {options.limits.of_import(import_settings(recipe, options.roots), messages),
+                                         recipe_directory, all_threads(), settings.progress});
     if (!model) return std::vector{import_issue(model.error())};
     return find_source_issues(*model, recipe, cook(*model, recipe, settings));
   });
@@ -181,7 +182,9 @@ tl::expected<void, ToolError> check_page(const ValidateOptions& options) {
   if (options.report.empty()) return {};
   if (auto suffix = choose_suffix(options.report, {".html"}); !suffix) return tl::unexpected(suffix.error());
   for (const std::string& file : options.files) {
-    if (auto checked = check_output(options.report, {file, options.origin.source, options.origin.recipe.value_or("")}); !checked) return checked;
+    if (auto checked = check_output(options.report, {file, options.origin.source, options.origin.recipe.value_or("")});
+        !checked)
+      return checked;
   }
   return {};
 }

@@ -20,10 +20,12 @@ namespace {
 namespace fs = std::filesystem;
 
 /// `found`: what the cook turned out to read and to name; empty before it.
-tl::expected<void, ToolError> check_cook_outputs(const CookOptions& options, const RecipeChoice& choice, const CookInputs& found) {
+tl::expected<void, ToolError> check_cook_outputs(const CookOptions& options, const RecipeChoice& choice,
+                                                 const CookInputs& found) {
   std::vector<fs::path> inputs = files_of(choice, found);
   inputs.emplace_back(options.source());
-  const NamedOutput outputs[] = {{"--output", options.output}, {"--depfile", options.depfile}, {"--report", options.report}};
+  const NamedOutput outputs[] = {
+      {"--output", options.output}, {"--depfile", options.depfile}, {"--report", options.report}};
   return check_outputs(outputs, inputs);
 }
 
@@ -44,7 +46,8 @@ struct FinishedCook {
 
 /// Cooks as if there were no cache.
 tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, const RecipeChoice& choice,
-                                                std::span<const std::byte> bytes, const Messages& messages, LimitedWork& work) {
+                                                std::span<const std::byte> bytes, const Messages& messages,
+                                                LimitedWork& work) {
   std::optional<ProgressLine> progress;
   if (options.shows_progress && !options.quiet) progress.emplace(options.source());
   const auto show = [&](const char* pass) {
@@ -54,9 +57,10 @@ tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, cons
   show("import");
   const auto begin = std::chrono::steady_clock::now();
   const unsigned threads = options.threads.value_or(all_threads());
-  const auto model = read_hair_source(
-      options.source(), options.draft ? draft_of(choice.recipe) : choice.recipe,
-      {options.limits.of_import(import_settings(choice.recipe, options.roots), messages), choice.directory, threads, show});
+  const auto model =
+      read_hair_source(options.source(), options.draft ? draft_of(choice.recipe) : choice.recipe,
+                       {options.limits.of_import(import_settings(choice.recipe, options.roots), messages),
+                        choice.directory, threads, show});
   if (!model) return tl::unexpected(model.error());
   const std::chrono::duration<double, std::milli> import_ms = std::chrono::steady_clock::now() - begin;
   CookSettings settings;
@@ -93,7 +97,6 @@ tl::expected<FinishedCook, ToolError> cook_or_find(const CookOptions& options, c
   return FinishedCook{std::move(*result), false};
 }
 
-
 tl::expected<std::string, ToolError> depfile_of(const CookOptions& options, const RecipeChoice& choice,
                                                 const CookInputs& inputs) {
   std::vector<fs::path> files{options.source()};
@@ -129,17 +132,25 @@ tl::expected<CookSummary, ToolError> run_cook_job(const CookOptions& options, co
   const auto cooked = work.run([&] { return cook_or_find(options, choice, messages, work); });
   if (!cooked) return tl::unexpected(cooked.error());
   const CookResult& result = cooked->result;
-  if (auto checked = check_cook_outputs(options, choice, result.inputs); !checked) return tl::unexpected(checked.error());
+  if (auto checked = check_cook_outputs(options, choice, result.inputs); !checked)
+    return tl::unexpected(checked.error());
   tl::expected<std::string, ToolError> depfile;
   if (!options.depfile.empty()) depfile = depfile_of(options, choice, result.inputs);
   if (!depfile) return tl::unexpected(depfile.error());
 
-  for (const Warning& warning : result.report.warnings) messages.warning(fmt::format("{}: {} [{}]", options.source(), std::string_view(warning), warning.code));
+  for (const Warning& warning : result.report.warnings)
+    messages.warning(fmt::format("{}: {} [{}]", options.source(), std::string_view(warning), warning.code));
   if (const std::size_t count = result.report.warnings.size(); options.warnings_as_errors && count > 0) {
     return file_failure(ToolError::Kind::kBadInput, options.source(), "{} warning{}, and --warnings-as-errors; nothing was written",
                         count, count == 1 ? "" : "s");
   }
-  CookSummary summary{options.output, result.asset.size(), result.report, options.draft, cooked->from_cache, result.inputs.source_files, result.inputs.named_files};
+  CookSummary summary{options.output,
+                      result.asset.size(),
+                      result.report,
+                      options.draft,
+                      cooked->from_cache,
+                      result.inputs.source_files,
+                      result.inputs.named_files};
   summary.files.insert(summary.files.end(), result.inputs.recipe_files.begin(), result.inputs.recipe_files.end());
   const auto write = [&](const std::string& path, std::span<const std::byte> bytes) {
     return write_output(path, bytes, options.durable ? Durability::kNow : Durability::kSoon);

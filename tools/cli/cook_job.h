@@ -79,7 +79,6 @@ void report_failed_cook(const CookOptions& options, const ToolError& error, cons
 /// Adds the codes that the command line ignores to those that the recipe does. Error (kUsage, kBadInput): one is no warning.
 tl::expected<void, ToolError> acknowledge(const CookOptions& options, RecipeChoice& choice);
 
-
 /// Of the first of `options.sources`: cooks within the limits, without a cache, and writes nothing.
 tl::expected<CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice, const Messages& messages);
 

@@ -50,7 +50,8 @@ nlohmann::ordered_json left_out_json(const CookReport& report) {
 /// The warnings with their codes, as `coif validate` has them.
 nlohmann::ordered_json issues_json(const CookReport& report) {
   auto list = nlohmann::ordered_json::array();
-  for (const Warning& warning : report.warnings) list.push_back({{"code", warning.code}, {"severity", "warning"}, {"message", std::string(warning)}});
+  for (const Warning& warning : report.warnings)
+    list.push_back({{"code", warning.code}, {"severity", "warning"}, {"message", std::string(warning)}});
   return list;
 }
 

@@ -57,7 +57,8 @@ LiveCooking cooking_of(const LiveOptions& options, const Messages& messages) {
   cooking.draft = options.draft;
   cooking.threads = all_threads();
   cooking.roots = options.roots;
-  cooking.import_settings = [messages, limits = options.limits](const Recipe& recipe, const std::vector<fs::path>& roots) {
+  cooking.import_settings = [messages, limits = options.limits](const Recipe& recipe,
+                                                                const std::vector<fs::path>& roots) {
     return limits.of_import(import_settings(recipe, roots), messages);
   };
   const auto work = std::make_shared<std::optional<LimitedWork>>();  // One cook runs at a time.

@@ -6,16 +6,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <fcntl.h>
+#include <unistd.h>
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <exception>
-#include <fcntl.h>
 #include <new>
 #include <sstream>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 namespace coif {
@@ -54,7 +54,8 @@ std::string named_files(const CLI::App& app) {
 }
 
 constexpr const char* kNoStream =
-    "-: neither reads the standard input nor writes files to the standard output; name a file, or ./- for one of that name";
+    "-: neither reads the standard input nor writes files to the standard output; name a file, or ./- for one of that "
+    "name";
 
 /// Patterns of names may be anything.
 bool is_standard_stream_named(const CLI::App& app) {
@@ -71,7 +72,8 @@ tl::expected<Exit, ToolError> run_in_memory(const Command& command, const Messag
 
 Exit run(const Command& command) {
   const Messages messages(command.app->get_name());
-  const auto result = is_standard_stream_named(*command.app) ? tl::expected<Exit, ToolError>(usage(kNoStream)) : run_in_memory(command, messages);
+  const auto result = is_standard_stream_named(*command.app) ? tl::expected<Exit, ToolError>(usage(kNoStream))
+                                                             : run_in_memory(command, messages);
   if (!result) {
     messages.error(result.error().message);
     return flush_results(exit_code(result.error().kind), messages);
@@ -84,7 +86,8 @@ Exit run(const Command& command) {
 void fill_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
-    if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;  // Takes the lowest number that is free.
+    if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0)
+      return;  // Takes the lowest number that is free.
   }
 }
 

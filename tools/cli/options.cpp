@@ -26,12 +26,15 @@ void add_format(CLI::App& app, OutputFormat& format) {
 }
 
 CLI::Option* add_ignored(CLI::App& app, std::vector<std::string>& codes) {
-  return app.add_option("--ignore", codes, "A warning or note that does not count; may be repeated")->type_name("CODE")->allow_extra_args(false);
+  return app.add_option("--ignore", codes, "A warning or note that does not count; may be repeated")
+      ->type_name("CODE")
+      ->allow_extra_args(false);
 }
 
 tl::expected<void, ToolError> check_ignored(const std::vector<std::string>& codes, const std::string& who) {
   for (const std::string& code : codes) {
-    if (!may_ignore(code)) return usage(fmt::format("{}: '{}' is no warning or note; 'coif validate --list-codes' lists them", who, code));
+    if (!may_ignore(code))
+      return usage(fmt::format("{}: '{}' is no warning or note; 'coif validate --list-codes' lists them", who, code));
   }
   return {};
 }

@@ -116,7 +116,8 @@ struct PixelSize {
 CLI::Option* add_ignored(CLI::App& app, std::vector<std::string>& codes);
 
 /// Error (kUsage): one of them is no code of a warning or note. `who`: what names them.
-[[nodiscard]] tl::expected<void, ToolError> check_ignored(const std::vector<std::string>& codes, const std::string& who);
+[[nodiscard]] tl::expected<void, ToolError> check_ignored(const std::vector<std::string>& codes,
+                                                          const std::string& who);
 
 /// --root DIR, any number: ImportSettings::roots.
 CLI::Option* add_roots(CLI::App& app, std::vector<std::filesystem::path>& roots);

@@ -101,7 +101,8 @@ tl::expected<Exit, ToolError> list_patches_of(const CookOptions& options, const 
   if (!cooked) return tl::unexpected(cooked.error());
   for (const std::string& warning : cooked->report.warnings) messages.warning(options.source() + ": " + warning);
   if (!options.output.empty()) {
-    if (auto checked = check_output(options.output, files_of(choice, cooked->inputs)); !checked) return tl::unexpected(checked.error());
+    if (auto checked = check_output(options.output, files_of(choice, cooked->inputs)); !checked)
+      return tl::unexpected(checked.error());
     if (auto done = draw_chart(options, *cooked); !done) return tl::unexpected(done.error());
   }
   print_result(options.format == OutputFormat::kJson

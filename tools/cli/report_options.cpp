@@ -121,15 +121,15 @@ std::vector<const CLI::Option*> add_cards_options(CLI::App& app, CardsChoice& ca
   std::vector<const CLI::Option*> options = add_source_limits(app, cards.limits);
   for (const CLI::Option* option :
        {app.add_option("--source", cards.source, "The strands that the asset was cooked from")->type_name("GROOM"),
-          app.add_option("--recipe", cards.recipe,
-                         "The recipe that it was cooked with (default: GROOM's name with .recipe.json)")
-              ->type_name("FILE"),
-          add_list(app, "--budgets", cards.settings.budgets, "Triangles of each set of cards, repeatable")
-              ->check(CLI::Range(2u, 1000000u))
-              ->capture_default_str(),
-          app.add_option("--directions", cards.settings.directions, "To compare cards and strands from")
-              ->check(CLI::Range(1u, 512u))
-              ->capture_default_str()}) {
+        app.add_option("--recipe", cards.recipe,
+                       "The recipe that it was cooked with (default: GROOM's name with .recipe.json)")
+            ->type_name("FILE"),
+        add_list(app, "--budgets", cards.settings.budgets, "Triangles of each set of cards, repeatable")
+            ->check(CLI::Range(2u, 1000000u))
+            ->capture_default_str(),
+        app.add_option("--directions", cards.settings.directions, "To compare cards and strands from")
+            ->check(CLI::Range(1u, 512u))
+            ->capture_default_str()}) {
     options.push_back(option);
   }
   return options;

@@ -25,15 +25,17 @@ tl::expected<ReportStrands, ToolError> read_report_strands(const ReportOptions& 
   const auto choice = choose_recipe(source, options.cards.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
   settings.texels = choice->recipe.cards_texels;
-  if (const auto side = choice->recipe.texture_max_size) settings.texels = std::min<std::size_t>(settings.texels, std::size_t{*side} * *side);
+  if (const auto side = choice->recipe.texture_max_size)
+    settings.texels = std::min<std::size_t>(settings.texels, std::size_t{*side} * *side);
   settings.rounds = int(choice->recipe.cards_rounds);
   settings.strand_width = float(choice->recipe.cards_strand_width);
   settings.caps = float(choice->recipe.cards_caps);
   const auto bytes = FileBytes::read(source);
   if (!bytes) return tl::unexpected(bytes.error());
   LimitedWork work(source, options.cards.limits, all_threads(), messages);
-  auto groom = work.run(
-      [&] { return read_groom(source, options.cards.limits.of_import(import_settings(choice->recipe, {}), messages)); });
+  auto groom = work.run([&] {
+    return read_groom(source, options.cards.limits.of_import(import_settings(choice->recipe, {}), messages));
+  });
   if (!groom) return tl::unexpected(groom.error());
   for (const std::string& warning : groom->warnings) messages.warning(source + ": " + warning);
   return ReportStrands{std::move(*groom), xxh64(bytes->span()), std::move(settings)};

@@ -28,13 +28,15 @@ ImportSettings SourceLimits::of_import(ImportSettings settings, const Messages& 
 }
 
 std::vector<const CLI::Option*> add_source_limits(CLI::App& app, SourceLimits& limits) {
-  return {add_number(app, "--max-source-mb", limits.max_source_mb, 1u, 1024u, "Largest source that is read, MiB")->type_name("N"),
+  return {add_number(app, "--max-source-mb", limits.max_source_mb, 1u, 1024u, "Largest source that is read, MiB")
+              ->type_name("N"),
           add_number(app, "--max-memory-mb", limits.max_memory_mb, 64u, 1u << 20,
                      "Memory that a source and all that is made of it may take, MiB")
               ->type_name("N"),
-          app.add_option("--max-seconds", limits.max_seconds,
-                         "Time that a source and all that is made of it may take, seconds (default: 1800, of which 120 to read "
-                         "a model)")
+          app.add_option(
+                 "--max-seconds", limits.max_seconds,
+                 "Time that a source and all that is made of it may take, seconds (default: 1800, of which 120 to read "
+                 "a model)")
               ->check(CLI::Range(1u, 86400u))
               ->type_name("N"),
           app.add_flag("--require-sandbox", limits.requires_sandbox,
@@ -47,10 +49,11 @@ void tell_of_missing_sandbox(const Messages& messages) {
   is_told = true;
   const std::string missing = missing_sandbox();
   if (missing.empty()) return;
-  messages.warning(fmt::format(
-      "models are read without a full sandbox, since {}; take files from people you trust alone, or give --require-sandbox to "
-      "read none",
-      missing));
+  messages.warning(
+      fmt::format("models are read without a full sandbox, since {}; take files from people you trust alone, or give "
+                  "--require-sandbox to "
+                  "read none",
+                  missing));
 }
 
 LimitedWork::LimitedWork(std::string source, const SourceLimits& limits, unsigned threads, const Messages& messages,
@@ -75,17 +78,20 @@ void LimitedWork::begin(const char* part) {
 
 ToolError LimitedWork::late(bool is_of_part) const {
   const auto& allowed = is_of_part ? allowance_.pass : allowance_.whole;
-  const std::string what = is_of_part ? fmt::format("the pass '{}' exceeded {} s", part_.load(), allowed.count())
-                                      : fmt::format("the cook exceeded {} s, in the pass '{}'", allowed.count(), part_.load());
-  return {ToolError::Kind::kBadInput, fmt::format("{}: {}; use fewer triangles or strands, or allow more with --max-{}seconds",
-                                                  source_, what, is_of_part ? "pass-" : "")};
+  const std::string what = is_of_part
+                               ? fmt::format("the pass '{}' exceeded {} s", part_.load(), allowed.count())
+                               : fmt::format("the cook exceeded {} s, in the pass '{}'", allowed.count(), part_.load());
+  return {ToolError::Kind::kBadInput,
+          fmt::format("{}: {}; use fewer triangles or strands, or allow more with --max-{}seconds", source_, what,
+                      is_of_part ? "pass-" : "")};
 }
 
 ToolError LimitedWork::too_large() const {
-  return {ToolError::Kind::kBadInput,
-          fmt::format("{}: the cook exceeded {} MiB of memory, in the pass '{}'; use fewer triangles or strands, or allow "
-                      "more with --max-memory-mb",
-                      source_, limits_.max_memory_mb, part_.load())};
+  return {
+      ToolError::Kind::kBadInput,
+      fmt::format("{}: the cook exceeded {} MiB of memory, in the pass '{}'; use fewer triangles or strands, or allow "
+                  "more with --max-memory-mb",
+                  source_, limits_.max_memory_mb, part_.load())};
 }
 
 }  // namespace coif

@@ -46,7 +46,8 @@ std::string node_tree(const SourceModel& model) {
   while (!open.empty()) {
     const auto [node, depth] = open.back();
     open.pop_back();
-    text += fmt::format("{:{}}{}{}\n", "", 2 * depth, printable_text(model.nodes[node].name), is_bone[node] ? "  (bone)" : "");
+    text += fmt::format("{:{}}{}{}\n", "", 2 * depth, printable_text(model.nodes[node].name),
+                        is_bone[node] ? "  (bone)" : "");
     for (const std::size_t child : children[node]) open.emplace_back(child, depth + 1);
   }
   return text;
@@ -78,8 +79,8 @@ std::string springs_text(const SourceModel& model) {
                   counted(limited_joints(model), "joint", "joints"));
   for (std::size_t c = 0; c < model.colliders.size(); ++c) {
     const SourceCollider& collider = model.colliders[c];
-    text += fmt::format("  collider {} on '{}'  {}{}", c, printable_text(model.nodes[collider.node].name), shape_word(collider.shape),
-                        collider.keeps_inside ? ", keeps inside" : "");
+    text += fmt::format("  collider {} on '{}'  {}{}", c, printable_text(model.nodes[collider.node].name),
+                        shape_word(collider.shape), collider.keeps_inside ? ", keeps inside" : "");
     text +=
         collider.shape == SourceCollider::Shape::kPlane ? "\n" : fmt::format(", radius {:.3g} m\n", collider.radius);
   }
@@ -92,13 +93,15 @@ std::string list_text(const SourceModel& model) {
   std::string text = fmt::format("{}\nmeshes\n", printable_text(model.path));
   for (const SourceMesh& mesh : model.meshes) {
     text += fmt::format("  {}  {}, material '{}', {}, {}\n", printable_text(mesh.name),
-                        counted(mesh.triangles.size() / 3, "triangle", "triangles"), printable_text(material_name(model, mesh)),
-                        mesh.uvs.empty() ? "no UV" : "UV", mesh.influences.empty() ? "rigid" : "skinned");
+                        counted(mesh.triangles.size() / 3, "triangle", "triangles"),
+                        printable_text(material_name(model, mesh)), mesh.uvs.empty() ? "no UV" : "UV",
+                        mesh.influences.empty() ? "rigid" : "skinned");
   }
   text += "materials\n";
   for (const SourceMaterial& material : model.materials) {
     const std::string texture = texture_name(model, material.base_texture);
-    text += fmt::format("  {}  {}\n", printable_text(material.name), texture.empty() ? "no texture" : printable_text(texture));
+    text += fmt::format("  {}  {}\n", printable_text(material.name),
+                        texture.empty() ? "no texture" : printable_text(texture));
   }
   return text + springs_text(model) + "nodes\n" + node_tree(model);
 }

@@ -29,8 +29,8 @@ double stored_double(const std::byte* at) {
 }
 
 template <class Integer>
-constexpr GltfComponent kInteger{sizeof(Integer), double(std::numeric_limits<Integer>::max()), std::is_unsigned_v<Integer>,
-                                 stored_double<Integer>};
+constexpr GltfComponent kInteger{sizeof(Integer), double(std::numeric_limits<Integer>::max()),
+                                 std::is_unsigned_v<Integer>, stored_double<Integer>};
 
 }  // namespace
 
@@ -61,7 +61,9 @@ std::size_t gltf_type_width(const json& type) {
 
 namespace {
 
-GltfComponent component_of(const json& accessor) { return gltf_component(index_of(member(accessor, "componentType"), 10000).value_or(0)); }
+GltfComponent component_of(const json& accessor) {
+  return gltf_component(index_of(member(accessor, "componentType"), 10000).value_or(0));
+}
 
 /// Copies `count` elements of `size` bytes out of a view, from `offset` on.
 std::string copy_elements(const GltfView& view, const json& offset, std::size_t size, std::span<std::byte> out) {
@@ -70,7 +72,8 @@ std::string copy_elements(const GltfView& view, const json& offset, std::size_t 
   const auto first = offset.is_null() ? std::optional<std::uint32_t>(0) : index_of(offset, kMostBufferBytes + 1);
   if (!first) return "has a byteOffset that is none";
   if (stride < size) return fmt::format("has elements of {} bytes that lie {} apart", size, stride);
-  if (*first > view.bytes.size()) return fmt::format("begins at byte {} of a bufferView of {}", *first, view.bytes.size());
+  if (*first > view.bytes.size())
+    return fmt::format("begins at byte {} of a bufferView of {}", *first, view.bytes.size());
   const std::span<const std::byte> bytes = view.bytes.subspan(*first);
   const std::size_t held = bytes.size() < size ? 0 : (bytes.size() - size) / stride + 1;
   if (held < count) return fmt::format("is cut off: {} of {} elements", held, count);
@@ -116,9 +119,11 @@ Bytes packed_elements(GltfBuffers& buffers, const json& accessor, std::size_t si
     const auto view = buffers.view(in_view);
     if (!view) return tl::unexpected(view.error());
     const std::size_t stride = std::max<std::size_t>(view->stride, 1);
-    if (*count > view->bytes.size() / stride + 1) return fault("is cut off: bufferView of {} bytes for {} elements", view->bytes.size(), *count);
+    if (*count > view->bytes.size() / stride + 1)
+      return fault("is cut off: bufferView of {} bytes for {} elements", view->bytes.size(), *count);
     out.resize(*count * size);
-    if (std::string bad = copy_elements(*view, member(accessor, "byteOffset"), size, out); !bad.empty()) return tl::unexpected(bad);
+    if (std::string bad = copy_elements(*view, member(accessor, "byteOffset"), size, out); !bad.empty())
+      return tl::unexpected(bad);
   } else {
     out.resize(*count * size);
   }
@@ -129,8 +134,10 @@ Bytes packed_elements(GltfBuffers& buffers, const json& accessor, std::size_t si
 
 }  // namespace
 
-tl::expected<GltfElements, std::string> read_gltf_elements(GltfBuffers& buffers, const json& accessor, std::size_t most) {
-  GltfElements out{component_of(accessor), member(accessor, "normalized") == true, gltf_type_width(member(accessor, "type")), {}};
+tl::expected<GltfElements, std::string> read_gltf_elements(GltfBuffers& buffers, const json& accessor,
+                                                           std::size_t most) {
+  GltfElements out{
+      component_of(accessor), member(accessor, "normalized") == true, gltf_type_width(member(accessor, "type")), {}};
   if (out.component.size == 0 || out.width == 0) return fault("is of no type of glTF's");
   auto bytes = packed_elements(buffers, accessor, out.component.size * out.width, most);
   if (!bytes) return tl::unexpected(bytes.error());
@@ -140,23 +147,26 @@ tl::expected<GltfElements, std::string> read_gltf_elements(GltfBuffers& buffers,
 
 namespace {
 
-tl::expected<std::vector<float>, std::string> read_numbers(GltfBuffers& buffers, const json& accessor, const NumbersWanted& wanted) {
+tl::expected<std::vector<float>, std::string> read_numbers(GltfBuffers& buffers, const json& accessor,
+                                                           const NumbersWanted& wanted) {
   if (member(accessor, "type") != wanted.type) return fault("is not of type {}", wanted.type);
   const GltfComponent component = component_of(accessor);
   const bool stands_for_itself = component.largest > 0 && member(accessor, "normalized") != true;
-  if (component.size == 0 || (stands_for_itself && !wanted.may_be_quantized)) return fault("has neither floats nor normalized integers");
+  if (component.size == 0 || (stands_for_itself && !wanted.may_be_quantized))
+    return fault("has neither floats nor normalized integers");
   const auto elements = read_gltf_elements(buffers, accessor, wanted.most_elements);
   if (!elements) return tl::unexpected(elements.error());
   std::vector<float> numbers(elements->count());
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     numbers[i] = float(gltf_value(component, elements->normalized, elements->stored(i)));
-    if (!wanted.may_be_infinite && !std::isfinite(numbers[i])) return fault("is not finite in element {}", i / wanted.width);
+    if (!wanted.may_be_infinite && !std::isfinite(numbers[i]))
+      return fault("is not finite in element {}", i / wanted.width);
   }
   return numbers;
 }
 
-tl::expected<std::vector<std::uint32_t>, std::string> read_integers(GltfBuffers& buffers, const json& accessor, std::size_t most,
-                                                                    std::size_t width) {
+tl::expected<std::vector<std::uint32_t>, std::string> read_integers(GltfBuffers& buffers, const json& accessor,
+                                                                    std::size_t most, std::size_t width) {
   if (!component_of(accessor).is_unsigned || member(accessor, "type") != (width == 1 ? "SCALAR" : "VEC4")) {
     return fault("has no plain list of unsigned numbers");
   }
@@ -186,8 +196,10 @@ tl::expected<std::vector<float>, std::string> read_gltf_numbers(const json& docu
 }
 
 tl::expected<std::vector<std::uint32_t>, std::string> read_gltf_indices(const json& document, GltfBuffers& buffers,
-                                                                        const json& accessor, std::size_t most, std::size_t width) {
-  return with_accessor(document, accessor, [&](const json& entry) { return read_integers(buffers, entry, most, width); });
+                                                                        const json& accessor, std::size_t most,
+                                                                        std::size_t width) {
+  return with_accessor(document, accessor,
+                       [&](const json& entry) { return read_integers(buffers, entry, most, width); });
 }
 
 }  // namespace coif

@@ -17,11 +17,11 @@ namespace coif {
 
 /// What an accessor has to be.
 struct NumbersWanted {
-  const char* type = "SCALAR";      ///< "SCALAR", "VEC2", "VEC3", "VEC4" or "MAT4".
-  std::size_t width = 1;            ///< Numbers per element of that type.
-  std::size_t most_elements = 1;    ///< More are refused.
-  bool may_be_quantized = false;    ///< Integers that are not normalized stand for themselves; else they are refused.
-  bool may_be_infinite = false;     ///< Else what is not finite is refused.
+  const char* type = "SCALAR";    ///< "SCALAR", "VEC2", "VEC3", "VEC4" or "MAT4".
+  std::size_t width = 1;          ///< Numbers per element of that type.
+  std::size_t most_elements = 1;  ///< More are refused.
+  bool may_be_quantized = false;  ///< Integers that are not normalized stand for themselves; else they are refused.
+  bool may_be_infinite = false;   ///< Else what is not finite is refused.
 };
 
 /// All numbers of an accessor, element by element: floats, or normalized integers as the fractions that they mean; sparse ones too.
@@ -37,7 +37,8 @@ struct NumbersWanted {
 [[nodiscard]] tl::expected<std::vector<std::uint32_t>, std::string> read_gltf_indices(const nlohmann::json& document,
                                                                                       GltfBuffers& buffers,
                                                                                       const nlohmann::json& accessor,
-                                                                                      std::size_t most, std::size_t width = 1);
+                                                                                      std::size_t most,
+                                                                                      std::size_t width = 1);
 
 /// How a component of an accessor is stored.
 struct GltfComponent {
@@ -69,6 +70,8 @@ struct GltfElements {
 
 /// `accessor` is one of the document's, not its index; more than `most` elements are refused. The error is a sentence's end: "is cut
 /// off".
-[[nodiscard]] tl::expected<GltfElements, std::string> read_gltf_elements(GltfBuffers& buffers, const nlohmann::json& accessor, std::size_t most);
+[[nodiscard]] tl::expected<GltfElements, std::string> read_gltf_elements(GltfBuffers& buffers,
+                                                                         const nlohmann::json& accessor,
+                                                                         std::size_t most);
 
 }  // namespace coif

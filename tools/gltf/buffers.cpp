@@ -73,18 +73,24 @@ std::optional<std::vector<std::byte>> bytes_of_data_uri(std::string_view uri) {
 Bytes GltfBuffers::read_side_file(const std::string& uri, std::size_t wanted) {
   const fs::path name = decoded_uri(uri);
   const std::string shown = printable_text(uri, 100);
-  const bool is_path = !name.empty() && name.is_relative() && name.native().find('\0') == std::string::npos && uri.find("://") == std::string::npos;
+  const bool is_path = !name.empty() && name.is_relative() && name.native().find('\0') == std::string::npos &&
+                       uri.find("://") == std::string::npos;
   if (!is_path) return fault("in '{}', which is not in this file's folder; put it there or export as .glb", shown);
   const fs::path path = path_.parent_path() / name;
   std::error_code code;
   const auto status = fs::status(path, code);
-  const bool is_inside = fs::exists(status) ? lies_in(path, folders_of_source(path_, roots_)) : *name.lexically_normal().begin() != "..";
+  const bool is_inside =
+      fs::exists(status) ? lies_in(path, folders_of_source(path_, roots_)) : *name.lexically_normal().begin() != "..";
   if (!is_inside) {
-    return fault("in '{}', which is not in this file's folder; put it there or export as .glb; where it lies in another folder or is a link, "
-                 "allow that folder with --root", shown);
+    return fault(
+        "in '{}', which is not in this file's folder; put it there or export as .glb; where it lies in another folder "
+        "or is a link, "
+        "allow that folder with --root",
+        shown);
   }
   side_files_.insert(path.string());
-  if (!fs::exists(status)) return fault("in '{}', and there is no such file; put it beside this one or export as .glb", shown);
+  if (!fs::exists(status))
+    return fault("in '{}', and there is no such file; put it beside this one or export as .glb", shown);
   std::ifstream file(path, std::ios::binary);
   if (!fs::is_regular_file(status) || !file) return fault("in '{}', which cannot be opened", shown);
   const std::uintmax_t size = fs::file_size(path, code);
@@ -141,7 +147,9 @@ tl::expected<GltfView, std::string> GltfBuffers::view(const json& index) {
   const auto number = index_of(index, views.size());
   if (!number) return fault("is in no bufferView of the {} that there are", views.size());
   const json& entry = views[*number];
-  const auto about = [&](const std::string& what) { return tl::unexpected(fmt::format("is in bufferView {}, which {}", *number, what)); };
+  const auto about = [&](const std::string& what) {
+    return tl::unexpected(fmt::format("is in bufferView {}, which {}", *number, what));
+  };
   for (const char* const name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
     if (const json& compression = extension(entry, name); compression.is_object()) {
       auto view = decompressed(*number, compression);

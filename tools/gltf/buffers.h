@@ -32,7 +32,8 @@ struct GltfView {
 class GltfBuffers {
  public:
   /// All must outlive the object; `document` needs the members `buffers` and `bufferViews`.
-  GltfBuffers(const std::filesystem::path& path, const nlohmann::json& document, std::span<const std::filesystem::path> roots = {})
+  GltfBuffers(const std::filesystem::path& path, const nlohmann::json& document,
+              std::span<const std::filesystem::path> roots = {})
       : path_(path), document_(document), roots_(roots) {}
 
   /// Exactly as many bytes as the document promises; valid as long as the object. The error is a sentence without the

@@ -35,7 +35,10 @@ tl::expected<std::string, std::string> read_text(const std::filesystem::path& pa
     return std::string((std::istreambuf_iterator<char>(file)), {});
   }
   if (!file) return fault("the header is cut off");
-  if (start.version != 2) return fault("it is binary glTF {}, and 2 is read; convert it, for example: npx gltf-pipeline -i OLD.glb -o NEW.glb", start.version);
+  if (start.version != 2)
+    return fault(
+        "it is binary glTF {}, and 2 is read; convert it, for example: npx gltf-pipeline -i OLD.glb -o NEW.glb",
+        start.version);
   std::error_code code;
   const std::uintmax_t size = std::filesystem::file_size(path, code);
   if (std::memcmp(start.chunk_type, "JSON", 4) != 0) return fault("the first chunk is not JSON");
@@ -64,7 +67,8 @@ tl::expected<json, std::string> read_gltf_json(const std::filesystem::path& path
   const std::string version = printable_text_of(member(member(document, "asset"), "version"));
   if (version.empty()) return fault("it has no asset.version, which every glTF 2.0 has");
   if (!version.starts_with("2")) {
-    return fault("it is glTF {}, and 2.0 is read; convert it, for example: npx gltf-pipeline -i OLD.gltf -o NEW.glb", excerpt(version, 20));
+    return fault("it is glTF {}, and 2.0 is read; convert it, for example: npx gltf-pipeline -i OLD.gltf -o NEW.glb",
+                 excerpt(version, 20));
   }
   return document;
 }

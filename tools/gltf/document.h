@@ -5,8 +5,8 @@
 
 #include "base/json.h"
 
-#include <Eigen/Core>
 #include <fmt/format.h>
+#include <Eigen/Core>
 #include <tl/expected.hpp>
 
 #include <filesystem>

@@ -34,7 +34,8 @@ tl::expected<DracoMesh, std::string> DracoMesh::decode(std::span<const std::byte
   draco::DecoderBuffer buffer;
   buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   auto mesh = draco::Decoder().DecodeMeshFromBuffer(&buffer);
-  if (!mesh.ok()) return fault("is damaged: KHR_draco_mesh_compression cannot be undone ({})", mesh.status().error_msg());
+  if (!mesh.ok())
+    return fault("is damaged: KHR_draco_mesh_compression cannot be undone ({})", mesh.status().error_msg());
   return DracoMesh(std::move(mesh).value());
 }
 
@@ -53,7 +54,8 @@ tl::expected<GltfElements, std::string> DracoMesh::elements(std::uint32_t id, st
   if (attribute != nullptr) out.component = gltf_component(component_type(attribute->data_type()));
   if (out.component.size == 0) return fault("has no compressed attribute {} of a known kind", id);
   if (std::size_t(attribute->num_components()) != width) {
-    return fault("has {} numbers to the element in compressed attribute {}, and {} are meant", int{attribute->num_components()}, id, width);
+    return fault("has {} numbers to the element in compressed attribute {}, and {} are meant",
+                 int{attribute->num_components()}, id, width);
   }
   const std::size_t size = out.component.size * width;
   out.width = width;
@@ -66,11 +68,13 @@ tl::expected<GltfElements, std::string> DracoMesh::elements(std::uint32_t id, st
   return out;
 }
 
-tl::expected<std::vector<float>, std::string> DracoMesh::numbers(std::uint32_t id, std::size_t width, bool normalized) const {
+tl::expected<std::vector<float>, std::string> DracoMesh::numbers(std::uint32_t id, std::size_t width,
+                                                                 bool normalized) const {
   const auto packed = elements(id, width);
   if (!packed) return tl::unexpected(packed.error());
   std::vector<float> out(packed->count());
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = float(gltf_value(packed->component, normalized, packed->stored(i)));
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = float(gltf_value(packed->component, normalized, packed->stored(i)));
   return out;
 }
 

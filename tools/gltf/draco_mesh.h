@@ -29,8 +29,10 @@ class DracoMesh {
 
   [[nodiscard]] std::vector<std::uint32_t> triangles() const;  ///< Three each.
   /// Of the attribute of that unique id, as an accessor of it would have them. The error is a sentence's end.
-  [[nodiscard]] tl::expected<std::vector<float>, std::string> numbers(std::uint32_t id, std::size_t width, bool normalized) const;
-  [[nodiscard]] tl::expected<std::vector<std::uint32_t>, std::string> integers(std::uint32_t id, std::size_t width) const;
+  [[nodiscard]] tl::expected<std::vector<float>, std::string> numbers(std::uint32_t id, std::size_t width,
+                                                                      bool normalized) const;
+  [[nodiscard]] tl::expected<std::vector<std::uint32_t>, std::string> integers(std::uint32_t id,
+                                                                               std::size_t width) const;
 
  private:
   explicit DracoMesh(std::unique_ptr<draco::Mesh> mesh);

@@ -29,7 +29,8 @@ struct InstanceNumbers {
 
 }  // namespace
 
-tl::expected<std::vector<Eigen::Affine3d>, std::string> read_gltf_instances(const nlohmann::json& document, GltfBuffers& buffers,
+tl::expected<std::vector<Eigen::Affine3d>, std::string> read_gltf_instances(const nlohmann::json& document,
+                                                                            GltfBuffers& buffers,
                                                                             const nlohmann::json& node) {
   const nlohmann::json& attributes = member(extension(node, "EXT_mesh_gpu_instancing"), "attributes");
   if (!attributes.is_object()) return std::vector{Eigen::Affine3d::Identity()};
@@ -46,7 +47,8 @@ tl::expected<std::vector<Eigen::Affine3d>, std::string> read_gltf_instances(cons
     numbers.of[k] = std::move(*read);
   }
   std::vector<Eigen::Affine3d> out;
-  for (std::size_t i = 0; i < numbers.count; ++i) out.push_back(gltf_placed(numbers.vector(0, i, 0), numbers.turn(i), numbers.vector(2, i, 1)));
+  for (std::size_t i = 0; i < numbers.count; ++i)
+    out.push_back(gltf_placed(numbers.vector(0, i, 0), numbers.turn(i), numbers.vector(2, i, 1)));
   return out;
 }
 

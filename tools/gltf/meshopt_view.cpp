@@ -25,13 +25,14 @@ struct Packing {
 bool has_known_shape(const Packing& packing) {
   if (packing.mode == "ATTRIBUTES") return packing.stride % 4 == 0 && packing.stride <= kMostStride;
   const bool is_index = packing.stride == 2 || packing.stride == 4;
-  return is_index && packing.filter == "NONE" && (packing.mode == "INDICES" || (packing.mode == "TRIANGLES" && packing.count % 3 == 0));
+  return is_index && packing.filter == "NONE" &&
+         (packing.mode == "INDICES" || (packing.mode == "TRIANGLES" && packing.count % 3 == 0));
 }
 
 bool has_known_filter(const Packing& packing) {
   const auto& [count, stride, mode, filter] = packing;
-  return filter == "NONE" || (filter == "OCTAHEDRAL" && (stride == 4 || stride == 8)) || (filter == "QUATERNION" && stride == 8) ||
-         filter == "EXPONENTIAL";
+  return filter == "NONE" || (filter == "OCTAHEDRAL" && (stride == 4 || stride == 8)) ||
+         (filter == "QUATERNION" && stride == 8) || filter == "EXPONENTIAL";
 }
 
 bool decode(const Packing& packing, std::span<const std::byte> bytes, std::vector<std::byte>& out) {
@@ -58,11 +59,16 @@ Bytes decompress_meshopt(const json& compression, std::span<const std::byte> byt
   if (packing.filter.empty()) packing.filter = "NONE";
   const bool fits = packing.count > 0 && packing.stride > 0 && packing.count <= kMostBufferBytes / packing.stride;
   if (!fits || !has_known_shape(packing) || !has_known_filter(packing)) {
-    return fault("is compressed by EXT_meshopt_compression in a way that nothing defines (mode '{}', filter '{}', {} elements of {} bytes)",
-                 packing.mode, packing.filter, packing.count, packing.stride);
+    return fault(
+        "is compressed by EXT_meshopt_compression in a way that nothing defines (mode '{}', filter '{}', {} elements "
+        "of {} bytes)",
+        packing.mode, packing.filter, packing.count, packing.stride);
   }
   std::vector<std::byte> out(packing.count * packing.stride);
-  if (!decode(packing, bytes, out)) return fault("is damaged, or of a newer EXT_meshopt_compression than is read; npx @gltf-transform/cli copy OLD.glb NEW.glb writes it plain");
+  if (!decode(packing, bytes, out))
+    return fault(
+        "is damaged, or of a newer EXT_meshopt_compression than is read; npx @gltf-transform/cli copy OLD.glb NEW.glb "
+        "writes it plain");
   undo_filter(packing, out);
   return out;
 }

@@ -89,19 +89,22 @@ class PrimitiveReader {
   }
 
   Numbers numbers_of(const json& index, std::size_t width) {
-    return read_gltf_numbers(document_, buffers_, index, {type_of_width(width), width, kMostPrimitiveVertices, true, true});
+    return read_gltf_numbers(document_, buffers_, index,
+                             {type_of_width(width), width, kMostPrimitiveVertices, true, true});
   }
 
   Integers integers(const char* name) {
     if (const auto id = id_of(name)) return checked(name, draco_->integers(*id, 4), 4);
     const json& index = member(attributes_, name);
-    return index.is_null() ? Integers() : checked(name, read_gltf_indices(document_, buffers_, index, kMostPrimitiveVertices, 4), 4);
+    return index.is_null() ? Integers()
+                           : checked(name, read_gltf_indices(document_, buffers_, index, kMostPrimitiveVertices, 4), 4);
   }
 
   template <int kWidth>
   static std::vector<Eigen::Matrix<float, kWidth, 1>> vectors(const std::vector<float>& numbers) {
     std::vector<Eigen::Matrix<float, kWidth, 1>> out(numbers.size() / kWidth);
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = Eigen::Map<const Eigen::Matrix<float, kWidth, 1>>(&numbers[i * kWidth]);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] = Eigen::Map<const Eigen::Matrix<float, kWidth, 1>>(&numbers[i * kWidth]);
     return out;
   }
 
@@ -153,7 +156,9 @@ class PrimitiveReader {
         const Numbers steps = checked(name, numbers_of(index, 3), 3);
         if (!steps) return fmt::format("morph target {}: {}", t, steps.error());
         for (std::size_t v = 0; v < to->size(); ++v) {
-          (*to)[v] = ((*to)[v].cast<double>() + morph_weights[t] * Eigen::Map<const Eigen::Vector3f>(&(*steps)[3 * v]).cast<double>()).cast<float>();
+          (*to)[v] = ((*to)[v].cast<double>() +
+                      morph_weights[t] * Eigen::Map<const Eigen::Vector3f>(&(*steps)[3 * v]).cast<double>())
+                         .cast<float>();
         }
       }
     }
@@ -186,7 +191,8 @@ class PrimitiveReader {
     for (std::size_t i = 2; i < corners.size(); ++i) {
       const bool is_odd = mode == GltfMode::kStrip && i % 2 == 1;
       const std::uint32_t first = mode == GltfMode::kFan ? corners[0] : corners[i - 2];
-      out_.triangles.insert(out_.triangles.end(), {is_odd ? corners[i - 1] : first, is_odd ? first : corners[i - 1], corners[i]});
+      out_.triangles.insert(out_.triangles.end(),
+                            {is_odd ? corners[i - 1] : first, is_odd ? first : corners[i - 1], corners[i]});
     }
   }
 
@@ -208,8 +214,9 @@ std::optional<GltfMode> gltf_mode(const json& primitive) {
   return number ? std::optional(GltfMode(*number)) : std::nullopt;
 }
 
-tl::expected<GltfPrimitive, std::string> read_gltf_primitive(const json& document, GltfBuffers& buffers, const json& primitive,
-                                                             std::uint32_t uv_set, std::span<const double> morph_weights) {
+tl::expected<GltfPrimitive, std::string> read_gltf_primitive(const json& document, GltfBuffers& buffers,
+                                                             const json& primitive, std::uint32_t uv_set,
+                                                             std::span<const double> morph_weights) {
   return PrimitiveReader(document, buffers, primitive).read(uv_set, morph_weights);
 }
 

@@ -39,8 +39,10 @@ struct GltfPrimitive {
 
 /// `uv_set` is the N of TEXCOORD_N. Targets are added as their `morph_weights` say, as far as there are any. The error is a sentence's
 /// beginning that names the attribute: "NORMAL: accessor 3 is cut off". `primitive` has triangles.
-[[nodiscard]] tl::expected<GltfPrimitive, std::string> read_gltf_primitive(const nlohmann::json& document, GltfBuffers& buffers,
-                                                                           const nlohmann::json& primitive, std::uint32_t uv_set,
+[[nodiscard]] tl::expected<GltfPrimitive, std::string> read_gltf_primitive(const nlohmann::json& document,
+                                                                           GltfBuffers& buffers,
+                                                                           const nlohmann::json& primitive,
+                                                                           std::uint32_t uv_set,
                                                                            std::span<const double> morph_weights);
 
 }  // namespace coif

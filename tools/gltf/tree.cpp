@@ -45,7 +45,8 @@ json scene_roots(const json& document) {
 
 }  // namespace
 
-Eigen::Affine3d gltf_placed(const Eigen::Vector3d& translation, const Eigen::Quaterniond& rotation, const Eigen::Vector3d& scale) {
+Eigen::Affine3d gltf_placed(const Eigen::Vector3d& translation, const Eigen::Quaterniond& rotation,
+                            const Eigen::Vector3d& scale) {
   return Eigen::Translation3d(translation) * rotation * Eigen::Scaling(scale);
 }
 
@@ -54,12 +55,14 @@ std::optional<GltfPlace> gltf_place(const json& node) {
   const json& matrix = member(node, "matrix");
   out.is_matrix = !matrix.is_null();
   Eigen::Matrix4d columns = Eigen::Matrix4d::Identity();
-  const bool is_read = read_list(matrix, columns.data(), 16) && read_list(member(node, "translation"), out.translation.data(), 3) &&
+  const bool is_read = read_list(matrix, columns.data(), 16) &&
+                       read_list(member(node, "translation"), out.translation.data(), 3) &&
                        read_list(member(node, "rotation"), out.rotation.coeffs().data(), 4) &&
                        read_list(member(node, "scale"), out.scale.data(), 3);
   if (!is_read || !(out.rotation.norm() > 1.0e-3)) return std::nullopt;
   out.rotation.normalize();
-  out.parent_from_node = out.is_matrix ? Eigen::Affine3d(columns) : gltf_placed(out.translation, out.rotation, out.scale);
+  out.parent_from_node =
+      out.is_matrix ? Eigen::Affine3d(columns) : gltf_placed(out.translation, out.rotation, out.scale);
   return out;
 }
 
@@ -104,7 +107,8 @@ std::vector<GltfSceneNode> gltf_scene_nodes(const json& document, const Eigen::A
   std::vector<GltfSceneNode> out, pending;  // a list instead of recursion: a file may nest nodes deeper than the stack
   const auto push = [&](const json& list, std::optional<std::uint32_t> parent, bool is_hidden) {
     for (std::size_t i = list.size(); i-- > 0;) {
-      if (const auto index = index_of(list[i], nodes.size())) pending.push_back({.in_file = *index, .parent = parent, .is_hidden = is_hidden});
+      if (const auto index = index_of(list[i], nodes.size()))
+        pending.push_back({.in_file = *index, .parent = parent, .is_hidden = is_hidden});
     }
   };
   push(scene_roots(document), std::nullopt, false);

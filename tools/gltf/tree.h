@@ -26,7 +26,8 @@ struct GltfPlace {
   Eigen::Affine3d parent_from_node = Eigen::Affine3d::Identity();
 };
 
-[[nodiscard]] Eigen::Affine3d gltf_placed(const Eigen::Vector3d& translation, const Eigen::Quaterniond& rotation, const Eigen::Vector3d& scale);
+[[nodiscard]] Eigen::Affine3d gltf_placed(const Eigen::Vector3d& translation, const Eigen::Quaterniond& rotation,
+                                          const Eigen::Vector3d& scale);
 
 /// Null unless the node's numbers are finite and its rotation has a length.
 [[nodiscard]] std::optional<GltfPlace> gltf_place(const nlohmann::json& node);
@@ -61,7 +62,7 @@ struct GltfSceneNode {
 
 /// The nodes of the document's scene (`scene`, else the first; all roots where there is no scene), depth first, children in their order,
 /// each once however often a damaged file names it. `model_from_file` is applied above the roots.
-[[nodiscard]] std::vector<GltfSceneNode> gltf_scene_nodes(const nlohmann::json& document,
-                                                          const Eigen::Affine3d& model_from_file = Eigen::Affine3d::Identity());
+[[nodiscard]] std::vector<GltfSceneNode> gltf_scene_nodes(
+    const nlohmann::json& document, const Eigen::Affine3d& model_from_file = Eigen::Affine3d::Identity());
 
 }  // namespace coif

@@ -22,10 +22,7 @@ using nlohmann::json;
 class LineScene {
  public:
   LineScene(const json& document, GltfBuffers& buffers, Groom& groom)
-      : document_(document),
-        buffers_(buffers),
-        builder_(groom),
-        nodes_(list_of(member(document, "nodes"))) {}
+      : document_(document), buffers_(buffers), builder_(groom), nodes_(list_of(member(document, "nodes"))) {}
 
   /// Of the scene's nodes, but for hidden ones.
   std::string read() {
@@ -54,8 +51,9 @@ class LineScene {
   }
 
   std::string read_lines(const json& primitive, GltfMode mode, const Eigen::Affine3d& placed) {
-    const auto numbers = read_gltf_numbers(document_, buffers_, member(member(primitive, "attributes"), "POSITION"),
-                                           {.type = "VEC3", .width = 3, .most_elements = kMostStrandPoints, .may_be_quantized = true});
+    const auto numbers =
+        read_gltf_numbers(document_, buffers_, member(member(primitive, "attributes"), "POSITION"),
+                          {.type = "VEC3", .width = 3, .most_elements = kMostStrandPoints, .may_be_quantized = true});
     if (!numbers) return numbers.error();
     std::vector<Eigen::Vector3f> places(numbers->size() / 3);
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -84,7 +82,8 @@ class LineScene {
       lines.add(indices);
     }
     std::vector<Eigen::Vector3f> points;
-    const VertexLines strands = mode == GltfMode::kLines ? joined_lines(lines, places.size()).strands : std::move(lines);
+    const VertexLines strands =
+        mode == GltfMode::kLines ? joined_lines(lines, places.size()).strands : std::move(lines);
     for (std::size_t i = 0; i < strands.count(); ++i) {
       points.clear();
       for (const std::uint32_t v : strands.line(i)) points.push_back(places[v]);

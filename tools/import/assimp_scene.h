@@ -52,11 +52,13 @@ struct RawMesh;
 struct SceneNodes {
   std::vector<SourceNode> nodes;
   std::vector<const aiNode*> origin;                           ///< Beside each node; owned by the scene.
-  std::vector<Eigen::Affine3d> node_from_mesh;                 ///< Beside each node, for the meshes that it carries: FBX's geometric transform.
-  std::vector<bool> is_hidden;                                 ///< Beside each node: by FBX's Visibility or Show, its own or inherited.
-  std::vector<bool> is_coarser;                                ///< Beside each node: of a group of levels of detail, not in the finest.
-  std::vector<const FbxObject*> model;                         ///< Beside each node where `fbx` is there: the file's model, null where unknown.
-  const FbxObjects* fbx = nullptr;                             ///< What an FBX says that assimp does not; outlives this.
+  std::vector<Eigen::Affine3d>
+      node_from_mesh;            ///< Beside each node, for the meshes that it carries: FBX's geometric transform.
+  std::vector<bool> is_hidden;   ///< Beside each node: by FBX's Visibility or Show, its own or inherited.
+  std::vector<bool> is_coarser;  ///< Beside each node: of a group of levels of detail, not in the finest.
+  std::vector<const FbxObject*>
+      model;                        ///< Beside each node where `fbx` is there: the file's model, null where unknown.
+  const FbxObjects* fbx = nullptr;  ///< What an FBX says that assimp does not; outlives this.
   std::unordered_map<std::string, std::uint32_t> joint_named;  ///< By the importer's raw name.
 };
 

@@ -2,11 +2,11 @@
 
 #include "base/geometry.h"
 #include "base/text.h"
-#include "import/clip_document.h"
-#include "import/clip_track.h"
 #include "gltf/buffers.h"
 #include "gltf/document.h"
 #include "gltf/tree.h"
+#include "import/clip_document.h"
+#include "import/clip_track.h"
 #include "import/import.h"
 
 #include <fmt/format.h>

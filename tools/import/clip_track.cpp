@@ -130,7 +130,8 @@ Affine3d ClipNode::at(double seconds) const {
   const auto &moves = track(NodeProperty::kTranslation), &turns = track(NodeProperty::kRotation),
              &grows = track(NodeProperty::kScale);
   if (!moves && !turns && !grows) return rest_.parent_from_node;
-  return gltf_placed(moves ? moves->vector_at(seconds) : rest_.translation, turns ? turns->rotation_at(seconds) : rest_.rotation,
+  return gltf_placed(moves ? moves->vector_at(seconds) : rest_.translation,
+                     turns ? turns->rotation_at(seconds) : rest_.rotation,
                      grows ? grows->vector_at(seconds) : rest_.scale);
 }
 

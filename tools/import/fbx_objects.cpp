@@ -15,7 +15,8 @@ constexpr std::string_view kNameEnd("\0\1", 2);  // "Hair\0\1Model" of a binary 
 
 std::string_view object_name(std::string_view text) {
   if (const std::size_t end = text.find(kNameEnd); end != std::string_view::npos) return text.substr(0, end);
-  for (const std::string_view prefix : {"Model::", "Geometry::", "Deformer::", "SubDeformer::", "NodeAttribute::", "DisplayLayer::"}) {
+  for (const std::string_view prefix :
+       {"Model::", "Geometry::", "Deformer::", "SubDeformer::", "NodeAttribute::", "DisplayLayer::"}) {
     if (text.starts_with(prefix)) return text.substr(prefix.size());
   }
   return text;
@@ -84,7 +85,8 @@ class FbxObjects::Collector {
 
   bool add_connection(const FbxRecord& record) {
     const auto& values = record.values;
-    if (record.name == "C" && values.size() >= 3 && values[0].text == "OO" && is_number(values[1]) && is_number(values[2])) {
+    if (record.name == "C" && values.size() >= 3 && values[0].text == "OO" && is_number(values[1]) &&
+        is_number(values[2])) {
       out_.connections_.push_back({values[1].whole, values[2].whole});
     }
     return false;
@@ -93,9 +95,11 @@ class FbxObjects::Collector {
   bool read_part(const FbxRecord& record) {
     FbxObject& object = out_.objects_.back();
     part_ = record.name;
-    if (object.kind == FbxKind::kChannel && part_ == "DeformPercent" && !record.values.empty()) set_percent(record.values[0]);
+    if (object.kind == FbxKind::kChannel && part_ == "DeformPercent" && !record.values.empty())
+      set_percent(record.values[0]);
     if (object.kind == FbxKind::kChannel && part_ == "FullWeights") {
-      if (!record.values.empty() && record.values[0].kind == FbxValue::Kind::kArray) add_full_weights(record.values[0].text);
+      if (!record.values.empty() && record.values[0].kind == FbxValue::Kind::kArray)
+        add_full_weights(record.values[0].text);
       return true;
     }
     return part_ == "Properties70";
@@ -108,7 +112,8 @@ class FbxObjects::Collector {
       add_full_weights({reinterpret_cast<const char*>(numbers.data()), record.values.size() * sizeof(double)});
     }
     // P: name, type, label, flags, value
-    if (part_ != "Properties70" || record.name != "P" || record.values.size() < 5 || !is_number(record.values[4])) return;
+    if (part_ != "Properties70" || record.name != "P" || record.values.size() < 5 || !is_number(record.values[4]))
+      return;
     const std::string_view name = record.values[0].text;
     const bool is_on = record.values[4].number != 0;
     FbxObject& object = out_.objects_.back();
@@ -151,7 +156,9 @@ std::optional<FbxObjects> FbxObjects::read(std::string_view file) {
 void FbxObjects::sort() {
   std::ranges::reverse(objects_);
   std::ranges::stable_sort(objects_, {}, &FbxObject::id);
-  objects_.erase(std::unique(objects_.begin(), objects_.end(), [](const FbxObject& a, const FbxObject& b) { return a.id == b.id; }), objects_.end());
+  objects_.erase(std::unique(objects_.begin(), objects_.end(),
+                             [](const FbxObject& a, const FbxObject& b) { return a.id == b.id; }),
+                 objects_.end());
   std::ranges::stable_sort(connections_, {}, &FbxConnection::to);
 }
 
@@ -171,8 +178,10 @@ void FbxObjects::mark_models() {
     const FbxObject* const from = find(connection.from);
     const FbxObject* const to = find(connection.to);
     if (from == nullptr || to == nullptr) continue;
-    if (from->kind == FbxKind::kLodAttribute && to->kind == FbxKind::kModel) objects_[std::size_t(to - objects_.data())].is_lod_group = true;
-    if (from->kind == FbxKind::kModel && to->kind == FbxKind::kLayer && !to->is_visible) objects_[std::size_t(from - objects_.data())].is_visible = false;
+    if (from->kind == FbxKind::kLodAttribute && to->kind == FbxKind::kModel)
+      objects_[std::size_t(to - objects_.data())].is_lod_group = true;
+    if (from->kind == FbxKind::kModel && to->kind == FbxKind::kLayer && !to->is_visible)
+      objects_[std::size_t(from - objects_.data())].is_visible = false;
   }
 }
 
@@ -217,15 +226,18 @@ void FbxObjects::add_channel(const FbxObject& channel, std::span<const FbxConnec
     if (shape != nullptr && shape->kind == FbxKind::kShape) shapes.push_back(shape);
   }
   std::vector<double> full(full_weights_.begin() + channel.begin, full_weights_.begin() + channel.end);
-  const bool is_usable = full.size() == shapes.size() && std::ranges::all_of(full, [](double percent) { return std::isfinite(percent) && percent > 0; }) &&
-                         std::ranges::adjacent_find(full, std::greater_equal<>()) == full.end();
+  const bool is_usable =
+      full.size() == shapes.size() &&
+      std::ranges::all_of(full, [](double percent) { return std::isfinite(percent) && percent > 0; }) &&
+      std::ranges::adjacent_find(full, std::greater_equal<>()) == full.end();
   if (!is_usable) {
     full.clear();
     for (std::size_t i = 0; i < shapes.size(); ++i) full.push_back(100.0 * double(i + 1) / double(shapes.size()));
   }
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const double weight = shape_weight(full, i, channel.percent);
-    shapes_.push_back({channel.name.empty() ? shapes[i]->name : channel.name, i == 0 ? channel.percent / 100 : 0, std::isfinite(weight) ? weight : 0});
+    shapes_.push_back({channel.name.empty() ? shapes[i]->name : channel.name, i == 0 ? channel.percent / 100 : 0,
+                       std::isfinite(weight) ? weight : 0});
   }
 }
 

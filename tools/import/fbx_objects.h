@@ -17,7 +17,8 @@ struct FbxObject {
   std::int64_t id = 0;
   std::string_view name;  ///< Points into the file.
   FbxKind kind = FbxKind::kModel;
-  bool is_visible = true;           ///< Of a model: neither its Visibility is 0 nor Show of a layer that it is in. Of a layer: Show.
+  bool is_visible =
+      true;  ///< Of a model: neither its Visibility is 0 nor Show of a layer that it is in. Of a layer: Show.
   bool inherits_visibility = true;  ///< Of a model: hidden where the one above it is.
   bool is_lod_group = false;        ///< Of a model: its children are levels of detail, the finest first.
   double percent = 0;               ///< Of a channel: DeformPercent, 100 where the key is fully on.
@@ -49,7 +50,9 @@ class FbxObjects {
   [[nodiscard]] const FbxObject* find(std::int64_t id) const;
   /// In the file's order.
   [[nodiscard]] std::span<const FbxConnection> below(std::int64_t id) const;
-  [[nodiscard]] std::span<const FbxShape> shapes(const FbxObject& mesh) const { return std::span(shapes_).subspan(mesh.begin, mesh.end - mesh.begin); }
+  [[nodiscard]] std::span<const FbxShape> shapes(const FbxObject& mesh) const {
+    return std::span(shapes_).subspan(mesh.begin, mesh.end - mesh.begin);
+  }
 
  private:
   class Collector;
@@ -59,7 +62,7 @@ class FbxObjects {
   bool add_shapes_of(const FbxObject& mesh, std::size_t& steps_left);
   void add_channel(const FbxObject& channel, std::span<const FbxConnection> below_channel);
 
-  std::vector<FbxObject> objects_;  // by id
+  std::vector<FbxObject> objects_;          // by id
   std::vector<FbxConnection> connections_;  // by `to`
   std::vector<double> full_weights_;
   std::vector<FbxShape> shapes_;

@@ -13,7 +13,8 @@ namespace coif {
 struct FbxValue {
   enum class Kind : std::uint8_t { kNumber, kText, kArray };
   Kind kind = Kind::kText;
-  std::string_view text;   ///< Of a text; of an array of a binary file that is not packed and holds doubles, its bytes; else empty.
+  std::string_view
+      text;  ///< Of a text; of an array of a binary file that is not packed and holds doubles, its bytes; else empty.
   double number = 0;       ///< Of a number.
   std::int64_t whole = 0;  ///< Of a number that is whole, for example an object's id.
 };

@@ -41,7 +41,8 @@ void mark_hidden(SceneNodes& nodes) {
   for (std::size_t n = 1; n < nodes.nodes.size(); ++n) {
     const bool is_below_hidden = is_hidden[nodes.nodes[n].parent];
     const FbxObject* const model = nodes.model[n];
-    is_hidden[n] = model == nullptr ? is_below_hidden : !model->is_visible || (is_below_hidden && model->inherits_visibility);
+    is_hidden[n] =
+        model == nullptr ? is_below_hidden : !model->is_visible || (is_below_hidden && model->inherits_visibility);
     if (is_hidden[n]) nodes.is_hidden[n] = true;
   }
 }
@@ -78,7 +79,8 @@ std::vector<std::string> keys_that_are_on(std::span<const FbxShape> shapes) {
 }
 
 void add_difference(const aiVector3D& target, const aiVector3D& base, double weight, Eigen::Vector3f& to) {
-  to += (weight * Eigen::Vector3d(double(target.x) - base.x, double(target.y) - base.y, double(target.z) - base.z)).cast<float>();
+  to += (weight * Eigen::Vector3d(double(target.x) - base.x, double(target.y) - base.y, double(target.z) - base.z))
+            .cast<float>();
 }
 
 /// What assimp calls an anim mesh is the whole mesh as it is with the shape fully on.
@@ -86,7 +88,8 @@ void add_shape(const aiMesh& mesh, const aiAnimMesh& shape, double weight, RawMe
   if (weight == 0 || shape.mNumVertices != mesh.mNumVertices) return;
   for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
     if (shape.HasPositions()) add_difference(shape.mVertices[v], mesh.mVertices[v], weight, out.positions[v]);
-    if (shape.HasNormals() && mesh.HasNormals()) add_difference(shape.mNormals[v], mesh.mNormals[v], weight, out.normals[v]);
+    if (shape.HasNormals() && mesh.HasNormals())
+      add_difference(shape.mNormals[v], mesh.mNormals[v], weight, out.normals[v]);
   }
 }
 
@@ -115,7 +118,9 @@ void FbxShapeKeys::apply(const aiMesh& mesh, std::uint32_t node, RawMesh& out, s
     return;
   }
   if (unlike == nullptr || !told_.insert(unlike).second) return;
-  warnings.push_back(fmt::format("mesh '{}': shape keys are on and could not be read; apply them in the modelling tool and export again", out.name));
+  warnings.push_back(fmt::format(
+      "mesh '{}': shape keys are on and could not be read; apply them in the modelling tool and export again",
+      out.name));
 }
 
 }  // namespace coif

@@ -105,11 +105,14 @@ class TextFbx {
   static FbxValue value_of(std::string_view text) {
     const char* const end = text.data() + text.size();
     std::int64_t whole = 0;
-    if (const auto [stop, fault] = std::from_chars(text.data(), end, whole); stop == end && fault == std::errc{}) return fbx_number(whole);
+    if (const auto [stop, fault] = std::from_chars(text.data(), end, whole); stop == end && fault == std::errc{})
+      return fbx_number(whole);
     std::uint64_t large = 0;
-    if (const auto [stop, fault] = std::from_chars(text.data(), end, large); stop == end && fault == std::errc{}) return fbx_number(large);
+    if (const auto [stop, fault] = std::from_chars(text.data(), end, large); stop == end && fault == std::errc{})
+      return fbx_number(large);
     double number = 0;
-    if (const auto [stop, fault] = std::from_chars(text.data(), end, number); stop == end && fault == std::errc{}) return fbx_number(number);
+    if (const auto [stop, fault] = std::from_chars(text.data(), end, number); stop == end && fault == std::errc{})
+      return fbx_number(number);
     return {FbxValue::Kind::kText, text};
   }
 

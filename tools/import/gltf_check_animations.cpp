@@ -33,15 +33,18 @@ class AnimationChecks {
 
   void check_times(const json& sampler) {
     for (const char* name : {"input", "output"}) {
-      if (!index_of(member(sampler, name), file_.list("accessors").size())) return wrong("a sampler has no {}; bake it and export again", name);
+      if (!index_of(member(sampler, name), file_.list("accessors").size()))
+        return wrong("a sampler has no {}; bake it and export again", name);
     }
     const auto times = file_.read(member(sampler, "input"));
     if (!times) return;
-    if (times->width != 1 || !times->is_float()) return wrong("its key times are no list of floats; bake it and export again");
+    if (times->width != 1 || !times->is_float())
+      return wrong("its key times are no list of floats; bake it and export again");
     for (std::size_t i = 0; i < times->numbers.size(); ++i) {
       const double time = times->numbers[i];
       if (!std::isfinite(time) || time < 0) return wrong("key {} is at {:g} s; bake it and export again", i, time);
-      if (i > 0 && !(time > times->numbers[i - 1])) return wrong("key {} at {:g} s does not come after the one before it; bake it and export again", i, time);
+      if (i > 0 && !(time > times->numbers[i - 1]))
+        return wrong("key {} at {:g} s does not come after the one before it; bake it and export again", i, time);
     }
   }
 
@@ -50,17 +53,20 @@ class AnimationChecks {
     if (!index) return wrong("a channel has no sampler; bake it and export again");
     const json& target = member(channel, "target");
     const json& node = member(target, "node");
-    if (!target.is_object() || (!node.is_null() && !index_of(node, file_.list("nodes").size()))) return wrong("a channel moves no node; bake it and export again");
+    if (!target.is_object() || (!node.is_null() && !index_of(node, file_.list("nodes").size())))
+      return wrong("a channel moves no node; bake it and export again");
     const json& sampler = samplers[*index];
     const auto times = file_.read(member(sampler, "input")), values = file_.read(member(sampler, "output"));
     if (!times || !values) return;
     const std::string path = printable_text_of(member(target, "path"));
     const std::size_t width = path == "rotation" ? 4 : path == "weights" ? 1 : 3;
-    if (path != "rotation" && path != "translation" && path != "scale" && path != "weights") return;  // Of an extension.
+    if (path != "rotation" && path != "translation" && path != "scale" && path != "weights")
+      return;  // Of an extension.
     const std::size_t of_a_key = member(sampler, "interpolation") == "CUBICSPLINE" ? 3 : 1;
     const std::size_t wanted = times->count() * of_a_key;
     const bool fits = width == 1 ? values->count() % std::max<std::size_t>(wanted, 1) == 0 : values->count() == wanted;
-    if (values->width != width || !fits) return wrong("its {} has {} values for {} keys; bake it and export again", path, values->count(), times->count());
+    if (values->width != width || !fits)
+      return wrong("its {} has {} values for {} keys; bake it and export again", path, values->count(), times->count());
     if (path == "rotation") check_rotations(*values, of_a_key);
   }
 
@@ -70,7 +76,9 @@ class AnimationChecks {
       double squares = 0;
       for (std::size_t k = 0; k < 4; ++k) squares += std::pow(values.value(4 * i + k), 2);
       if (std::abs(std::sqrt(squares) - 1) <= kMostOff || !std::isfinite(squares)) continue;
-      return file_.faults.add(gltf_code::kUnits, "{}: rotation {} has the length {:.4g} and not 1; bake it and export again", place_, i, std::sqrt(squares));
+      return file_.faults.add(gltf_code::kUnits,
+                              "{}: rotation {} has the length {:.4g} and not 1; bake it and export again", place_, i,
+                              std::sqrt(squares));
     }
   }
 

@@ -19,9 +19,9 @@ struct AttributeRule {
 };
 
 constexpr AttributeRule kAttributeRules[] = {
-    {"POSITION", {"VEC3", ""}, true, false, false},     {"NORMAL", {"VEC3", ""}, true, false, false},
-    {"TANGENT", {"VEC4", ""}, true, false, false},      {"TEXCOORD_", {"VEC2", ""}, true, true, true},
-    {"COLOR_", {"VEC3", "VEC4"}, true, true, true},     {"JOINTS_", {"VEC4", ""}, false, true, false},
+    {"POSITION", {"VEC3", ""}, true, false, false}, {"NORMAL", {"VEC3", ""}, true, false, false},
+    {"TANGENT", {"VEC4", ""}, true, false, false},  {"TEXCOORD_", {"VEC2", ""}, true, true, true},
+    {"COLOR_", {"VEC3", "VEC4"}, true, true, true}, {"JOINTS_", {"VEC4", ""}, false, true, false},
     {"WEIGHTS_", {"VEC4", ""}, true, true, true},
 };
 
@@ -53,15 +53,18 @@ class MeshChecks {
 
   void check_primitive(const json& primitive) {
     const json& attributes = member(primitive, "attributes");
-    if (!attributes.is_object() || attributes.empty()) return wrong(gltf_code::kRules, "it has no attributes; export it again");
+    if (!attributes.is_object() || attributes.empty())
+      return wrong(gltf_code::kRules, "it has no attributes; export it again");
     check_reference(member(primitive, "material"), "materials", "material");
-    const auto mode = member(primitive, "mode").is_null() ? std::optional<std::uint32_t>(4) : index_of(member(primitive, "mode"), 7);
+    const auto mode =
+        member(primitive, "mode").is_null() ? std::optional<std::uint32_t>(4) : index_of(member(primitive, "mode"), 7);
     if (!mode) wrong(gltf_code::kRules, "its mode is none of points, lines and triangles; export it again");
     const std::size_t vertices = check_attributes(attributes, "");
     const bool is_compressed = member(member(primitive, "extensions"), "KHR_draco_mesh_compression").is_object();
     for (const json& target : list_of(member(primitive, "targets"))) {
       const std::size_t moved = check_attributes(target, "morph target, ");
-      if (moved != 0 && vertices != 0 && moved != vertices) wrong(gltf_code::kRules, "a morph target has {} vertices of {}; export it again", moved, vertices);
+      if (moved != 0 && vertices != 0 && moved != vertices)
+        wrong(gltf_code::kRules, "a morph target has {} vertices of {}; export it again", moved, vertices);
     }
     if (is_compressed) return;
     check_normals(attributes);
@@ -72,7 +75,8 @@ class MeshChecks {
 
   void check_reference(const json& value, const char* list, const char* what) {
     if (!value.is_null() && !index_of(value, file_.list(list).size()))
-      wrong(gltf_code::kRules, "its {} is none of the file's {}; choose one in the modelling tool and export again", what, file_.list(list).size());
+      wrong(gltf_code::kRules, "its {} is none of the file's {}; choose one in the modelling tool and export again",
+            what, file_.list(list).size());
   }
 
   /// How many vertices they are of; 0 where that is not known.
@@ -84,11 +88,13 @@ class MeshChecks {
       const std::string shown = of + printable_text(name, 40);
       const auto index = index_of(value, accessors.size());
       if (!index) {
-        wrong(gltf_code::kRules, "{} names {} of {} accessors; export it again", shown, printable_text(value.dump(), 40), accessors.size());
+        wrong(gltf_code::kRules, "{} names {} of {} accessors; export it again", shown,
+              printable_text(value.dump(), 40), accessors.size());
         continue;
       }
       const std::size_t count = index_of(member(accessors[*index], "count"), std::size_t{1} << 32).value_or(0);
-      if (vertices.value_or(count) != count) wrong(gltf_code::kRules, "{} has {} vertices and others {}; export it again", shown, count, *vertices);
+      if (vertices.value_or(count) != count)
+        wrong(gltf_code::kRules, "{} has {} vertices and others {}; export it again", shown, count, *vertices);
       if (!vertices) vertices = count;
       if (*of == '\0') check_format(name, shown, accessors[*index], attributes);
     }
@@ -96,7 +102,9 @@ class MeshChecks {
   }
 
   void check_format(std::string_view name, const std::string& shown, const json& accessor, const json& attributes) {
-    const auto fits = [&](const AttributeRule& rule) { return rule.name.ends_with('_') ? name.starts_with(rule.name) : name == rule.name; };
+    const auto fits = [&](const AttributeRule& rule) {
+      return rule.name.ends_with('_') ? name.starts_with(rule.name) : name == rule.name;
+    };
     const auto* const rule = std::ranges::find_if(kAttributeRules, fits);
     if (rule == std::end(kAttributeRules)) {
       if (!name.starts_with('_')) wrong(gltf_code::kRules, "{} is none of glTF's attributes; export it again", shown);
@@ -113,8 +121,11 @@ class MeshChecks {
     const bool is_normalized = member(accessor, "normalized") == true;
     const bool is_float = component == 5126, is_small = component == 5121 || component == 5123;
     const bool is_packed = component == 5120 || component == 5122 || is_small;
-    const bool may_be_packed = file_.uses("KHR_mesh_quantization") && rule->name != "JOINTS_" && rule->name != "WEIGHTS_";
-    const bool ok = (rule->floats && is_float) || (rule->unsigned_integers && is_small && is_normalized == rule->are_normalized) || (may_be_packed && is_packed);
+    const bool may_be_packed =
+        file_.uses("KHR_mesh_quantization") && rule->name != "JOINTS_" && rule->name != "WEIGHTS_";
+    const bool ok = (rule->floats && is_float) ||
+                    (rule->unsigned_integers && is_small && is_normalized == rule->are_normalized) ||
+                    (may_be_packed && is_packed);
     const bool is_typed = std::ranges::any_of(rule->types, [&](const char* allowed) { return type == allowed; });
     if (!ok || !is_typed) wrong(gltf_code::kRules, "{} is not of a type that it may have; export it again", shown);
   }
@@ -133,7 +144,9 @@ class MeshChecks {
       if (off++ == 0) first = v, length = std::sqrt(squares);
     }
     if (off > 0)
-      wrong(gltf_code::kUnits, "{} of {} {} are not of length 1 (that of vertex {} has {:.4g}); recalculate them in the modelling tool (Blender: Mesh > Normals > Reset Vectors) and export again",
+      wrong(gltf_code::kUnits,
+            "{} of {} {} are not of length 1 (that of vertex {} has {:.4g}); recalculate them in the modelling tool "
+            "(Blender: Mesh > Normals > Reset Vectors) and export again",
             off, stored->count(), what, first, length);
   }
 
@@ -146,7 +159,8 @@ class MeshChecks {
     if (!stored || stored->width != 4) return;
     for (std::size_t v = 0; v < stored->count(); ++v) {
       if (std::abs(stored->value(4 * v + 3)) == 1) continue;
-      return wrong(gltf_code::kUnits, "the tangent of vertex {} has the sign {:g} and not 1 or -1; export it again", v, stored->value(4 * v + 3));
+      return wrong(gltf_code::kUnits, "the tangent of vertex {} has the sign {:g} and not 1 or -1; export it again", v,
+                   stored->value(4 * v + 3));
     }
   }
 
@@ -155,13 +169,15 @@ class MeshChecks {
     if (!stored || !stored->is_float()) return;
     const auto odd = std::ranges::find_if(stored->numbers, [](double n) { return n < 0 || n > 1; });
     if (odd != stored->numbers.end())
-      wrong(gltf_code::kNumbers, "the colour of vertex {} has {:g}, outside of 0 to 1; paint it anew and export again", std::size_t(odd - stored->numbers.begin()) / stored->width, *odd);
+      wrong(gltf_code::kNumbers, "the colour of vertex {} has {:g}, outside of 0 to 1; paint it anew and export again",
+            std::size_t(odd - stored->numbers.begin()) / stored->width, *odd);
   }
 
   void check_indices(const json& accessor, std::size_t vertices) {
     if (accessor.is_null()) return;
     const auto stored = file_.read(accessor);
-    if (!index_of(accessor, file_.list("accessors").size())) return wrong(gltf_code::kRules, "its indices are none of the file's accessors; export it again");
+    if (!index_of(accessor, file_.list("accessors").size()))
+      return wrong(gltf_code::kRules, "its indices are none of the file's accessors; export it again");
     if (!stored) return;
     if (stored->width != 1 || !stored->component.is_unsigned)
       return wrong(gltf_code::kRules, "its indices are no list of unsigned numbers; export it again");
@@ -172,8 +188,11 @@ class MeshChecks {
       if (outside++ == 0) first = i;
     }
     if (outside == 0 || vertices == 0) return;
-    wrong(gltf_code::kIndices, "{} of {} indices are of no vertex (number {} is {:.0f}, there are {} vertices{}); their triangles cannot be drawn: clean up loose geometry in the modelling tool and export again",
-          outside, stored->numbers.size(), first, stored->numbers[first], vertices, restarts > 0 ? ", and the type's largest number means none" : "");
+    wrong(gltf_code::kIndices,
+          "{} of {} indices are of no vertex (number {} is {:.0f}, there are {} vertices{}); their triangles cannot be "
+          "drawn: clean up loose geometry in the modelling tool and export again",
+          outside, stored->numbers.size(), first, stored->numbers[first], vertices,
+          restarts > 0 ? ", and the type's largest number means none" : "");
   }
 
   CheckedGltf& file_;

@@ -40,11 +40,13 @@ constexpr GltfReference kGltfReferences[] = {
     {"textures", "source", "images"},
 };
 
-constexpr const char* kGltfLists[] = {"accessors", "animations", "bufferViews", "buffers", "cameras", "images", "materials",
-                                      "meshes",    "nodes",      "samplers",    "scenes",  "skins",   "textures"};
+constexpr const char* kGltfLists[] = {"accessors", "animations", "bufferViews", "buffers", "cameras",
+                                      "images",    "materials",  "meshes",      "nodes",   "samplers",
+                                      "scenes",    "skins",      "textures"};
 
 /// A property that is a list of so many numbers.
-constexpr std::pair<const char*, std::size_t> kNodeNumbers[] = {{"matrix", 16}, {"rotation", 4}, {"scale", 3}, {"translation", 3}};
+constexpr std::pair<const char*, std::size_t> kNodeNumbers[] = {
+    {"matrix", 16}, {"rotation", 4}, {"scale", 3}, {"translation", 3}};
 
 class ObjectChecks {
  public:
@@ -101,8 +103,8 @@ class ObjectChecks {
     if (value.is_null() && !is_needed) return;
     if (index_of(value, file_.list(list).size())) return;
     wrong(place, value.is_null() ? fmt::format("it names none of '{}'", list)
-                                 : fmt::format("it names {} of '{}', of which there are {}", printable_text(value.dump(), 40), list,
-                                               file_.list(list).size()));
+                                 : fmt::format("it names {} of '{}', of which there are {}",
+                                               printable_text(value.dump(), 40), list, file_.list(list).size()));
   }
 
   void check_references(const GltfReference& reference) {
@@ -136,10 +138,12 @@ class ObjectChecks {
         if (is_given && !fits) wrong(place, fmt::format("its {} is no list of {} numbers", name, count));
       }
       check_rotation(nodes[i], place);
-      if (!member(nodes[i], "skin").is_null() && member(nodes[i], "mesh").is_null()) wrong(place, "it has a skin and no mesh");
+      if (!member(nodes[i], "skin").is_null() && member(nodes[i], "mesh").is_null())
+        wrong(place, "it has a skin and no mesh");
       for (const json& child : list_of(member(nodes[i], "children"))) {
         const auto index = index_of(child, nodes.size());
-        if (index && ++parents[*index] == 2) wrong(gltf_part_name("node", nodes[*index], *index), "it is the child of two nodes, or twice of one");
+        if (index && ++parents[*index] == 2)
+          wrong(gltf_part_name("node", nodes[*index], *index), "it is the child of two nodes, or twice of one");
       }
     }
     check_loops();
@@ -152,8 +156,10 @@ class ObjectChecks {
     double squares = 0;
     for (const json& number : rotation) squares += std::pow(number_of(number).value_or(0), 2);
     if (std::abs(std::sqrt(squares) - 1) <= kMostOff) return;
-    file_.faults.add(gltf_code::kUnits, "{}: its rotation has the length {:.4g} and not 1; apply the rotation in the modelling tool and export again",
-                     place, std::sqrt(squares));
+    file_.faults.add(
+        gltf_code::kUnits,
+        "{}: its rotation has the length {:.4g} and not 1; apply the rotation in the modelling tool and export again",
+        place, std::sqrt(squares));
   }
 
   void check_loops() {
@@ -170,7 +176,8 @@ class ObjectChecks {
       if (name == "extras") continue;
       if (name.ends_with("Texture")) {
         if (inner.is_object()) {
-          check_index(member(inner, "index"), "textures", fmt::format("{}, '{}'", place, printable_text(name, 60)), true);
+          check_index(member(inner, "index"), "textures", fmt::format("{}, '{}'", place, printable_text(name, 60)),
+                      true);
         } else {
           wrong(place, fmt::format("its '{}' is no object", printable_text(name, 60)));
         }
@@ -188,7 +195,9 @@ class ObjectChecks {
 void check_gltf_objects(CheckedGltf& file) { ObjectChecks(file).run(); }
 
 void check_gltf_container(const std::filesystem::path& path, GltfFaults& faults) {
-  const auto wrong = [&](const std::string& what) { faults.add(gltf_code::kRules, "the .glb: {}; {}", what, kExportAnew); };
+  const auto wrong = [&](const std::string& what) {
+    faults.add(gltf_code::kRules, "the .glb: {}; {}", what, kExportAnew);
+  };
   std::ifstream file(path, std::ios::binary);
   std::array<std::uint32_t, 3> head{};
   file.read(reinterpret_cast<char*>(head.data()), sizeof head);

@@ -23,14 +23,14 @@ namespace coif {
 
 // Codes of the table of issues; tools/validate says what each means.
 namespace gltf_code {
-inline constexpr const char* kRules = "S111";     ///< Containers, references, types, sizes.
-inline constexpr const char* kIndices = "S112";   ///< Of vertices.
-inline constexpr const char* kNumbers = "S113";   ///< Not finite, or out of their range.
-inline constexpr const char* kJoints = "S114";    ///< Twice in a vertex, or not of the skin.
-inline constexpr const char* kWeights = "S115";   ///< Sums and signs.
-inline constexpr const char* kUnits = "S116";     ///< Normals, tangents and rotations.
-inline constexpr const char* kBounds = "S117";    ///< Least and largest values.
-inline constexpr const char* kAnimation = "S118"; ///< Key times and values.
+inline constexpr const char* kRules = "S111";      ///< Containers, references, types, sizes.
+inline constexpr const char* kIndices = "S112";    ///< Of vertices.
+inline constexpr const char* kNumbers = "S113";    ///< Not finite, or out of their range.
+inline constexpr const char* kJoints = "S114";     ///< Twice in a vertex, or not of the skin.
+inline constexpr const char* kWeights = "S115";    ///< Sums and signs.
+inline constexpr const char* kUnits = "S116";      ///< Normals, tangents and rotations.
+inline constexpr const char* kBounds = "S117";     ///< Least and largest values.
+inline constexpr const char* kAnimation = "S118";  ///< Key times and values.
 }  // namespace gltf_code
 
 /// Collects sentences, each once, and no endless number of them.
@@ -90,10 +90,11 @@ class CheckedGltf {
 [[nodiscard]] std::string gltf_part_name(const char* what, const nlohmann::json& object, std::size_t index);
 
 void check_gltf_container(const std::filesystem::path& path, GltfFaults& faults);  ///< Chunks of a .glb.
-void check_gltf_objects(CheckedGltf& file);     ///< Types, references, node transforms.
-void check_gltf_accessors(CheckedGltf& file);   ///< Views within buffers, accessors within views, bounds, finite numbers.
-void check_gltf_meshes(CheckedGltf& file);      ///< Attributes and indices of primitives.
-void check_gltf_skins(CheckedGltf& file);       ///< Joints and weights of primitives, bind matrices.
+void check_gltf_objects(CheckedGltf& file);  ///< Types, references, node transforms.
+void check_gltf_accessors(
+    CheckedGltf& file);                     ///< Views within buffers, accessors within views, bounds, finite numbers.
+void check_gltf_meshes(CheckedGltf& file);  ///< Attributes and indices of primitives.
+void check_gltf_skins(CheckedGltf& file);   ///< Joints and weights of primitives, bind matrices.
 void check_gltf_animations(CheckedGltf& file);  ///< Key times, values.
 
 }  // namespace coif

@@ -12,7 +12,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kSumRounding = 5e-4;   ///< A weight's share of a vertex that nobody sees; a byte's step is 8 times that.
+constexpr double kSumRounding =
+    5e-4;  ///< A weight's share of a vertex that nobody sees; a byte's step is 8 times that.
 constexpr double kZeroRounding = 1e-6;  ///< What is left of 0 where a program subtracted.
 constexpr const char* kNormalizeWeights = "normalize the weights (Blender: Weights > Normalize All) and export again";
 
@@ -38,8 +39,10 @@ class SkinChecks {
       joints_ = fewest[m];
       const json& primitives = list_of(member(meshes[m], "primitives"));
       for (std::size_t p = 0; p < primitives.size(); ++p) {
-        place_ = gltf_part_name("mesh", meshes[m], m) + (primitives.size() == 1 ? "" : fmt::format(", primitive {}", p));
-        if (!member(member(primitives[p], "extensions"), "KHR_draco_mesh_compression").is_object()) check_sets(member(primitives[p], "attributes"));
+        place_ =
+            gltf_part_name("mesh", meshes[m], m) + (primitives.size() == 1 ? "" : fmt::format(", primitive {}", p));
+        if (!member(member(primitives[p], "extensions"), "KHR_draco_mesh_compression").is_object())
+          check_sets(member(primitives[p], "attributes"));
       }
     }
   }
@@ -77,7 +80,9 @@ class SkinChecks {
         wrong(gltf_code::kRules, "its bind matrices are no matrices of floats; export it again");
         continue;
       }
-      if (binds->count() < joints.size()) wrong(gltf_code::kRules, "it has {} bind matrices for {} joints; export it again", binds->count(), joints.size());
+      if (binds->count() < joints.size())
+        wrong(gltf_code::kRules, "it has {} bind matrices for {} joints; export it again", binds->count(),
+              joints.size());
       for (std::size_t b = 0; b < binds->count(); ++b) {
         const double* row = &binds->numbers[16 * b];
         if (row[3] == 0 && row[7] == 0 && row[11] == 0 && row[15] == 1) continue;
@@ -92,7 +97,9 @@ class SkinChecks {
     for (std::size_t set = 0; set < 8; ++set) {
       const json& j = member(attributes, fmt::format("JOINTS_{}", set).c_str());
       const json& w = member(attributes, fmt::format("WEIGHTS_{}", set).c_str());
-      if (j.is_null() != w.is_null()) return wrong(gltf_code::kRules, "its {} of joints has no weights, or the other way round; export it again", set);
+      if (j.is_null() != w.is_null())
+        return wrong(gltf_code::kRules, "its {} of joints has no weights, or the other way round; export it again",
+                     set);
       if (j.is_null()) break;
       auto js = file_.read(j), ws = file_.read(w);
       if (!js || !ws || js->width != 4 || ws->width != 4 || js->count() != ws->count()) return;
@@ -123,10 +130,22 @@ class SkinChecks {
       }
       if (!(std::abs(sum - 1) <= kSumRounding)) sums.add(v, sum);
     }
-    if (outside.count > 0) wrong(gltf_code::kJoints, "{} joints of vertices are not of its skin (vertex {} has {:.0f}, the skin {} joints); export mesh and armature together again", outside.count, outside.first, outside.number, joints_.value_or(0));
-    if (twice.count > 0) wrong(gltf_code::kJoints, "a joint holds {} vertices twice (vertex {} joint {:.0f}); their weights are added: clean the weights (Blender: Weights > Clean) and export again", twice.count, twice.first, twice.number);
-    if (negative.count > 0) wrong(gltf_code::kWeights, "{} weights are below 0 (at vertex {} {:g}); {}", negative.count, negative.first, negative.number, kNormalizeWeights);
-    if (sums.count > 0) wrong(gltf_code::kWeights, "the weights of {} vertices do not add up to 1 (of vertex {} to {:.4g}); {}", sums.count, sums.first, sums.number, kNormalizeWeights);
+    if (outside.count > 0)
+      wrong(gltf_code::kJoints,
+            "{} joints of vertices are not of its skin (vertex {} has {:.0f}, the skin {} joints); export mesh and "
+            "armature together again",
+            outside.count, outside.first, outside.number, joints_.value_or(0));
+    if (twice.count > 0)
+      wrong(gltf_code::kJoints,
+            "a joint holds {} vertices twice (vertex {} joint {:.0f}); their weights are added: clean the weights "
+            "(Blender: Weights > Clean) and export again",
+            twice.count, twice.first, twice.number);
+    if (negative.count > 0)
+      wrong(gltf_code::kWeights, "{} weights are below 0 (at vertex {} {:g}); {}", negative.count, negative.first,
+            negative.number, kNormalizeWeights);
+    if (sums.count > 0)
+      wrong(gltf_code::kWeights, "the weights of {} vertices do not add up to 1 (of vertex {} to {:.4g}); {}",
+            sums.count, sums.first, sums.number, kNormalizeWeights);
   }
 
   CheckedGltf& file_;

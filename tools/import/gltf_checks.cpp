@@ -10,8 +10,8 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr std::size_t kMostFaults = 40;            ///< Sentences.
-constexpr std::size_t kMostPlaces = 3;             ///< Of one kind that are named.
+constexpr std::size_t kMostFaults = 40;                ///< Sentences.
+constexpr std::size_t kMostPlaces = 3;                 ///< Of one kind that are named.
 constexpr std::size_t kMostCheckedNumbers = 1u << 28;  ///< Of an accessor: more is in no file that is read.
 
 /// What is said of a place, without the place and without numbers.
@@ -41,7 +41,8 @@ void GltfFaults::add(const char* code, std::string text) {
 
 std::vector<SourceDoubt> GltfFaults::finish() && {
   for (const auto& [text, kind] : kinds_) {
-    if (kind.more > 0) told_[kind.last].text += fmt::format(" (and the same in {})", counted(kind.more, "more place", "more places"));
+    if (kind.more > 0)
+      told_[kind.last].text += fmt::format(" (and the same in {})", counted(kind.more, "more place", "more places"));
   }
   if (more_ > 0) told_.push_back({gltf_code::kRules, fmt::format("{} more places break the rules of glTF", more_)});
   return std::move(told_);

@@ -15,6 +15,7 @@ namespace coif {
 /// Source: Khronos, "glTF 2.0 Specification", chapters 3.5 to 3.11, 4.4 and 5.
 [[nodiscard]] std::vector<SourceDoubt> check_gltf(const std::filesystem::path& path);
 /// The same of a file whose document is read; `buffers` are its.
-[[nodiscard]] std::vector<SourceDoubt> check_gltf(const std::filesystem::path& path, const nlohmann::json& document, GltfBuffers& buffers);
+[[nodiscard]] std::vector<SourceDoubt> check_gltf(const std::filesystem::path& path, const nlohmann::json& document,
+                                                  GltfBuffers& buffers);
 
 }  // namespace coif

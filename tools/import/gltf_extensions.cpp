@@ -13,14 +13,43 @@ namespace {
 using nlohmann::json;
 
 /// What the reader undoes or follows.
-constexpr std::string_view kRead[] = {"KHR_mesh_quantization", "KHR_texture_transform", "KHR_draco_mesh_compression",
-                                      "EXT_meshopt_compression", "KHR_meshopt_compression", "EXT_texture_webp",
-                                      "EXT_mesh_gpu_instancing", "KHR_node_visibility", "KHR_materials_variants", "MSFT_lod", "VRM"};
+constexpr std::string_view kRead[] = {"KHR_mesh_quantization",
+                                      "KHR_texture_transform",
+                                      "KHR_draco_mesh_compression",
+                                      "EXT_meshopt_compression",
+                                      "KHR_meshopt_compression",
+                                      "EXT_texture_webp",
+                                      "EXT_mesh_gpu_instancing",
+                                      "KHR_node_visibility",
+                                      "KHR_materials_variants",
+                                      "MSFT_lod",
+                                      "VRM"};
 /// Families that say how light falls, how things move or what they are called: nothing of a hair's shape, texture or place.
-constexpr std::string_view kOfNoEffect[] = {"KHR_materials_", "KHR_lights_", "EXT_lights_", "KHR_xmp", "KHR_animation_pointer",
-                                            "KHR_audio", "KHR_physics", "KHR_rigid", "KHR_interactivity", "KHR_node_",
-                                            "KHR_accessor_float64", "VRMC_", "VCI_", "MOZ_", "OMI_", "BLENDER_", "ADOBE_materials_", "FB_",
-                                            "MSFT_packing_", "AGI_", "EXT_structural", "EXT_mesh_features", "GODOT_", "UNITY_", "EPIC_"};
+constexpr std::string_view kOfNoEffect[] = {"KHR_materials_",
+                                            "KHR_lights_",
+                                            "EXT_lights_",
+                                            "KHR_xmp",
+                                            "KHR_animation_pointer",
+                                            "KHR_audio",
+                                            "KHR_physics",
+                                            "KHR_rigid",
+                                            "KHR_interactivity",
+                                            "KHR_node_",
+                                            "KHR_accessor_float64",
+                                            "VRMC_",
+                                            "VCI_",
+                                            "MOZ_",
+                                            "OMI_",
+                                            "BLENDER_",
+                                            "ADOBE_materials_",
+                                            "FB_",
+                                            "MSFT_packing_",
+                                            "AGI_",
+                                            "EXT_structural",
+                                            "EXT_mesh_features",
+                                            "GODOT_",
+                                            "UNITY_",
+                                            "EPIC_"};
 
 /// An extension that is not read, and who takes it out.
 struct Cure {
@@ -44,10 +73,13 @@ const Cure* cure_of(std::string_view name) {
 
 std::string refusal_of(const std::string& name) {
   if (const Cure* const cure = cure_of(name)) {
-    return fmt::format("it requires the extension '{}', {}, which is not read; {} takes it out", name, cure->what, cure->command);
+    return fmt::format("it requires the extension '{}', {}, which is not read; {} takes it out", name, cure->what,
+                       cure->command);
   }
-  return fmt::format("it requires the extension '{}', which is not read; open it in Blender and export it again as .glb, which leaves it out",
-                     name);
+  return fmt::format(
+      "it requires the extension '{}', which is not read; open it in Blender and export it again as .glb, which leaves "
+      "it out",
+      name);
 }
 
 std::vector<std::string> names_in(const json& list) {
@@ -69,9 +101,12 @@ GltfExtensions check_gltf_extensions(const json& document) {
     return out;
   }
   for (const std::string& name : names_in(member(document, "extensionsUsed"))) {
-    if (is_read(name) || cure_of(name) != nullptr) continue;  // an image without another form is told of where it is missed
-    out.warnings.push_back(fmt::format("the extension '{}' is not read; where it changes shape, texture coordinates or images the hair "
-                                       "differs: open it in Blender and export it again as .glb", name));
+    if (is_read(name) || cure_of(name) != nullptr)
+      continue;  // an image without another form is told of where it is missed
+    out.warnings.push_back(
+        fmt::format("the extension '{}' is not read; where it changes shape, texture coordinates or images the hair "
+                    "differs: open it in Blender and export it again as .glb",
+                    name));
   }
   return out;
 }

@@ -28,7 +28,10 @@ float number_or(const json& value, double otherwise, double most) {
 class MaterialReader {
  public:
   MaterialReader(const json& document, GltfBuffers& buffers, SourceModel& model)
-      : document_(document), buffers_(buffers), model_(model), textures_(list_of(member(document, "textures"))),
+      : document_(document),
+        buffers_(buffers),
+        model_(model),
+        textures_(list_of(member(document, "textures"))),
         images_(list_of(member(document, "images"))) {}
 
   std::string read(std::vector<GltfUvs>& uvs) {
@@ -37,8 +40,10 @@ class MaterialReader {
       material.name = printable_text_of(member(entry, "name"));
       const json& specular = extension(entry, "KHR_materials_pbrSpecularGlossiness");
       const json& metallic = member(entry, "pbrMetallicRoughness");
-      const json& base = member(specular, "diffuseTexture").is_null() ? member(metallic, "baseColorTexture") : member(specular, "diffuseTexture");
-      material.base_color = color_of(specular.is_object() ? member(specular, "diffuseFactor") : member(metallic, "baseColorFactor"));
+      const json& base = member(specular, "diffuseTexture").is_null() ? member(metallic, "baseColorTexture")
+                                                                      : member(specular, "diffuseTexture");
+      material.base_color =
+          color_of(specular.is_object() ? member(specular, "diffuseFactor") : member(metallic, "baseColorFactor"));
       material.base_texture = texture_of(base, material.name);
       uvs.push_back(uvs_of(base, material.name));
       const json& normal = member(entry, "normalTexture");
@@ -82,14 +87,18 @@ class MaterialReader {
 
   /// The image that a texture shows: one that every reader knows, or the WebP in its place.
   const json* image_of(const json& texture, const std::string& material) {
-    for (const json* const source : {&member(texture, "source"), &member(extension(texture, "EXT_texture_webp"), "source")}) {
+    for (const json* const source :
+         {&member(texture, "source"), &member(extension(texture, "EXT_texture_webp"), "source")}) {
       if (const auto image = index_of(*source, images_.size())) return &images_[*image];
     }
     if (!member(extension(texture, "KHR_texture_basisu"), "source").is_null()) {
-      model_.warnings.push_back(fmt::format("material '{}': its image is in KTX2 alone, which is not read; npx @gltf-transform/cli "
-                                            "ktxdecompress OLD.glb NEW.glb makes it a PNG", material));
+      model_.warnings.push_back(
+          fmt::format("material '{}': its image is in KTX2 alone, which is not read; npx @gltf-transform/cli "
+                      "ktxdecompress OLD.glb NEW.glb makes it a PNG",
+                      material));
     } else {
-      model_.warnings.push_back(fmt::format("material '{}': it has a texture without an image that can be read; assign one and export again", material));
+      model_.warnings.push_back(fmt::format(
+          "material '{}': it has a texture without an image that can be read; assign one and export again", material));
     }
     return nullptr;
   }
@@ -99,8 +108,9 @@ class MaterialReader {
     if (!info.is_object()) return out;
     const auto texture = index_of(member(info, "index"), textures_.size());
     if (!texture) {
-      model_.warnings.push_back(fmt::format("material '{}': it refers to texture {} of {}; assign its image and export again", material,
-                                            excerpt(member(info, "index").dump(-1, ' ', true, json::error_handler_t::replace), 20), textures_.size()));
+      model_.warnings.push_back(fmt::format(
+          "material '{}': it refers to texture {} of {}; assign its image and export again", material,
+          excerpt(member(info, "index").dump(-1, ' ', true, json::error_handler_t::replace), 20), textures_.size()));
       return out;
     }
     const json& samplers = list_of(member(document_, "samplers"));
@@ -157,17 +167,20 @@ class MaterialReader {
   GltfUvs uvs_of(const json& info, const std::string& material) {
     GltfUvs out;
     const json& transform = extension(info, "KHR_texture_transform");
-    const json& set = member(transform, "texCoord").is_null() ? member(info, "texCoord") : member(transform, "texCoord");
+    const json& set =
+        member(transform, "texCoord").is_null() ? member(info, "texCoord") : member(transform, "texCoord");
     out.set = index_of(set, 16).value_or(0);
     if (!transform.is_object()) return out;
-    const Eigen::Vector2d offset = pair_of(member(transform, "offset"), 0), scale = pair_of(member(transform, "scale"), 1);
+    const Eigen::Vector2d offset = pair_of(member(transform, "offset"), 0),
+                          scale = pair_of(member(transform, "scale"), 1);
     const double angle = number_of(member(transform, "rotation")).value_or(0);
     Eigen::Matrix2d turn;
     turn << std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle);
     out.image_from_uv.linear() = (turn * scale.asDiagonal()).cast<float>();
     out.image_from_uv.translation() = offset.cast<float>();
     if (!out.image_from_uv.matrix().allFinite()) {
-      model_.warnings.push_back(fmt::format("material '{}': its texture transform is no number; none is applied", material));
+      model_.warnings.push_back(
+          fmt::format("material '{}': its texture transform is no number; none is applied", material));
       out.image_from_uv.setIdentity();
     }
     return out;
@@ -183,16 +196,19 @@ class MaterialReader {
     if (!material.normal_texture.is_there() || !material.base_texture.is_there()) return;
     const GltfUvs own = uvs_of(info, material.name);
     if (own.set == base.set && own.image_from_uv.isApprox(base.image_from_uv, 1e-5f)) return;
-    model_.warnings.push_back(fmt::format("material '{}': its normal map is laid out otherwise than its base colour and is left out; bake both "
-                                          "for one UV map", material.name));
+    model_.warnings.push_back(fmt::format(
+        "material '{}': its normal map is laid out otherwise than its base colour and is left out; bake both "
+        "for one UV map",
+        material.name));
     material.normal_texture = {};
   }
 
   void add_other_maps(const json& entry, const json& metallic, const json& specular, SourceMaterial& material) {
-    const std::pair<const json*, const char*> maps[] = {{&member(entry, "occlusionTexture"), "occlusion"},
-                                                        {&member(specular, "specularGlossinessTexture"), "specular"},
-                                                        {&member(metallic, "metallicRoughnessTexture"), "metalness and roughness"},
-                                                        {&member(entry, "emissiveTexture"), "emission"}};
+    const std::pair<const json*, const char*> maps[] = {
+        {&member(entry, "occlusionTexture"), "occlusion"},
+        {&member(specular, "specularGlossinessTexture"), "specular"},
+        {&member(metallic, "metallicRoughnessTexture"), "metalness and roughness"},
+        {&member(entry, "emissiveTexture"), "emission"}};
     for (const auto& [info, name] : maps) {
       const auto texture = index_of(member(*info, "index"), textures_.size());
       if (!texture) continue;
@@ -200,12 +216,14 @@ class MaterialReader {
       const auto image = index_of(source, images_.size());
       if (!image) continue;
       std::string shown = printable_text_of(member(images_[*image], "name"));
-      if (const json& uri = member(images_[*image], "uri"); uri.is_string() && !uri.get_ref<const std::string&>().starts_with("data:")) {
+      if (const json& uri = member(images_[*image], "uri");
+          uri.is_string() && !uri.get_ref<const std::string&>().starts_with("data:")) {
         shown = printable_text_of(uri);
       }
       if (!shown.empty() && (shown == material.base_texture.path || shown == material.normal_texture.path)) continue;
       const std::string text = shown.empty() ? std::string(name) + " map" : fmt::format("{} map '{}'", name, shown);
-      if (std::ranges::find(material.other_textures, text) == material.other_textures.end()) material.other_textures.push_back(text);
+      if (std::ranges::find(material.other_textures, text) == material.other_textures.end())
+        material.other_textures.push_back(text);
     }
   }
 
@@ -220,7 +238,8 @@ class MaterialReader {
 
 }  // namespace
 
-tl::expected<std::vector<GltfUvs>, std::string> read_gltf_materials(const json& document, GltfBuffers& buffers, SourceModel& model) {
+tl::expected<std::vector<GltfUvs>, std::string> read_gltf_materials(const json& document, GltfBuffers& buffers,
+                                                                    SourceModel& model) {
   std::vector<GltfUvs> uvs;
   std::string bad = MaterialReader(document, buffers, model).read(uvs);
   if (!bad.empty()) return tl::unexpected(std::move(bad));

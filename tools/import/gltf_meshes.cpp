@@ -25,8 +25,14 @@ constexpr std::size_t kMostPlacedVertices = std::size_t{1} << 26;  // of all mes
 
 class MeshReader {
  public:
-  MeshReader(const json& document, GltfBuffers& buffers, const GltfNodes& nodes, const std::vector<GltfUvs>& uvs, SourceModel& model)
-      : document_(document), buffers_(buffers), nodes_(nodes), uvs_(uvs), model_(model), meshes_(list_of(member(document, "meshes"))) {}
+  MeshReader(const json& document, GltfBuffers& buffers, const GltfNodes& nodes, const std::vector<GltfUvs>& uvs,
+             SourceModel& model)
+      : document_(document),
+        buffers_(buffers),
+        nodes_(nodes),
+        uvs_(uvs),
+        model_(model),
+        meshes_(list_of(member(document, "meshes"))) {}
 
   std::string read(const std::string& variant) {
     if (std::string bad = choose_variant(variant); !bad.empty()) return bad;
@@ -54,8 +60,10 @@ class MeshReader {
     }
     const auto found = std::ranges::find(names, wanted);
     if (found == names.end()) {
-      return names.empty() ? fmt::format("it has no variants, and '{}' is asked for; remove source.variant from the recipe", wanted)
-                           : fmt::format("it has no variant '{}'; there are '{}'", wanted, fmt::join(names, "', '"));
+      return names.empty()
+                 ? fmt::format("it has no variants, and '{}' is asked for; remove source.variant from the recipe",
+                               wanted)
+                 : fmt::format("it has no variant '{}'; there are '{}'", wanted, fmt::join(names, "', '"));
     }
     variant_ = std::uint32_t(found - names.begin());
     return {};
@@ -87,7 +95,9 @@ class MeshReader {
   /// below the one that had it, which undoes the packing of its numbers.
   [[nodiscard]] std::pair<std::uint32_t, Affine3d> carrier_of(std::uint32_t n) const {
     const json& in_file = list_of(member(document_, "nodes"));
-    const auto is_named = [&](std::uint32_t at) { return !printable_text_of(member(in_file[nodes_.in_file[at]], "name")).empty(); };
+    const auto is_named = [&](std::uint32_t at) {
+      return !printable_text_of(member(in_file[nodes_.in_file[at]], "name")).empty();
+    };
     const std::uint32_t parent = model_.nodes[n].parent;
     const json& node = in_file[nodes_.in_file[n]];
     const bool is_of_packing = !is_named(n) && list_of(member(node, "children")).empty() && parent != kNoIndex &&
@@ -96,7 +106,8 @@ class MeshReader {
     return place ? std::pair(parent, place->parent_from_node) : std::pair(n, Affine3d::Identity());
   }
 
-  [[nodiscard]] std::string mesh_name(std::uint32_t mesh, std::uint32_t carrier, std::size_t primitive, std::size_t count) const {
+  [[nodiscard]] std::string mesh_name(std::uint32_t mesh, std::uint32_t carrier, std::size_t primitive,
+                                      std::size_t count) const {
     std::string name = printable_text_of(member(meshes_[mesh], "name"));
     const json& node = list_of(member(document_, "nodes"))[nodes_.in_file[carrier]];
     if (name.empty()) name = printable_text_of(member(node, "name"));
@@ -108,7 +119,8 @@ class MeshReader {
   std::vector<double> morph_weights(const json& mesh, const json& node) {
     const json& own = list_of(member(node, "weights"));
     std::vector<double> weights;
-    for (const json& weight : own.empty() ? list_of(member(mesh, "weights")) : own) weights.push_back(number_of(weight).value_or(0));
+    for (const json& weight : own.empty() ? list_of(member(mesh, "weights")) : own)
+      weights.push_back(number_of(weight).value_or(0));
     return weights;
   }
 
@@ -128,14 +140,21 @@ class MeshReader {
   [[nodiscard]] std::size_t count_of_lines(const json& primitive, GltfMode mode) const {
     const json& accessors = list_of(member(document_, "accessors"));
     const json& indices = member(primitive, "indices");
-    const auto index = index_of(indices.is_null() ? member(member(primitive, "attributes"), "POSITION") : indices, accessors.size());
-    const std::size_t count = index ? index_of(member(accessors[*index], "count"), std::size_t{1} << 31).value_or(0) : 0;
-    return std::max<std::size_t>(mode == GltfMode::kLines ? count / 2 : mode == GltfMode::kLineStrip && count > 0 ? count - 1 : count, 1);
+    const auto index =
+        index_of(indices.is_null() ? member(member(primitive, "attributes"), "POSITION") : indices, accessors.size());
+    const std::size_t count =
+        index ? index_of(member(accessors[*index], "count"), std::size_t{1} << 31).value_or(0) : 0;
+    return std::max<std::size_t>(mode == GltfMode::kLines                    ? count / 2
+                                 : mode == GltfMode::kLineStrip && count > 0 ? count - 1
+                                                                             : count,
+                                 1);
   }
 
   std::string read_primitive(const json& mesh, const json& primitive, const json& node, RawMesh& raw) {
     const auto mode = gltf_mode(primitive);
-    if (!mode) return fmt::format("primitive of mode {}, which there is not; export again", excerpt(member(primitive, "mode").dump(-1, ' ', true, json::error_handler_t::replace), 20));
+    if (!mode)
+      return fmt::format("primitive of mode {}, which there is not; export again",
+                         excerpt(member(primitive, "mode").dump(-1, ' ', true, json::error_handler_t::replace), 20));
     if (*mode < GltfMode::kTriangles) {
       raw.points_and_lines = count_of_lines(primitive, *mode);
       return {};
@@ -160,8 +179,10 @@ class MeshReader {
 
   void warn_of_lost_uvs(const GltfPrimitive& read, const GltfUvs& uvs, const RawMesh& raw) {
     if (uvs.set == 0 || !read.uvs.empty()) return;
-    model_.warnings.push_back(fmt::format("mesh '{}': its material's texture is laid out in UV set {}, which the mesh does not have; export that "
-                                          "UV map too", raw.name, uvs.set));
+    model_.warnings.push_back(fmt::format(
+        "mesh '{}': its material's texture is laid out in UV set {}, which the mesh does not have; export that "
+        "UV map too",
+        raw.name, uvs.set));
   }
 
   /// The variant's, where one is chosen and the primitive has one for it.
@@ -227,7 +248,9 @@ class MeshReader {
       }
       RawBone bone{nodes_.of_file[*in_file]};
       const bool has_matrix = 16 * (j + 1) <= matrices.size();
-      if (has_matrix) bone.bone_from_mesh.matrix().topRows<3>() = Eigen::Map<const Eigen::Matrix4f>(&matrices[16 * j]).topRows<3>().cast<double>();
+      if (has_matrix)
+        bone.bone_from_mesh.matrix().topRows<3>() =
+            Eigen::Map<const Eigen::Matrix4f>(&matrices[16 * j]).topRows<3>().cast<double>();
       if (!bone.bone_from_mesh.matrix().allFinite() || (!matrices.empty() && !has_matrix)) {
         ++unusable;
         continue;
@@ -244,9 +267,11 @@ class MeshReader {
   std::string place(RawMesh& raw, std::uint32_t carrier, std::span<const Affine3d> instances) {
     for (const Affine3d& instance : instances) {
       placed_vertices_ += raw.positions.size();
-      if (placed_vertices_ > kMostPlacedVertices) return fmt::format("its meshes and instances have more than {} vertices; {}", kMostPlacedVertices, kReduce);
+      if (placed_vertices_ > kMostPlacedVertices)
+        return fmt::format("its meshes and instances have more than {} vertices; {}", kMostPlacedVertices, kReduce);
       raw.node_from_mesh = instance;
-      keep_mesh(raw, place_mesh(raw, carrier, model_.nodes, model_.warnings), model_.meshes, model_.doubts, model_.warnings);
+      keep_mesh(raw, place_mesh(raw, carrier, model_.nodes, model_.warnings), model_.meshes, model_.doubts,
+                model_.warnings);
     }
     return {};
   }
@@ -267,8 +292,8 @@ class MeshReader {
 
 }  // namespace
 
-std::string read_gltf_meshes(const json& document, GltfBuffers& buffers, const GltfNodes& nodes, const std::vector<GltfUvs>& uvs,
-                             const std::string& variant, SourceModel& model) {
+std::string read_gltf_meshes(const json& document, GltfBuffers& buffers, const GltfNodes& nodes,
+                             const std::vector<GltfUvs>& uvs, const std::string& variant, SourceModel& model) {
   return MeshReader(document, buffers, nodes, uvs, model).read(variant);
 }
 

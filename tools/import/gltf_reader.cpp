@@ -13,7 +13,8 @@ namespace {
 
 using nlohmann::json;
 
-tl::unexpected<ToolError> unreadable(const std::filesystem::path& path, const std::string& why, ToolError::Kind kind = ToolError::Kind::kBadInput) {
+tl::unexpected<ToolError> unreadable(const std::filesystem::path& path, const std::string& why,
+                                     ToolError::Kind kind = ToolError::Kind::kBadInput) {
   return file_failure(kind, path, "cannot be read as glTF 2.0: {}", why);
 }
 
@@ -36,7 +37,8 @@ std::vector<std::string> names_of_images(const json& document) {
   std::vector<std::string> names;
   for (const json& image : list_of(member(document, "images"))) {
     const json& uri = member(image, "uri");
-    if (uri.is_string() && !uri.get_ref<const std::string&>().starts_with("data:")) names.push_back(uri.get<std::string>());
+    if (uri.is_string() && !uri.get_ref<const std::string&>().starts_with("data:"))
+      names.push_back(uri.get<std::string>());
   }
   return names;
 }
@@ -44,7 +46,8 @@ std::vector<std::string> names_of_images(const json& document) {
 bool hides_all_meshes(const json& document, const GltfNodes& nodes) {
   bool hides_one = false;
   for (std::size_t n = 0; n < nodes.in_file.size(); ++n) {
-    const bool has_mesh = nodes.in_file[n] != kNoIndex && !member(list_of(member(document, "nodes"))[nodes.in_file[n]], "mesh").is_null();
+    const bool has_mesh =
+        nodes.in_file[n] != kNoIndex && !member(list_of(member(document, "nodes"))[nodes.in_file[n]], "mesh").is_null();
     if (has_mesh && !nodes.is_hidden[n]) return false;
     hides_one = hides_one || has_mesh;
   }
@@ -53,7 +56,8 @@ bool hides_all_meshes(const json& document, const GltfNodes& nodes) {
 
 }  // namespace
 
-tl::expected<SourceModel, ToolError> read_gltf_model(const std::filesystem::path& path, const ImportSettings& settings) {
+tl::expected<SourceModel, ToolError> read_gltf_model(const std::filesystem::path& path,
+                                                     const ImportSettings& settings) {
   const auto document = read_gltf_json(path);
   if (!document) return unreadable(path, fmt::format("{}; {}", document.error(), kReexport));
   const GltfExtensions extensions = check_gltf_extensions(*document);
@@ -71,9 +75,11 @@ tl::expected<SourceModel, ToolError> read_gltf_model(const std::filesystem::path
   std::vector<SourceDoubt> doubts = check_gltf(path, *document, buffers);
   model.named_images = names_of_images(*document);
   model.side_files.assign(buffers.side_files().begin(), buffers.side_files().end());
-  model.doubts.insert(model.doubts.end(), std::make_move_iterator(doubts.begin()), std::make_move_iterator(doubts.end()));
+  model.doubts.insert(model.doubts.end(), std::make_move_iterator(doubts.begin()),
+                      std::make_move_iterator(doubts.end()));
   read_vrm_extensions(member(*document, "extensions"), nodes.of_file, to_model, model);
-  if (auto kept = keep_shown_meshes(path, hides_all_meshes(*document, nodes), model); !kept) return tl::unexpected(kept.error());
+  if (auto kept = keep_shown_meshes(path, hides_all_meshes(*document, nodes), model); !kept)
+    return tl::unexpected(kept.error());
   return model;
 }
 

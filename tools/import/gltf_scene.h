@@ -21,7 +21,8 @@ namespace coif {
 
 /// Reads a .gltf, .glb or .vrm in this process. Meant for a child process, since the file may ask for much memory. Throws
 /// std::bad_alloc where there is not that much.
-[[nodiscard]] tl::expected<SourceModel, ToolError> read_gltf_model(const std::filesystem::path& path, const ImportSettings& settings);
+[[nodiscard]] tl::expected<SourceModel, ToolError> read_gltf_model(const std::filesystem::path& path,
+                                                                   const ImportSettings& settings);
 
 /// What is said of extensions that a document asks for or uses.
 struct GltfExtensions {
@@ -37,7 +38,8 @@ struct GltfNodes {
   std::vector<std::uint32_t> of_file;  ///< For each of the document's: into the model's, or kNoIndex outside the scene.
 };
 /// Fills `nodes` with those of the document's scene, under a node of their own unless the scene has exactly one root.
-[[nodiscard]] GltfNodes read_gltf_nodes(const nlohmann::json& document, const Eigen::Affine3d& model_from_file, SourceModel& model);
+[[nodiscard]] GltfNodes read_gltf_nodes(const nlohmann::json& document, const Eigen::Affine3d& model_from_file,
+                                        SourceModel& model);
 
 /// Which set of UVs a material's base texture is laid out in, and how they are moved on the way.
 struct GltfUvs {
@@ -47,13 +49,15 @@ struct GltfUvs {
 
 /// Fills `materials`, one per material of the document, and `images` with the embedded images that they use. Returns how each
 /// material's base texture lies. The error is a sentence.
-[[nodiscard]] tl::expected<std::vector<GltfUvs>, std::string> read_gltf_materials(const nlohmann::json& document, GltfBuffers& buffers,
+[[nodiscard]] tl::expected<std::vector<GltfUvs>, std::string> read_gltf_materials(const nlohmann::json& document,
+                                                                                  GltfBuffers& buffers,
                                                                                   SourceModel& model);
 
 /// Fills `meshes`: each primitive of triangles, once for each node and instance that shows it. The model has its nodes and materials;
 /// a material is added where a primitive names none. `variant` is the name of one of KHR_materials_variants, or empty. The error is
 /// a sentence.
 [[nodiscard]] std::string read_gltf_meshes(const nlohmann::json& document, GltfBuffers& buffers, const GltfNodes& nodes,
-                                           const std::vector<GltfUvs>& uvs, const std::string& variant, SourceModel& model);
+                                           const std::vector<GltfUvs>& uvs, const std::string& variant,
+                                           SourceModel& model);
 
 }  // namespace coif

@@ -19,8 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-tl::expected<SourceModel, ToolError> read_here(const fs::path& path, const SourceSuffix& suffix, const ImportSettings& settings) {
-  return suffix.format == SourceFormat::kGltf ? read_gltf_model(path, settings) : read_with_assimp(path, suffix, settings);
+tl::expected<SourceModel, ToolError> read_here(const fs::path& path, const SourceSuffix& suffix,
+                                               const ImportSettings& settings) {
+  return suffix.format == SourceFormat::kGltf ? read_gltf_model(path, settings)
+                                              : read_with_assimp(path, suffix, settings);
 }
 
 tl::expected<SourceModel, ToolError> import_checked(const fs::path& path, const ImportSettings& settings) {

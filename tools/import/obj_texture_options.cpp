@@ -40,7 +40,8 @@ TextureChannel channel_called(const std::string& word) {
   constexpr std::pair<std::string_view, TextureChannel> kChannels[] = {
       {"r", TextureChannel::kRed},   {"g", TextureChannel::kGreen},     {"b", TextureChannel::kBlue},
       {"m", TextureChannel::kAlpha}, {"l", TextureChannel::kLuminance}, {"z", TextureChannel::kAuto}};
-  const auto* const found = std::ranges::find(kChannels, std::string_view(word), &std::pair<std::string_view, TextureChannel>::first);
+  const auto* const found =
+      std::ranges::find(kChannels, std::string_view(word), &std::pair<std::string_view, TextureChannel>::first);
   return found == std::end(kChannels) ? TextureChannel::kAuto : found->second;
 }
 
@@ -144,7 +145,8 @@ void apply_obj_options(std::span<const std::string> libraries, SourceModel& mode
   ObjTextures textures;
   for (const std::string& library : libraries) read_library(library, textures);
   for (SourceMaterial& material : model.materials) {
-    const ObjTexture *const base = said_of(textures.base, material.name), *const opacity = said_of(textures.opacity, material.name);
+    const ObjTexture *const base = said_of(textures.base, material.name), *const opacity =
+                                                                              said_of(textures.opacity, material.name);
     if (base != nullptr) take_over(*base, material.base_texture);
     const bool is_own = opacity != nullptr && (base == nullptr || base->path != opacity->path);
     if (is_own) {
@@ -154,9 +156,10 @@ void apply_obj_options(std::span<const std::string> libraries, SourceModel& mode
       material.opacity_texture = {};  // one image for both: its own alpha
     }
     if (is_own && base != nullptr && !(base->place == opacity->place)) {
-      model.warnings.push_back(fmt::format("material '{}': map_d is placed otherwise than map_Kd (-s, -o), whose place is taken for "
-                                           "both; give both the same options in the .mtl",
-                                           material.name));
+      model.warnings.push_back(
+          fmt::format("material '{}': map_d is placed otherwise than map_Kd (-s, -o), whose place is taken for "
+                      "both; give both the same options in the .mtl",
+                      material.name));
     }
   }
   for (SourceMesh& mesh : model.meshes) {

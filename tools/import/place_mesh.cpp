@@ -48,7 +48,8 @@ PlacedVertices place_vertices(const RawMesh& mesh, const SkinBinding& binding) {
     const Eigen::Affine3d model_from_mesh = binding.model_from_mesh(v);
     out.positions.push_back((model_from_mesh * mesh.positions[v].cast<double>()).cast<float>());
     out.mirrored.push_back(model_from_mesh.linear().determinant() < 0);
-    if (!mesh.normals.empty()) out.normals.push_back(place_normal(model_from_mesh.linear(), mesh.normals[v].cast<double>()));
+    if (!mesh.normals.empty())
+      out.normals.push_back(place_normal(model_from_mesh.linear(), mesh.normals[v].cast<double>()));
   }
   return out;
 }
@@ -77,9 +78,10 @@ std::vector<std::uint32_t> usable_triangles(const RawMesh& mesh, const PlacedVer
   warn_count(out_of_range, label, "triangles dropped: vertex index out of range", warnings);
   if (misplaced != 0) {
     const Eigen::Vector3f& at = placed.positions[first_misplaced];
-    warnings.push_back(fmt::format("{}: {} triangles dropped: vertex {} stands at ({:g}, {:g}, {:g}) m, and {:g} m is the "
-                                   "farthest; move or delete it and export again",
-                                   label, misplaced, first_misplaced, at.x(), at.y(), at.z(), kFarthestVertex));
+    warnings.push_back(
+        fmt::format("{}: {} triangles dropped: vertex {} stands at ({:g}, {:g}, {:g}) m, and {:g} m is the "
+                    "farthest; move or delete it and export again",
+                    label, misplaced, first_misplaced, at.x(), at.y(), at.z(), kFarthestVertex));
   }
   return triangles;
 }
@@ -118,9 +120,10 @@ void copy_uvs(const RawMesh& mesh, std::span<const std::uint32_t> kept, const st
     out.uvs.push_back(uv);
   }
   if (unusable != 0) {
-    warnings.push_back(fmt::format("{}: {} UVs set to (0, 0): {}, and {:g} repeats are the most; unwrap it anew and export "
-                                   "again",
-                                   label, unusable, first, kFarthestUv));
+    warnings.push_back(
+        fmt::format("{}: {} UVs set to (0, 0): {}, and {:g} repeats are the most; unwrap it anew and export "
+                    "again",
+                    label, unusable, first, kFarthestUv));
   }
 }
 
@@ -135,7 +138,8 @@ void copy_colors(const RawMesh& mesh, std::span<const std::uint32_t> kept, const
     out.colors.push_back(color.allFinite() ? Eigen::Vector4f(color.cwiseMax(0.0f)) : Eigen::Vector4f::Ones());
   }
   warn_count(unusable, label, "vertex colours that are no numbers taken for white", warnings);
-  if (std::ranges::all_of(out.colors, [](const Eigen::Vector4f& color) { return color == Eigen::Vector4f::Ones(); })) out.colors.clear();
+  if (std::ranges::all_of(out.colors, [](const Eigen::Vector4f& color) { return color == Eigen::Vector4f::Ones(); }))
+    out.colors.clear();
 }
 
 void copy_influences(const SkinBinding& binding, std::span<const std::uint32_t> kept, SourceMesh& out) {
@@ -195,7 +199,8 @@ SourceMesh place_mesh(const RawMesh& mesh, std::uint32_t node, std::span<const S
 void keep_mesh(const RawMesh& raw, SourceMesh placed, std::vector<SourceMesh>& meshes, std::vector<SourceDoubt>& doubts,
                std::vector<std::string>& warnings) {
   if (raw.points_and_lines != 0) {
-    doubts.push_back({kLinesLeftOut, fmt::format("mesh '{}': {} points or lines left out", placed.name, raw.points_and_lines)});
+    doubts.push_back(
+        {kLinesLeftOut, fmt::format("mesh '{}': {} points or lines left out", placed.name, raw.points_and_lines)});
   }
   if (!placed.triangles.empty())
     meshes.push_back(std::move(placed));

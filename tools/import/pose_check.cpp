@@ -8,7 +8,7 @@ namespace coif {
 namespace {
 
 // Exporters write bind matrices as floats of their own making, and some move whole rigs a little.
-constexpr double kLeastTurn = 2;       // degrees
+constexpr double kLeastTurn = 2;      // degrees
 constexpr double kLeastShift = 0.02;  // of the bound mesh's longest side
 
 double longest_side(const RawMesh& mesh) {

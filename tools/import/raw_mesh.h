@@ -4,8 +4,8 @@
 
 #include "import/source_model.h"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,7 @@ inline void warn_count(std::size_t count, const std::string& label, const char* 
 }
 
 struct RawBone {
-  std::uint32_t node = 0;                                          ///< Into the model's nodes.
+  std::uint32_t node = 0;                                        ///< Into the model's nodes.
   Eigen::Affine3d bone_from_mesh = Eigen::Affine3d::Identity();  ///< Where the mesh stood when it was bound.
 };
 
@@ -36,7 +36,8 @@ struct RawWeight {
 struct RawMesh {
   std::string name;
   std::uint32_t material = kNoIndex;
-  Eigen::Affine3d node_from_mesh = Eigen::Affine3d::Identity();  ///< Of a mesh that no bone moves: an instance, a pivot.
+  Eigen::Affine3d node_from_mesh =
+      Eigen::Affine3d::Identity();  ///< Of a mesh that no bone moves: an instance, a pivot.
   std::vector<Eigen::Vector3f> positions;
   std::vector<Eigen::Vector3f> normals;
   std::vector<Eigen::Vector2f> uvs;     ///< V grows downwards.
@@ -68,7 +69,8 @@ class SkinBinding {
     std::uint32_t vertex;
     SourceInfluence influence;
   };
-  [[nodiscard]] std::vector<Weight> collect_weights(const RawMesh& mesh, const std::string& label, std::vector<std::string>& warnings);
+  [[nodiscard]] std::vector<Weight> collect_weights(const RawMesh& mesh, const std::string& label,
+                                                    std::vector<std::string>& warnings);
   void build_table(std::vector<Weight>& weights, std::size_t vertex_count, std::uint32_t mesh_node,
                    const std::string& label, std::vector<std::string>& warnings);
   void append_vertex(std::span<const Weight> weights);

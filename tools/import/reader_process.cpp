@@ -24,9 +24,10 @@ tl::unexpected<ToolError> explain(const ChildResult& result, const fs::path& pat
                           settings.max_memory_bytes >> 20, kReduce);
     case ChildResult::End::kNotStarted:
       if (result.code == EMFILE || result.code == ENFILE) {
-        return file_failure(Kind::kFileAccess, path,
-                            "cannot start the import process: {}; nothing is wrong with the file: allow more open files ('ulimit -n')",
-                            std::strerror(result.code));
+        return file_failure(
+            Kind::kFileAccess, path,
+            "cannot start the import process: {}; nothing is wrong with the file: allow more open files ('ulimit -n')",
+            std::strerror(result.code));
       }
       return file_failure(Kind::kInternal, path, "cannot start the import process: {}", std::strerror(result.code));
     case ChildResult::End::kCrashed:
@@ -49,10 +50,11 @@ tl::expected<std::vector<std::uint8_t>, ToolError> read_in_child(
   const bool is_finished = result.end == ChildResult::End::kFinished;
   if (is_finished && result.output.empty() && settings.requires_sandbox) {
     const std::string missing = missing_sandbox();
-    return file_failure(ToolError::Kind::kUnsupported, path,
-                        "was not read: {}, and --require-sandbox asks for a locked-up reader; use Linux 5.13 or later with Landlock "
-                        "and seccomp, or leave --require-sandbox out",
-                        missing.empty() ? "the process that reads it could not be locked up" : missing);
+    return file_failure(
+        ToolError::Kind::kUnsupported, path,
+        "was not read: {}, and --require-sandbox asks for a locked-up reader; use Linux 5.13 or later with Landlock "
+        "and seccomp, or leave --require-sandbox out",
+        missing.empty() ? "the process that reads it could not be locked up" : missing);
   }
   if (is_finished) return std::move(result.output);
   return explain(result, path, settings);

@@ -49,17 +49,20 @@ void add_triangles(const aiMesh& mesh, RawMesh& out) {
 void move_to_bound_space(RawMesh& mesh) {
   if (mesh.node_from_mesh.matrix().isIdentity(0)) return;
   const Eigen::Matrix3d turn = mesh.node_from_mesh.linear().inverse().transpose();
-  for (Eigen::Vector3f& position : mesh.positions) position = (mesh.node_from_mesh * position.cast<double>()).cast<float>();
+  for (Eigen::Vector3f& position : mesh.positions)
+    position = (mesh.node_from_mesh * position.cast<double>()).cast<float>();
   for (Eigen::Vector3f& normal : mesh.normals) normal = (turn * normal.cast<double>()).cast<float>();
   mesh.node_from_mesh.setIdentity();
 }
 
-std::vector<Eigen::Vector2f> uvs_of(const aiMesh& mesh, const TexturePlace& place, const std::string& label, std::vector<std::string>& warnings) {
+std::vector<Eigen::Vector2f> uvs_of(const aiMesh& mesh, const TexturePlace& place, const std::string& label,
+                                    std::vector<std::string>& warnings) {
   std::vector<Eigen::Vector2f> uvs;
   const unsigned set = mesh.HasTextureCoords(place.uv_set) ? place.uv_set : 0;
   if (!mesh.HasTextureCoords(set)) return uvs;
   if (set != place.uv_set) {
-    warnings.push_back(fmt::format("{}: its texture names UV set {}, which the mesh lacks; the first is taken", label, place.uv_set));
+    warnings.push_back(
+        fmt::format("{}: its texture names UV set {}, which the mesh lacks; the first is taken", label, place.uv_set));
   }
   for (const aiVector3D& given : std::span(mesh.mTextureCoords[set], mesh.mNumVertices)) {
     const Eigen::Vector2f placed = place({given.x, given.y});
@@ -89,7 +92,9 @@ RawMesh raw_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, c
   if (!out.bones.empty()) move_to_bound_space(out);
   add_triangles(mesh, out);
   out.colors = vertex_colors(mesh);
-  const TexturePlace place = out.material == kNoIndex ? TexturePlace{} : texture_place(*scene.mMaterials[out.material], surface, label, warnings);
+  const TexturePlace place = out.material == kNoIndex
+                                 ? TexturePlace{}
+                                 : texture_place(*scene.mMaterials[out.material], surface, label, warnings);
   out.uvs = uvs_of(mesh, place, label, warnings);
   return out;
 }

@@ -14,9 +14,9 @@ namespace {
 struct Pending {
   const aiNode* node;
   std::uint32_t parent;
-  bool is_hidden;          // by a node above
-  aiMatrix4x4 pivots;      // of the nodes for pivots between the parent and this one
-  aiMatrix4x4 geometric;   // of those for this node's meshes alone
+  bool is_hidden;         // by a node above
+  aiMatrix4x4 pivots;     // of the nodes for pivots between the parent and this one
+  aiMatrix4x4 geometric;  // of those for this node's meshes alone
 };
 
 // "Hair_$AssimpFbx$_RotationPivot" stands above "Hair".
@@ -50,7 +50,8 @@ void append(SceneNodes& out, const Pending& pending, const Eigen::Affine3d& mode
   out.origin.push_back(pending.node);
   out.node_from_mesh.push_back(affine_of(pending.geometric));
   out.is_coarser.push_back(false);
-  out.is_hidden.push_back(pending.is_hidden || is_off(pending.node->mMetaData, "Visibility") || is_off(pending.node->mMetaData, "Show"));
+  out.is_hidden.push_back(pending.is_hidden || is_off(pending.node->mMetaData, "Visibility") ||
+                          is_off(pending.node->mMetaData, "Show"));
 }
 
 /// Whether the node is one for a pivot; if so, it is multiplied to what is pending. What undoes a geometric transform for children has
@@ -78,7 +79,8 @@ std::unordered_set<std::string> bone_names(const aiScene& scene) {
 
 const aiNode* real_parent(const aiNode& node) {
   const aiNode* parent = node.mParent;
-  while (parent != nullptr && std::string_view(parent->mName.C_Str()).find(kPivot) != std::string_view::npos) parent = parent->mParent;
+  while (parent != nullptr && std::string_view(parent->mName.C_Str()).find(kPivot) != std::string_view::npos)
+    parent = parent->mParent;
   return parent;
 }
 

@@ -114,8 +114,7 @@ void read_format(const aiScene& scene, SourceFormat format, SourceSpace& space) 
       break;
     case SourceFormat::kGltf:
     case SourceFormat::kHair:
-    case SourceFormat::kTressFx:
-      break;  // of which assimp makes no scene
+    case SourceFormat::kTressFx: break;  // of which assimp makes no scene
   }
 }
 

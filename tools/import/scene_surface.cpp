@@ -41,7 +41,8 @@ TexturePlace stated_place(const aiMaterial& material, aiTextureType type, const 
   const Eigen::Rotation2Df turned_back(-moved.mRotation);
   const Eigen::Vector2f shrunk = scale.cwiseInverse();
   place.linear = shrunk.asDiagonal() * turned_back.toRotationMatrix();
-  place.offset = surface.generator.find("Blender") != std::string::npos ? offset : Eigen::Vector2f(-(place.linear * offset));
+  place.offset =
+      surface.generator.find("Blender") != std::string::npos ? offset : Eigen::Vector2f(-(place.linear * offset));
   return place;
 }
 
@@ -65,9 +66,10 @@ TexturePlace texture_place(const aiMaterial& material, const SourceSurface& surf
   if (!base && !opacity) return {};
   const TexturePlace place = stated_place(material, base ? *base : *opacity, surface);
   if (base && opacity && !(stated_place(material, *opacity, surface) == place)) {
-    warnings.push_back(fmt::format("{}: its opacity texture has other texture coordinates than its base texture, whose are taken for "
-                                   "both; give both the same UV map and mapping, and export again",
-                                   label));
+    warnings.push_back(
+        fmt::format("{}: its opacity texture has other texture coordinates than its base texture, whose are taken for "
+                    "both; give both the same UV map and mapping, and export again",
+                    label));
   }
   return place;
 }

@@ -18,7 +18,8 @@ namespace {
 constexpr std::size_t kShownNames = 6;
 
 std::string list_of_names(std::span<const std::string> names) {
-  return fmt::format("'{}'{}", fmt::join(names.first(std::min(names.size(), kShownNames)), "', '"), names.size() > kShownNames ? " ..." : "");
+  return fmt::format("'{}'{}", fmt::join(names.first(std::min(names.size(), kShownNames)), "', '"),
+                     names.size() > kShownNames ? " ..." : "");
 }
 
 char lower(char letter) { return char(std::tolower(static_cast<unsigned char>(letter))); }
@@ -34,9 +35,11 @@ std::optional<LevelName> level_in(std::string_view name) {
   std::string low(name);
   std::ranges::transform(low, low.begin(), lower);
   for (std::size_t at = low.find("lod"); at != std::string::npos; at = low.find("lod", at + 1)) {
-    const bool begins_word = at == 0 || !is_letter(name[at - 1]) || (name[at] == 'L' && name[at - 1] == lower(name[at - 1]));
+    const bool begins_word =
+        at == 0 || !is_letter(name[at - 1]) || (name[at] == 'L' && name[at - 1] == lower(name[at - 1]));
     std::size_t digit = at + 3;
-    while (digit < low.size() && (low[digit] == '_' || low[digit] == ' ' || low[digit] == '-' || low[digit] == '.')) ++digit;
+    while (digit < low.size() && (low[digit] == '_' || low[digit] == ' ' || low[digit] == '-' || low[digit] == '.'))
+      ++digit;
     if (!begins_word || digit == low.size() || !is_digit(low[digit])) continue;
     std::size_t end = at;
     while (end > 0 && !is_letter(low[end - 1]) && !is_digit(low[end - 1])) --end;
@@ -59,21 +62,25 @@ std::optional<LevelName> level_of(const SourceModel& model, const SourceMesh& me
 
 void warn_of_hidden(std::span<const std::string> nodes, std::vector<std::string>& warnings) {
   if (nodes.empty()) return;
-  warnings.push_back(fmt::format("{} left out, since the file hides {}: {}; show {} and export again where {} hair", counted(nodes.size(), "mesh", "meshes"),
-                                 nodes.size() == 1 ? "it" : "them", list_of_names(nodes), nodes.size() == 1 ? "it" : "them",
+  warnings.push_back(fmt::format("{} left out, since the file hides {}: {}; show {} and export again where {} hair",
+                                 counted(nodes.size(), "mesh", "meshes"), nodes.size() == 1 ? "it" : "them",
+                                 list_of_names(nodes), nodes.size() == 1 ? "it" : "them",
                                  nodes.size() == 1 ? "it is" : "they are"));
 }
 
 void warn_of_coarser(std::span<const std::string> meshes, std::vector<std::string>& warnings) {
   if (meshes.empty()) return;
-  warnings.push_back(fmt::format("{} left out as coarser levels of detail of what is there in a finer one: {}; the cook makes levels of its own",
-                                 counted(meshes.size(), "mesh", "meshes"), list_of_names(meshes)));
+  warnings.push_back(fmt::format(
+      "{} left out as coarser levels of detail of what is there in a finer one: {}; the cook makes levels of its own",
+      counted(meshes.size(), "mesh", "meshes"), list_of_names(meshes)));
 }
 
 void warn_of_shape_keys(const std::string& mesh, std::span<const std::string> on, std::vector<std::string>& warnings) {
   if (on.empty()) return;
-  warnings.push_back(fmt::format("mesh '{}': shape keys are on ({}) and are part of the hair's shape; turn them off and export again "
-                                 "where that is not meant", mesh, fmt::join(on, ", ")));
+  warnings.push_back(
+      fmt::format("mesh '{}': shape keys are on ({}) and are part of the hair's shape; turn them off and export again "
+                  "where that is not meant",
+                  mesh, fmt::join(on, ", ")));
 }
 
 namespace {
@@ -104,9 +111,11 @@ void keep_finest_levels(SourceModel& model) {
 
 tl::expected<void, ToolError> keep_shown_meshes(const std::filesystem::path& path, bool hides_all, SourceModel& model) {
   using Kind = ToolError::Kind;
-  if (model.meshes.empty() && hides_all) return file_failure(Kind::kBadInput, path, "hides all of its meshes; show the hair and export again");
+  if (model.meshes.empty() && hides_all)
+    return file_failure(Kind::kBadInput, path, "hides all of its meshes; show the hair and export again");
   if (model.meshes.empty()) {
-    return file_failure(Kind::kBadInput, path, "no usable triangles; convert curves and hair particles to polygon strips before the export");
+    return file_failure(Kind::kBadInput, path,
+                        "no usable triangles; convert curves and hair particles to polygon strips before the export");
   }
   keep_finest_levels(model);
   return {};

@@ -12,8 +12,8 @@ constexpr float kRounding = 1e-4f;  // what exporters leave of a weight of 0 may
 
 }  // namespace
 
-SkinBinding::SkinBinding(const RawMesh& mesh, std::uint32_t mesh_node, std::span<const SourceNode> nodes, const std::string& label,
-                         std::vector<std::string>& warnings)
+SkinBinding::SkinBinding(const RawMesh& mesh, std::uint32_t mesh_node, std::span<const SourceNode> nodes,
+                         const std::string& label, std::vector<std::string>& warnings)
     : model_from_node_(nodes[mesh_node].model_from_node * mesh.node_from_mesh) {
   if (mesh.bones.empty()) return;
   palette_.assign(nodes.size(), Eigen::Affine3d::Identity());

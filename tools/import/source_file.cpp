@@ -42,8 +42,8 @@ tl::expected<void, ToolError> check_readable(const fs::path& path, std::uint64_t
 namespace {
 
 constexpr SourceSuffix kSuffixes[] = {
-    {".fbx", SourceFormat::kFbx},  {".gltf", SourceFormat::kGltf}, {".glb", SourceFormat::kGltf},
-    {".vrm", SourceFormat::kGltf}, {".obj", SourceFormat::kObj},    {".dae", SourceFormat::kDae},
+    {".fbx", SourceFormat::kFbx},   {".gltf", SourceFormat::kGltf},   {".glb", SourceFormat::kGltf},
+    {".vrm", SourceFormat::kGltf},  {".obj", SourceFormat::kObj},     {".dae", SourceFormat::kDae},
     {".hair", SourceFormat::kHair}, {".tfx", SourceFormat::kTressFx},
 };
 

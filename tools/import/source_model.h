@@ -76,7 +76,8 @@ struct SourceMaterial {
   /// others it is; blue and alpha how it runs, as TextureRole::kStrandAxis has it. Embedded or none; no file format has it.
   SourceTexture strand_texture;
   float normal_strength = 1;    ///< What the map's slopes are multiplied with, 0..kMostNormalStrength.
-  SourceTexture opacity_texture;  ///< Another image, whose numbers are the alpha instead of the base texture's; or none.
+  SourceTexture
+      opacity_texture;  ///< Another image, whose numbers are the alpha instead of the base texture's; or none.
   TextureChannel opacity_channel = TextureChannel::kAuto;
   bool opacity_inverted = false;            ///< 1 is transparent.
   std::vector<std::string> other_textures;  ///< "occlusion map 'ao.png'": maps of what is computed here; for messages.

@@ -36,8 +36,8 @@ void read_head(const json& extensions, SpringSink& sink) {
 
 }  // namespace
 
-void read_vrm_extensions(const json& extensions, const std::vector<std::uint32_t>& source_of, const Eigen::Affine3d& model_from_file,
-                         SourceModel& model) {
+void read_vrm_extensions(const json& extensions, const std::vector<std::uint32_t>& source_of,
+                         const Eigen::Affine3d& model_from_file, SourceModel& model) {
   if (!extensions.is_object()) return;
   // 0.x looks along -Z of the file, 1.0 along +Z.
   if (member(extensions, "VRMC_vrm").is_object()) {
@@ -78,7 +78,8 @@ SourceSpringJoint read_settings(const json& value, const char* stiffness, double
   return joint;
 }
 
-SpringSink::SpringSink(const std::vector<std::uint32_t>& source_of, const Eigen::Affine3d& model_from_file, SourceModel& model)
+SpringSink::SpringSink(const std::vector<std::uint32_t>& source_of, const Eigen::Affine3d& model_from_file,
+                       SourceModel& model)
     : model_(model),
       rotation_(rotation_part(model_from_file)),
       metres_per_unit_(longest_axis(model_from_file)),

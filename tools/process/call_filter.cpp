@@ -29,23 +29,91 @@ constexpr std::uint32_t kOtherCalls = 0;
 #endif
 
 // Numbers of calls that are the same on all architectures.
-constexpr int kPidfdSendSignal = 424, kIoUringSetup = 425, kIoUringEnter = 426, kIoUringRegister = 427, kOpenTree = 428, kMoveMount = 429,
-              kFsopen = 430, kFsconfig = 431, kFsmount = 432, kFspick = 433, kPidfdOpen = 434, kClone3 = 435, kPidfdGetfd = 438,
-              kProcessMadvise = 440, kMountSetattr = 442, kProcessMrelease = 448;
+constexpr int kPidfdSendSignal = 424, kIoUringSetup = 425, kIoUringEnter = 426, kIoUringRegister = 427, kOpenTree = 428,
+              kMoveMount = 429, kFsopen = 430, kFsconfig = 431, kFsmount = 432, kFspick = 433, kPidfdOpen = 434,
+              kClone3 = 435, kPidfdGetfd = 438, kProcessMadvise = 440, kMountSetattr = 442, kProcessMrelease = 448;
 
 /// Refused whatever their arguments: sockets, other programs, other processes, and what reaches into the kernel's rarer parts.
 constexpr int kRefused[] = {
-    SYS_socket, SYS_socketpair, SYS_connect, SYS_bind, SYS_listen, SYS_accept, SYS_accept4, SYS_sendto, SYS_sendmsg, SYS_sendmmsg,
-    SYS_recvfrom, SYS_recvmsg, SYS_recvmmsg, SYS_execve, SYS_execveat, SYS_ptrace, SYS_process_vm_readv, SYS_process_vm_writev,
-    SYS_kcmp, SYS_rt_sigqueueinfo, SYS_rt_tgsigqueueinfo, SYS_setns, SYS_unshare, SYS_mount, SYS_umount2, SYS_pivot_root, SYS_chroot,
-    SYS_bpf, SYS_perf_event_open, SYS_userfaultfd, SYS_keyctl, SYS_add_key, SYS_request_key, SYS_init_module, SYS_finit_module,
-    SYS_delete_module, SYS_kexec_load, SYS_reboot, SYS_swapon, SYS_swapoff, SYS_open_by_handle_at, SYS_name_to_handle_at,
-    SYS_fanotify_init, SYS_migrate_pages, SYS_move_pages, SYS_setpriority, SYS_ioprio_set, SYS_sched_setscheduler,
-    SYS_sched_setparam, SYS_sched_setattr, SYS_quotactl, SYS_acct, SYS_msgget, SYS_semget, SYS_shmget, SYS_mq_open,
-    kPidfdSendSignal, kPidfdOpen, kPidfdGetfd, kProcessMadvise, kProcessMrelease, kIoUringSetup, kIoUringEnter, kIoUringRegister,
-    kOpenTree, kMoveMount, kFsopen, kFsconfig, kFsmount, kFspick, kMountSetattr,
+    SYS_socket,
+    SYS_socketpair,
+    SYS_connect,
+    SYS_bind,
+    SYS_listen,
+    SYS_accept,
+    SYS_accept4,
+    SYS_sendto,
+    SYS_sendmsg,
+    SYS_sendmmsg,
+    SYS_recvfrom,
+    SYS_recvmsg,
+    SYS_recvmmsg,
+    SYS_execve,
+    SYS_execveat,
+    SYS_ptrace,
+    SYS_process_vm_readv,
+    SYS_process_vm_writev,
+    SYS_kcmp,
+    SYS_rt_sigqueueinfo,
+    SYS_rt_tgsigqueueinfo,
+    SYS_setns,
+    SYS_unshare,
+    SYS_mount,
+    SYS_umount2,
+    SYS_pivot_root,
+    SYS_chroot,
+    SYS_bpf,
+    SYS_perf_event_open,
+    SYS_userfaultfd,
+    SYS_keyctl,
+    SYS_add_key,
+    SYS_request_key,
+    SYS_init_module,
+    SYS_finit_module,
+    SYS_delete_module,
+    SYS_kexec_load,
+    SYS_reboot,
+    SYS_swapon,
+    SYS_swapoff,
+    SYS_open_by_handle_at,
+    SYS_name_to_handle_at,
+    SYS_fanotify_init,
+    SYS_migrate_pages,
+    SYS_move_pages,
+    SYS_setpriority,
+    SYS_ioprio_set,
+    SYS_sched_setscheduler,
+    SYS_sched_setparam,
+    SYS_sched_setattr,
+    SYS_quotactl,
+    SYS_acct,
+    SYS_msgget,
+    SYS_semget,
+    SYS_shmget,
+    SYS_mq_open,
+    kPidfdSendSignal,
+    kPidfdOpen,
+    kPidfdGetfd,
+    kProcessMadvise,
+    kProcessMrelease,
+    kIoUringSetup,
+    kIoUringEnter,
+    kIoUringRegister,
+    kOpenTree,
+    kMoveMount,
+    kFsopen,
+    kFsconfig,
+    kFsmount,
+    kFspick,
+    kMountSetattr,
 #if defined(__x86_64__)
-    SYS_fork, SYS_vfork, SYS_uselib, SYS_iopl, SYS_ioperm, SYS_modify_ldt, SYS_kexec_file_load,
+    SYS_fork,
+    SYS_vfork,
+    SYS_uselib,
+    SYS_iopl,
+    SYS_ioperm,
+    SYS_modify_ldt,
+    SYS_kexec_file_load,
 #endif
 };
 
@@ -114,7 +182,8 @@ Program make_program() {
   refuse_second(program, SYS_ioctl, {kInjectKey});
   const auto self = std::uint32_t(getpid());
   for (const int number : kOfItself) {
-    const bool takes_zero = number == SYS_prlimit64 || number == SYS_sched_setaffinity;  // For a signal 0 is the whole group.
+    const bool takes_zero =
+        number == SYS_prlimit64 || number == SYS_sched_setaffinity;  // For a signal 0 is the whole group.
     allow_only(program, number, argument(0), self, takes_zero ? 0 : self);
   }
   const auto thread = std::uint32_t(syscall(SYS_gettid));

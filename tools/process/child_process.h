@@ -62,7 +62,6 @@ inline constexpr bool kMemoryIsLimited = true;
 /// is turned off); then nothing has changed.
 bool fence_files(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& file);
 
-
 /// From now on this process can make no socket and no process, run no program, signal, trace or change no other process, and ask for
 /// nothing of the kernel's rarer parts: such a call fails (EPERM). Threads and all else go on. There is no way back. False where the
 /// kernel cannot do that, or for a processor other than x86-64 and aarch64; then nothing has changed.

@@ -3,14 +3,14 @@
 #include <linux/landlock.h>
 #include <linux/seccomp.h>
 
-#include <algorithm>
-#include <cerrno>
-#include <cstddef>
-#include <cstdint>
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <unistd.h>
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
 
 namespace coif {
 namespace {
@@ -85,7 +85,8 @@ bool fence_files(const std::vector<std::filesystem::path>& folders, const std::f
   const auto readable = [&](const std::filesystem::path& folder) {
     return allow(ruleset, folder, LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR);
   };
-  const bool allowed = std::ranges::all_of(folders, readable) && (file.empty() || allow(ruleset, file, LANDLOCK_ACCESS_FS_READ_FILE));
+  const bool allowed =
+      std::ranges::all_of(folders, readable) && (file.empty() || allow(ruleset, file, LANDLOCK_ACCESS_FS_READ_FILE));
   return allowed && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
          syscall(SYS_landlock_restrict_self, ruleset.get(), 0) == 0;
 }

@@ -152,7 +152,8 @@ Issues find_source_issues(const SourceModel& imported, const Recipe& recipe) {
   return issues;
 }
 
-Issues find_source_issues(const SourceModel& imported, const Recipe& recipe, const tl::expected<CookResult, ToolError>& cooked) {
+Issues find_source_issues(const SourceModel& imported, const Recipe& recipe,
+                          const tl::expected<CookResult, ToolError>& cooked) {
   Issues first = find_source_issues(imported, recipe);
   if (!cooked) {
     const bool is_told = std::ranges::any_of(first, [](const Issue& issue) { return issue.code == "S104"; });
@@ -161,7 +162,8 @@ Issues find_source_issues(const SourceModel& imported, const Recipe& recipe, con
   }
   // What the cook says in full takes the place of what its first passes say.
   Issues issues = cook_issues(cooked->report);
-  std::ranges::copy_if(first, std::back_inserter(issues), [](const Issue& issue) { return issue.severity == Severity::kInfo; });
+  std::ranges::copy_if(first, std::back_inserter(issues),
+                       [](const Issue& issue) { return issue.severity == Severity::kInfo; });
   return issues;
 }
 

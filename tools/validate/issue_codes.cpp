@@ -56,8 +56,10 @@ namespace {
 
 constexpr const char* kHead =
     "# Issues of `coif validate`, warnings of `coif cook`\n\n"
-    "Codes are stable. Errors fail a build (exit code 3), warnings do with `--warnings-as-errors`; `--ignore CODE` and the recipe's\n"
-    "`\"warnings\": {\"acknowledged\": [...]}` let warnings and notes pass. What a cook repairs is an error of the file, and a warning of the\n"
+    "Codes are stable. Errors fail a build (exit code 3), warnings do with `--warnings-as-errors`; `--ignore CODE` and "
+    "the recipe's\n"
+    "`\"warnings\": {\"acknowledged\": [...]}` let warnings and notes pass. What a cook repairs is an error of the "
+    "file, and a warning of the\n"
     "cook. This page is what `coif validate --list-codes` prints.\n";
 
 }  // namespace
@@ -67,7 +69,8 @@ std::string code_page() {
   const IssueCode* before = nullptr;
   for (const IssueCode& row : issue_codes()) {
     if (before == nullptr || before->group != row.group) page += fmt::format("\n## {}\n\n", name(row.group));
-    page += fmt::format("- **{}** {}{}: {}. {} {}\n", row.code, name(row.severity), row.is_repaired ? ", repaired" : "", row.title, row.meaning, row.cure);
+    page += fmt::format("- **{}** {}{}: {}. {} {}\n", row.code, name(row.severity), row.is_repaired ? ", repaired" : "",
+                        row.title, row.meaning, row.cure);
     before = &row;
   }
   return page;

@@ -69,23 +69,27 @@ void write(const std::filesystem::path& folder, const GltfBuilder& file, const s
   std::ofstream(folder / (name + ".glb"), std::ios::binary) << file.glb();
 }
 
-void write_attribute(const std::filesystem::path& folder, const char* attribute, const std::vector<float>& numbers, const char* type) {
+void write_attribute(const std::filesystem::path& folder, const char* attribute, const std::vector<float>& numbers,
+                     const char* type) {
   const std::size_t width = std::size_t(type[3] - '0');
   for (const int component : {5120, 5121, 5122, 5123, 5126}) {
     const std::size_t size = component == 5126 ? 4 : component <= 5121 ? 1 : 2;
     const std::size_t align = (4 - size * width % 4) % 4;
     for (const bool normalized : {false, true}) {
       if (component == 5126 && normalized) continue;
-      for (const Storage& way : {Storage{component, normalized, align, false, false}, Storage{component, normalized, align + 8, false, false},
-                                 Storage{component, normalized, 0, true, false}, Storage{component, normalized, align, false, true}}) {
+      for (const Storage& way :
+           {Storage{component, normalized, align, false, false},
+            Storage{component, normalized, align + 8, false, false}, Storage{component, normalized, 0, true, false},
+            Storage{component, normalized, align, false, true}}) {
         GltfBuilder file;
         file.document["extensionsUsed"] = {"KHR_mesh_quantization"};
         if (way.meshopt) file.document["extensionsUsed"].push_back("EXT_meshopt_compression");
         file.document["extensionsRequired"] = file.document["extensionsUsed"];
         file.attribute(attribute, numbers, type, way);
         if (std::string(attribute) != "COLOR_0") file.document["nodes"][0]["rotation"] = {0, 0.6, 0, 0.8};
-        write(folder, file, fmt::format("{}_{}{}_{}{}{}", attribute, component, normalized ? "n" : "", way.padding, way.sparse ? "_sparse" : "",
-                                        way.meshopt ? "_meshopt" : ""));
+        write(folder, file,
+              fmt::format("{}_{}{}_{}{}{}", attribute, component, normalized ? "n" : "", way.padding,
+                          way.sparse ? "_sparse" : "", way.meshopt ? "_meshopt" : ""));
       }
     }
   }

@@ -102,10 +102,9 @@ void report_sources(const std::vector<MotionSource>& sources, std::size_t simula
     findings.note(fmt::format("{} of {} simulated bones move by the file's spring bones", by_spring, simulated));
   }
   if (recipe.dynamics_source == "springs" && by_spring < simulated) {
-    findings.warn(
-        "C133", fmt::format("\"dynamics.source\" is \"springs\", but {} of {} simulated bones have no spring "
-                    "in the file; they move by the recipe's curves",
-                    simulated - by_spring, simulated));
+    findings.warn("C133", fmt::format("\"dynamics.source\" is \"springs\", but {} of {} simulated bones have no spring "
+                                      "in the file; they move by the recipe's curves",
+                                      simulated - by_spring, simulated));
   }
 }
 
@@ -124,16 +123,16 @@ void warn_of_lost_settings(const SourceModel& source, std::span<const Sayer> say
     if (centered == nullptr && bone.spring->center != kNoIndex) centered = bone.spring;
   }
   if (sideways != nullptr) {
-    findings.warn(
-        "C134", fmt::format("spring '{}': its gravity is not vertical; only the vertical part is kept (of other such "
-                    "springs too); let the game's wind push sideways",
-                    sideways->name));
+    findings.warn("C134",
+                  fmt::format("spring '{}': its gravity is not vertical; only the vertical part is kept (of other such "
+                              "springs too); let the game's wind push sideways",
+                              sideways->name));
   }
   if (centered != nullptr) {
-    findings.warn(
-        "C135", fmt::format("spring '{}' has the center '{}', whose motion it would not feel; here hair feels every "
-                    "motion of the head (as on other such springs); if it swings too much, raise the drag",
-                    centered->name, source.nodes[centered->center].name));
+    findings.warn("C135",
+                  fmt::format("spring '{}' has the center '{}', whose motion it would not feel; here hair feels every "
+                              "motion of the head (as on other such springs); if it swings too much, raise the drag",
+                              centered->name, source.nodes[centered->center].name));
   }
 }
 

@@ -171,7 +171,8 @@ void report(const AssetContents& contents, const IllPosedChains& ill, const Outc
                               what_failed(ill.finding), done, 100 * outcome.difference));
   } else {
     findings.warn(
-        "C132", fmt::format("{}: {}, and with {} as well; its motion will depend on the frame rate; raise dynamics.resistance "
+        "C132",
+        fmt::format("{}: {}, and with {} as well; its motion will depend on the frame rate; raise dynamics.resistance "
                     "or use fewer bones",
                     which, what_failed(ill.finding), done));
   }

@@ -18,8 +18,8 @@ void set_models(const Recipe& recipe, std::span<const ChainModel> models, AssetC
   }
   const bool any_passive = std::ranges::find(models, ChainModel::kPassive) != models.end();
   if (any_passive && recipe.torsion && *recipe.torsion < double(kShortestArc)) {
-    findings.warn(
-        "C136", "\"dynamics.torsion\": the passive model has no twist; for one say \"dynamics.model\": \"cascade\"");
+    findings.warn("C136",
+                  "\"dynamics.torsion\": the passive model has no twist; for one say \"dynamics.model\": \"cascade\"");
   }
 }
 

@@ -152,7 +152,8 @@ tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, 
   for (const std::string& note : bench.left_out()) findings.note(note);
   if (bench.is_empty()) {
     findings.warn(
-        "C131", "not tuned: no motion of this hair could be computed within the work that a cook may take; it is simulated "
+        "C131",
+        "not tuned: no motion of this hair could be computed within the work that a cook may take; it is simulated "
         "with one step "
         "a frame; make it softer (dynamics.preset), or its bones fewer (chains.max_bones)");
     return TunedSolver{};

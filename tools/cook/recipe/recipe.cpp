@@ -104,7 +104,8 @@ std::string commented(const Recipe& recipe, bool says_all) {
     section = key.section;
     const std::string value = given.dump();
     const auto shown = [&](const std::string& written) {
-      return !says_all && key.canonical_null != nullptr && written == "null" ? std::string(key.canonical_null) : written;
+      return !says_all && key.canonical_null != nullptr && written == "null" ? std::string(key.canonical_null)
+                                                                             : written;
     };
     std::string facts = fmt::format("default {}", shown(key.default_json));
     if (key.choices != nullptr) facts += fmt::format(", one of {}", key.choices);

@@ -130,11 +130,12 @@ struct Recipe : HairStyle {
   RecipeTexture mask_texture;
   RecipeTexture strand_id_texture;
   RecipeTexture root_to_tip_texture;
-  std::string vertex_colors;  ///< "auto", "multiply" or "ignore".
+  std::string vertex_colors;   ///< "auto", "multiply" or "ignore".
   std::string normal_texture;  ///< Path beside the recipe; "": the source's.
   double normal_strength = 0;
   std::string normal_green;  ///< "auto", "up" or "down".
-  std::optional<std::uint32_t> texture_max_size;  ///< None: texture_limit(), and cards' textures as large as "cards.texels" says.
+  std::optional<std::uint32_t>
+      texture_max_size;  ///< None: texture_limit(), and cards' textures as large as "cards.texels" says.
   std::uint32_t texture_seed = 0;
   std::string shift_mask_format;  ///< "eac" or "rg8".
   // occlusion
@@ -172,7 +173,9 @@ struct CookSettings {
 };
 
 /// Texels that images may have each way; larger ones are reduced.
-[[nodiscard]] inline std::uint32_t texture_limit(const Recipe& recipe) { return recipe.texture_max_size.value_or(1024); }
+[[nodiscard]] inline std::uint32_t texture_limit(const Recipe& recipe) {
+  return recipe.texture_max_size.value_or(1024);
+}
 
 /// What shows how hair looks and moves, in a fraction of the time: one level of detail, drawn by distance from the head,
 /// small textures stored as they come, no occlusion, cards fitted once.

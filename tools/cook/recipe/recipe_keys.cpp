@@ -9,9 +9,9 @@ namespace {
 using R = Recipe;
 
 constexpr bool kNamesFile = true, kIsLater = true;
+// clang-format off
 constexpr const char* kOrChannel = "; or {\"file\": ..., \"channel\": \"r\", \"g\", \"b\", \"a\" or \"luminance\", \"invert\": true}";
 
-// clang-format off
 const RecipeKey kCookKeys[] = {
   {"scene", "draw", &R::scene_draw, "true", 0, 0, nullptr, "",
    "false: the hair is simulated but never drawn from this asset; leaves mesh, material and textures out"},

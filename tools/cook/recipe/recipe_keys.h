@@ -40,7 +40,7 @@ struct RecipeKey {
   bool names_file = false;
   /// What canonical_recipe() has in place of null, the default: of a key that once could not be null.
   const char* canonical_null = nullptr;
-  bool is_later = false;  ///< canonical_recipe() has it only where it says something else than its default.
+  bool is_later = false;     ///< canonical_recipe() has it only where it says something else than its default.
   bool shapes_asset = true;  ///< false: the asset's bytes do not depend on it, and it is no part of canonical_recipe().
 
   [[nodiscard]] std::string path() const { return std::string(section) + "." + name; }

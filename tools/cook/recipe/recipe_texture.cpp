@@ -12,11 +12,13 @@ using nlohmann::json;
 using Outcome = tl::expected<void, std::string>;
 
 constexpr const char* kWantedTexture =
-    "a path, or {\"file\": \"hair.png\", \"channel\": \"auto\", \"r\", \"g\", \"b\", \"a\" or \"luminance\", \"invert\": true or false}";
+    "a path, or {\"file\": \"hair.png\", \"channel\": \"auto\", \"r\", \"g\", \"b\", \"a\" or \"luminance\", "
+    "\"invert\": true or false}";
 constexpr const char* kChannelWords[] = {"auto", "r", "g", "b", "a", "luminance"};  // as TextureChannel
 
 bool read_channel(const json& value, TextureChannel& out) {
-  const auto* const word = value.is_string() ? std::ranges::find(kChannelWords, value.get<std::string>()) : std::end(kChannelWords);
+  const auto* const word =
+      value.is_string() ? std::ranges::find(kChannelWords, value.get<std::string>()) : std::end(kChannelWords);
   if (word == std::end(kChannelWords)) return false;
   out = TextureChannel(word - std::begin(kChannelWords));
   return true;

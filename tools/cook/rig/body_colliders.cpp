@@ -241,7 +241,8 @@ class BodyPass {
     const auto twice = std::ranges::adjacent_find(names);
     if (twice == names.end()) return;
     findings_.warn(
-        "C121", fmt::format("two bones that carry body colliders are called '{}', and a game finds them by their names; rename "
+        "C121",
+        fmt::format("two bones that carry body colliders are called '{}', and a game finds them by their names; rename "
                     "one in the model",
                     *twice));
   }

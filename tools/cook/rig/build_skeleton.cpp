@@ -198,14 +198,16 @@ void warn_of_foreign_weight(const SourceModel& source, const NodeWeights& weight
     }
   }
   if (foreign > 0.001 * total) {
-    findings.warn("C113", fmt::format(
-        "{:.1f} % of the skin weight is on bones that are not below the head '{}' (most on '{}'); it follows "
-        "the head rigidly",
-        100 * foreign / total, source.nodes[head].name, heaviest));
+    findings.warn(
+        "C113",
+        fmt::format(
+            "{:.1f} % of the skin weight is on bones that are not below the head '{}' (most on '{}'); it follows "
+            "the head rigidly",
+            100 * foreign / total, source.nodes[head].name, heaviest));
   }
   if (skeleton.chains.empty()) {
-    findings.warn(
-        "C112", fmt::format("no bones carry hair below the head '{}'; the hair follows it rigidly", source.nodes[head].name));
+    findings.warn("C112", fmt::format("no bones carry hair below the head '{}'; the hair follows it rigidly",
+                                      source.nodes[head].name));
   }
 }
 

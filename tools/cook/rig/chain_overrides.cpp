@@ -55,8 +55,10 @@ std::vector<PatchOverride> chain_overrides(const HairStrips& hair, const HairRig
       names.push_back(rig.skeleton.bones[rig.skeleton.chains[c].first_bone].name);
     }
     if (names.empty()) {
-      findings.warn("C122", fmt::format(
-          "\"patches.overrides\" [{}] says how patches move, but they are not most of what any chain carries", o));
+      findings.warn(
+          "C122",
+          fmt::format(
+              "\"patches.overrides\" [{}] says how patches move, but they are not most of what any chain carries", o));
     } else {
       findings.note(
           fmt::format("\"patches.overrides\" [{}]: motion of {}", o, counted(names.size(), "chain", "chains")));

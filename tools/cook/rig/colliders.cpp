@@ -28,14 +28,14 @@ double share_kept(const FittedHead& head, const Skeleton& skeleton, Findings& fi
   const double share = share_at_first_particle(head, skeleton);
   if (share >= 1) return 1;
   if (head.declared) {
-    findings.warn(
-        "C123", fmt::format("the declared head pushes the hair at rest: a bone ends {:.0f} % of the radius "
-                    "inside it; make head.radii smaller",
-                    100 * (1 - share)));
+    findings.warn("C123", fmt::format("the declared head pushes the hair at rest: a bone ends {:.0f} % of the radius "
+                                      "inside it; make head.radii smaller",
+                                      100 * (1 - share)));
     return 1;
   }
   const double kept = std::max(share * 0.999, kSmallestShare);
-  findings.warn("C123", fmt::format("the fitted head was shrunk to {:.0f} % so that it does not push the hair at rest{}",
+  findings.warn("C123",
+                fmt::format("the fitted head was shrunk to {:.0f} % so that it does not push the hair at rest{}",
                             100 * kept, share < kSmallestShare ? "; some bones still end inside it" : ""));
   return kept;
 }
@@ -136,7 +136,8 @@ void report_rest_penetration(const Skeleton& skeleton, const Colliders& collider
   }
   if (inside == 0) return;
   findings.warn(
-      "C124", fmt::format("{} bones are inside a {} at rest, '{}' by {:.1f} mm; they will be pushed out of the modelled "
+      "C124",
+      fmt::format("{} bones are inside a {} at rest, '{}' by {:.1f} mm; they will be pushed out of the modelled "
                   "pose: make the collider or the hit radius smaller, or {}",
                   inside, what, where, 1000 * deepest, cure));
 }

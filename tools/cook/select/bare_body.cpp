@@ -18,10 +18,10 @@ using Eigen::Vector3d;
 // below 0.1. The longest edge of an open sheet is 2 and more of the root of its area, that of a head without a neck 1.
 constexpr double kLeastRound = 0.2;
 constexpr double kMostOpen = 1.6;
-constexpr double kNearlyWhole = 0.8;    // of the model's surface
-constexpr double kMostOpenFigure = 0.3;       // as kMostOpen, for figures
-constexpr double kLeastFigure = 1.2;  // metres, of a figure
-constexpr double kOnGround = 0.05;    // of its height
+constexpr double kNearlyWhole = 0.8;     // of the model's surface
+constexpr double kMostOpenFigure = 0.3;  // as kMostOpen, for figures
+constexpr double kLeastFigure = 1.2;     // metres, of a figure
+constexpr double kOnGround = 0.05;       // of its height
 
 /// One connected piece of a mesh, by its form.
 struct PieceForm {
@@ -31,7 +31,9 @@ struct PieceForm {
 
   [[nodiscard]] double open() const { return area > 0 ? rim / std::sqrt(area) : 0; }
   /// How much of the volume it has that a sphere of the same surface would have, squared.
-  [[nodiscard]] double round() const { return area > 0 ? 36 * std::numbers::pi * volume * volume / (area * area * area) : 0; }
+  [[nodiscard]] double round() const {
+    return area > 0 ? 36 * std::numbers::pi * volume * volume / (area * area * area) : 0;
+  }
   [[nodiscard]] bool is_full() const { return open() < kMostOpen && round() > kLeastRound; }
 };
 
@@ -56,7 +58,8 @@ void append_forms(const SourceMesh& mesh, double weld_distance, std::vector<Piec
   for_each_edge(edges, [&](std::span<const EdgeUse> uses) {
     if (uses.size() != 1) return;
     const std::size_t first = 3 * std::size_t(uses[0].triangle), side = uses[0].side;
-    const Eigen::Vector3f along = mesh.positions[mesh.triangles[first + side]] - mesh.positions[mesh.triangles[first + (side + 1) % 3]];
+    const Eigen::Vector3f along =
+        mesh.positions[mesh.triangles[first + side]] - mesh.positions[mesh.triangles[first + (side + 1) % 3]];
     forms[pieces.piece_of[uses[0].triangle]].rim += double(along.norm());
   });
   all.insert(all.end(), forms.begin(), forms.end());

@@ -231,7 +231,9 @@ tl::unexpected<ToolError> no_hair_on(const SourceModel& source) {
 }
 
 /// Whether a file without a word of hair in it is called hair itself.
-bool is_file_called_hair(const SourceModel& source) { return is_called_hair(std::filesystem::path(source.path).stem().string()); }
+bool is_file_called_hair(const SourceModel& source) {
+  return is_called_hair(std::filesystem::path(source.path).stem().string());
+}
 
 /// A model whose form is that of a body. What exporters most often leave out of such a file are curves and particles.
 tl::unexpected<ToolError> no_hair_in_body(const SourceModel& source) {
@@ -240,13 +242,16 @@ tl::unexpected<ToolError> no_hair_in_body(const SourceModel& source) {
     meshes.push_back(fmt::format("mesh '{}' (material '{}')", mesh.name, material_name(source, mesh)));
   }
   const std::string node = empty_hair_node(source);
-  const std::string lost = node.empty() ? "" : fmt::format("node '{}' has no mesh, so its hair was not exported; ", node);
-  return bad_input(
-      source,
-      fmt::format("there is no hair, only what looks like a body: {}; {}export the hair, too: Blender leaves curves and hair particles out "
-                  "unless they are meshes (Object > Convert > Mesh, then export glTF with Data > Mesh > Loose Edges), or export strands "
-                  "by themselves and name this file by \"cards.body\"; if it is hair, say so in a recipe: {{\"hair\": {{\"meshes\": [\"{}\"]}}}}",
-                  fmt::join(meshes, ", "), lost, source.meshes.empty() ? "..." : source.meshes[0].name));
+  const std::string lost =
+      node.empty() ? "" : fmt::format("node '{}' has no mesh, so its hair was not exported; ", node);
+  return bad_input(source,
+                   fmt::format("there is no hair, only what looks like a body: {}; {}export the hair, too: Blender "
+                               "leaves curves and hair particles out "
+                               "unless they are meshes (Object > Convert > Mesh, then export glTF with Data > Mesh > "
+                               "Loose Edges), or export strands "
+                               "by themselves and name this file by \"cards.body\"; if it is hair, say so in a recipe: "
+                               "{{\"hair\": {{\"meshes\": [\"{}\"]}}}}",
+                               fmt::join(meshes, ", "), lost, source.meshes.empty() ? "..." : source.meshes[0].name));
 }
 
 void take_everything(const SourceModel& source, std::uint32_t head, Chooser& chooser) {
@@ -255,7 +260,8 @@ void take_everything(const SourceModel& source, std::uint32_t head, Chooser& cho
   }
   if (head == kNoIndex) return;  // A file without a body is a hairstyle.
   chooser.warn(
-      "S202", "nothing in the file is called hair, moved by hair bones or transparent on the head; the whole model was taken: "
+      "S202",
+      "nothing in the file is called hair, moved by hair bones or transparent on the head; the whole model was taken: "
       "name the hair by the recipe's \"hair\"");
 }
 
@@ -274,7 +280,8 @@ tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const
   if (!chooser.found()) choose_by_bones(source, bones, head, chooser);
   if (!chooser.found()) choose_by_transparency(source, bones, head, chooser);
   if (!chooser.found() && moves_limbs(source)) return no_hair_on(source);
-  const bool is_body = !chooser.found() && !is_file_called_hair(source) && is_bare_body(source, recipe.patch_weld_distance);
+  const bool is_body =
+      !chooser.found() && !is_file_called_hair(source) && is_bare_body(source, recipe.patch_weld_distance);
   if (is_body) return no_hair_in_body(source);
   if (!chooser.found()) take_everything(source, head, chooser);
   take_caps(source, chooser);

@@ -17,7 +17,7 @@ struct HairMesh {
   std::vector<Eigen::Vector3f> positions;
   std::vector<Eigen::Vector3f> normals;
   std::vector<Eigen::Vector2f> uvs;
-  std::vector<Eigen::Vector4f> colors;  ///< Linear RGBA, until a texture or a factor has them.
+  std::vector<Eigen::Vector4f> colors;          ///< Linear RGBA, until a texture or a factor has them.
   std::vector<std::uint32_t> influence_begin;   ///< positions.size() + 1 entries.
   std::vector<SourceInfluence> influences;      ///< Nodes of the source; each vertex's weights add up to one.
   std::vector<std::uint32_t> triangles;         ///< Three vertices each.

@@ -175,7 +175,8 @@ void make_room(const HairMesh& hair, double least, FittedHead& head, Findings& f
   const double most_vertices = std::max(kMostInside.vertices, 1.0 / double(hair.positions.size()));
   if (inside.area <= kMostInside.area && inside.vertices <= most_vertices) return;
   findings.warn(
-      "C111", fmt::format("{:.0f} % of the hair's surface is inside the head, even where that is made {:.0f} % as large as it "
+      "C111",
+      fmt::format("{:.0f} % of the hair's surface is inside the head, even where that is made {:.0f} % as large as it "
                   "looks; if it is not the head, set \"head.center\" and \"head.radii\" in the recipe",
                   100 * std::max(inside.area, inside.vertices), 100 * least));
 }

@@ -91,8 +91,11 @@ void warn_of_pose(const SourceModel& source, std::span<const std::size_t> taken,
     if (farthest == nullptr || mesh.posed_degrees > farthest->posed_degrees) farthest = &mesh;
   }
   if (farthest == nullptr) return;
-  findings.warn("C114", fmt::format("mesh '{}': its bones stand otherwise than when it was bound to them ('{}' by {:.0f} degrees): the file was saved in a "
-                            "pose, and that pose is taken for the hair's shape at rest; put the armature into its rest position and export "
+  findings.warn("C114",
+                fmt::format("mesh '{}': its bones stand otherwise than when it was bound to them ('{}' by {:.0f} "
+                            "degrees): the file was saved in a "
+                            "pose, and that pose is taken for the hair's shape at rest; put the armature into its rest "
+                            "position and export "
                             "again where that is not meant",
                             farthest->name, source.nodes[farthest->posed_node].name, double(farthest->posed_degrees)));
 }

@@ -140,9 +140,9 @@ Eigen::Vector3d mean_tangent(const HairMesh& mesh, std::span<const Vector3f> tan
 void warn_of_up_axis(const HairMesh& mesh, const StrandField& field, Findings& findings) {
   const Eigen::Vector3d mean = mean_tangent(mesh, field.tangent);
   if (mean.z() > -kBackwards || mean.y() < -0.5 * kBackwards) return;
-  findings.warn(
-      "S210", "most strands run horizontally, along -Z; if the hair hangs in the modeller, the file has Z up: set "
-      "\"source.up_axis\": \"z\" in the recipe");
+  findings.warn("S210",
+                "most strands run horizontally, along -Z; if the hair hangs in the modeller, the file has Z up: set "
+                "\"source.up_axis\": \"z\" in the recipe");
 }
 
 /// What the patches bring to the question where their roots are.

@@ -231,7 +231,8 @@ void report_coverage(std::span<const Image> used, const AssetContents& contents,
     if (warned || std::max(solid_off, opacity_off) <= kMostOff) continue;
     warned = true;
     findings.warn(
-        "C141", fmt::format("mip {} of the base texture ({} x {}) covers {:.1f} % instead of {:.1f} %: hair looks {} from "
+        "C141",
+        fmt::format("mip {} of the base texture ({} x {}) covers {:.1f} % instead of {:.1f} %: hair looks {} from "
                     "afar; paint its "
                     "alpha with fewer faint texels",
                     level, mips[level].width, mips[level].height, 100 * found.opacity, 100 * wanted.opacity,

@@ -72,7 +72,8 @@ ShiftMask bake_shift_mask(const BaseColor& color, const RecipeImage& shift, cons
                           bool strands_along_u, const Recipe& recipe) {
   const std::optional<Image>& strands = color.strand_ids ? color.strand_ids : color.strands;
   if (strands && !shift.image && !mask.image) {
-    return {make_mips(shift_mask_of(*strands, recipe.texture_seed), texture_limit(recipe), TexelMeaning::kNumbers), false};
+    return {make_mips(shift_mask_of(*strands, recipe.texture_seed), texture_limit(recipe), TexelMeaning::kNumbers),
+            false};
   }
   const auto pointer = [](const RecipeImage& image) { return image.image ? &*image.image : nullptr; };
   Image whole = combine_shift_mask(pointer(shift), pointer(mask), recipe.texture_seed, strands_along_u);
@@ -114,7 +115,8 @@ tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, con
   ShiftMask shift_mask;
   parallel_for(2, settings.threads, [&](std::size_t i) {
     if (i == 0 && textured) base = bake_base(color, hair.mesh, recipe, baked.transparency, findings);
-    if (i == 1 && !color.is_of_vertex_colors) shift_mask = bake_shift_mask(color, *shift, *mask, hair.strands.along_u, recipe);
+    if (i == 1 && !color.is_of_vertex_colors)
+      shift_mask = bake_shift_mask(color, *shift, *mask, hair.strands.along_u, recipe);
   });
   const TexelFormat format = two_channel_format(recipe);
   if (textured) baked.stored.append(TextureRole::kBaseColor, TexelFormat::kSrgb8Alpha8, base.color, settings.threads);

@@ -15,19 +15,19 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 using Eigen::Vector4f;
 
-constexpr std::uint32_t kBandRows = 256;       ///< Of the image at a time: what limits memory.
-constexpr float kReachTexels = 0.8f;           ///< Beyond its edges a triangle colours what filtering reads there.
-constexpr float kEdgeWeight = 1.0e-3f;         ///< Of such texels, where another triangle has them inside.
-constexpr float kSeenDifference = 0.06f;       ///< Of the square roots of linear numbers.
-constexpr double kManyDiffering = 0.02;        ///< Of the triangles.
-constexpr double kMostTexelRows = 4;           ///< Repeats of the image that one triangle may span.
+constexpr std::uint32_t kBandRows = 256;  ///< Of the image at a time: what limits memory.
+constexpr float kReachTexels = 0.8f;      ///< Beyond its edges a triangle colours what filtering reads there.
+constexpr float kEdgeWeight = 1.0e-3f;    ///< Of such texels, where another triangle has them inside.
+constexpr float kSeenDifference = 0.06f;  ///< Of the square roots of linear numbers.
+constexpr double kManyDiffering = 0.02;   ///< Of the triangles.
+constexpr double kMostTexelRows = 4;      ///< Repeats of the image that one triangle may span.
 
 /// One triangle in texels, with what interpolates in it.
 struct TexelTriangle {
   std::array<Vector2f, 3> corner;
   std::array<const Vector4f*, 3> color;
-  float area = 0;       ///< Doubled, signed.
-  Vector3f height;      ///< Texels from each corner to the edge opposite.
+  float area = 0;   ///< Doubled, signed.
+  Vector3f height;  ///< Texels from each corner to the edge opposite.
 
   [[nodiscard]] Vector3f weights(const Vector2f& p) const {
     const Vector2f ab = corner[1] - corner[0], ac = corner[2] - corner[0], ap = p - corner[0];
@@ -66,8 +66,11 @@ std::uint32_t wrapped_texel(std::int64_t at, std::uint32_t size) { return std::u
 class ColorBand {
  public:
   ColorBand(const Image& image, std::uint32_t first_row)
-      : image_(image), first_(first_row), rows_(std::min(kBandRows, image.height - first_row)),
-        sum_(std::size_t(rows_) * image.width, Vector4f::Zero()), weight_(sum_.size(), 0.0f) {}
+      : image_(image),
+        first_(first_row),
+        rows_(std::min(kBandRows, image.height - first_row)),
+        sum_(std::size_t(rows_) * image.width, Vector4f::Zero()),
+        weight_(sum_.size(), 0.0f) {}
 
   void add(const TexelTriangle& triangle) {
     const auto [low, high] = std::minmax({triangle.corner[0].y(), triangle.corner[1].y(), triangle.corner[2].y()});
@@ -95,7 +98,8 @@ class ColorBand {
     const Vector2f middle = (triangle.corner[0] + triangle.corner[1] + triangle.corner[2]) / 3;
     const std::uint32_t row = wrapped_texel(std::int64_t(std::floor(middle.y())), image_.height);
     if (row < first_ || row >= first_ + rows_) return false;
-    const std::size_t i = std::size_t(row - first_) * image_.width + wrapped_texel(std::int64_t(std::floor(middle.x())), image_.width);
+    const std::size_t i =
+        std::size_t(row - first_) * image_.width + wrapped_texel(std::int64_t(std::floor(middle.x())), image_.width);
     if (weight_[i] <= 0) return false;
     // The texel's own middle, which a small triangle may not have.
     const Vector2f texel(std::floor(middle.x()) + 0.5f, std::floor(middle.y()) + 0.5f);
@@ -140,9 +144,10 @@ void bake_vertex_colors(Image& image, HairMesh& hair, Findings& findings) {
     band.multiply(image, linear);
   }
   if (double(differing) > kManyDiffering * double(hair.triangle_count())) {
-    findings.warn("C152", fmt::format("{} of {} triangles share texels with others of different vertex colours, or have none of their own, and get "
-                              "a mean; unwrap them apart, or paint the colours into the texture",
-                              differing, hair.triangle_count()));
+    findings.warn("C152", fmt::format("{} of {} triangles share texels with others of different vertex colours, or "
+                                      "have none of their own, and get "
+                                      "a mean; unwrap them apart, or paint the colours into the texture",
+                                      differing, hair.triangle_count()));
   }
   hair.colors.clear();
 }
@@ -156,7 +161,8 @@ void keep_vertex_colors(std::uint32_t max_size, BaseColor& color, HairMesh& hair
     color.image = reduce(std::move(*color.image), max_size, TexelMeaning::kSrgbColorAlpha);
     bake_vertex_colors(*color.image, hair, findings);
   } else {
-    findings.warn("C152", "the hair's vertex colours are lost: no image can hold them; unwrap the hair, or give it a texture");
+    findings.warn("C152",
+                  "the hair's vertex colours are lost: no image can hold them; unwrap the hair, or give it a texture");
     hair.colors.clear();
   }
 }

@@ -159,7 +159,8 @@ std::optional<GreenAxis> green_of(const Recipe& recipe) {
 }
 
 /// What the materials say of the hair.
-SurfaceLooks looks_of_materials(const SourceModel& source, SourceImages& images, const HairMesh& hair, const Recipe& recipe) {
+SurfaceLooks looks_of_materials(const SourceModel& source, SourceImages& images, const HairMesh& hair,
+                                const Recipe& recipe) {
   const bool are_replaced = !recipe.normal_texture.empty() || recipe.normal_strength <= 0;
   SurfaceLooks looks = find_looks(source, images, hair, {!are_replaced, recipe.opacity_texture.empty()});
   for (SurfaceLook& look : looks.looks) {
@@ -189,10 +190,10 @@ BaseColor in_one_image(SurfaceLooks& looks, const Recipe& recipe, HairMesh& hair
   auto atlas = joined(looks, texture_limit(recipe), hair, findings);
   if (atlas) return *atlas;
   const SurfaceLook& main = looks.looks[looks.main];
-  findings.warn(
-      "C150", fmt::format("the hair has {} materials that look different, and {} cannot be joined; all of it gets "
-                  "that with most triangles ('{}')",
-                  looks.looks.size(), atlas.error(), main.name));
+  findings.warn("C150",
+                fmt::format("the hair has {} materials that look different, and {} cannot be joined; all of it gets "
+                            "that with most triangles ('{}')",
+                            looks.looks.size(), atlas.error(), main.name));
   return whole(main, findings);
 }
 
@@ -253,13 +254,15 @@ tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, Ha
   BaseColor color;
   SourceImages images(source);
   const bool has_own = own->image.has_value();
-  SurfaceLooks looks = has_own ? looks_of_image(source, hair, std::move(*own->image)) : looks_of_materials(source, images, hair, recipe);
+  SurfaceLooks looks =
+      has_own ? looks_of_image(source, hair, std::move(*own->image)) : looks_of_materials(source, images, hair, recipe);
   take_opacity(*maps, looks, findings);
   color = color_of(looks, recipe, hair, findings);
   if (has_own) {
     color.recipe_files = {own->path};
   } else {
-    const bool is_dyed = is_colourless(color) && hair.colors.empty() && !says_what_it_lacks(source) && !names_color(recipe);
+    const bool is_dyed =
+        is_colourless(color) && hair.colors.empty() && !says_what_it_lacks(source) && !names_color(recipe);
     if (is_dyed) dye(color, findings);
     findings.append(images.findings());
     color.files = images.files();

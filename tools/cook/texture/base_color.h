@@ -75,10 +75,10 @@ struct BaseColor {
   std::optional<AtlasLayout> atlas;                  ///< Set where surfaces of several materials share the image.
   std::optional<Image> normals;                      ///< Two channels, as NormalMap has them; none: the surface's own.
   std::optional<Image> strands;                      ///< RGBA, SourceMaterial::strand_texture.
-  bool is_of_vertex_colors = false;                  ///< `image` is make_color_squares(): coordinates are colours, not places.
-  std::optional<Image> strand_ids;                   ///< As `strands`, of which the recipe knows red alone.
-  std::optional<Image> root_to_tip;                  ///< One channel, in the coordinates of `image`: how far along a strand.
-  std::vector<std::filesystem::path> files;          ///< Image files beside the source that were read.
+  bool is_of_vertex_colors = false;          ///< `image` is make_color_squares(): coordinates are colours, not places.
+  std::optional<Image> strand_ids;           ///< As `strands`, of which the recipe knows red alone.
+  std::optional<Image> root_to_tip;          ///< One channel, in the coordinates of `image`: how far along a strand.
+  std::vector<std::filesystem::path> files;  ///< Image files beside the source that were read.
   std::vector<std::filesystem::path> recipe_files;   ///< Image files of the recipe that were read.
   std::vector<TextureQuestion> questions;            ///< How they were found; none for an image of the recipe.
 };

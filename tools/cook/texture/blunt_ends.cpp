@@ -218,7 +218,8 @@ std::vector<std::uint32_t> find_blunt_ends(const HairStrips& hair, const FittedH
   const float share = count > 0 ? float(patches.size()) / float(count) : 0;
   if (share >= kWarnShare) {
     findings.warn(
-        "C151", fmt::format("{:.0f} % of the patches ({} of {}) end hard: opaque up to an edge about as wide as the strip; let "
+        "C151",
+        fmt::format("{:.0f} % of the patches ({} of {}) end hard: opaque up to an edge about as wide as the strip; let "
                     "the alpha of the texture fade towards the tips, or model the strips to a point",
                     100 * share, patches.size(), count));
   }

@@ -2,8 +2,8 @@
 #include "cook/texture/color_islands.h"
 #include "cook/texture/vertex_colors.h"
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +16,10 @@ using Eigen::Matrix4d;
 using Eigen::Vector2f;
 using Eigen::Vector4d;
 
-constexpr std::uint32_t kSquareSide = 32;      ///< Texels, of which the outermost two on each side repeat the edge.
+constexpr std::uint32_t kSquareSide = 32;  ///< Texels, of which the outermost two on each side repeat the edge.
 constexpr std::uint32_t kSquareMargin = 2;
 constexpr std::size_t kMostSquares = 64;
-constexpr double kFlat = 0.01;                 ///< Root mean square of what a plane may leave, in linear numbers.
+constexpr double kFlat = 0.01;  ///< Root mean square of what a plane may leave, in linear numbers.
 
 /// Colours of some islands: their sums, from which the plane that lies nearest to all follows.
 struct ColorPlane {
@@ -93,7 +93,8 @@ struct ColorSquare {
   }
 };
 
-std::vector<ColorSquare> squares_of(const HairMesh& hair, const ColorPlanes& planes, std::span<const std::uint32_t> plane_of_vertex) {
+std::vector<ColorSquare> squares_of(const HairMesh& hair, const ColorPlanes& planes,
+                                    std::span<const std::uint32_t> plane_of_vertex) {
   std::vector<ColorSquare> squares;
   for (const ColorPlane& plane : planes.planes) {
     ColorSquare square;
@@ -115,9 +116,12 @@ std::vector<ColorSquare> squares_of(const HairMesh& hair, const ColorPlanes& pla
   return squares;
 }
 
-constexpr double kSquareReach = double{kSquareSide - 2 * kSquareMargin - 1};  ///< From the first texel's middle to the last's.
+constexpr double kSquareReach =
+    double{kSquareSide - 2 * kSquareMargin - 1};  ///< From the first texel's middle to the last's.
 
-std::uint8_t stored(double linear) { return std::uint8_t(std::lround(std::clamp(encode_srgb(linear), 0.0, 1.0) * 255)); }
+std::uint8_t stored(double linear) {
+  return std::uint8_t(std::lround(std::clamp(encode_srgb(linear), 0.0, 1.0) * 255));
+}
 
 void draw_square(const ColorSquare& square, std::uint32_t left, std::uint32_t top, Image& image) {
   for (std::uint32_t y = 0; y < kSquareSide; ++y) {
@@ -126,7 +130,8 @@ void draw_square(const ColorSquare& square, std::uint32_t left, std::uint32_t to
       const double at[2] = {double(x), double(y)};
       for (int k = 0; k < 2; ++k) {
         const double share = std::clamp((at[k] - kSquareMargin) / kSquareReach, 0.0, 1.0);
-        if (square.high[k] > square.low[k]) color += (square.low[k] + share * (square.high[k] - square.low[k])) * square.axis[k];
+        if (square.high[k] > square.low[k])
+          color += (square.low[k] + share * (square.high[k] - square.low[k])) * square.axis[k];
       }
       color = color.cwiseMax(0.0).cwiseMin(1.0);
       std::uint8_t* const texel = &image.texels[4 * (std::size_t(top + y) * image.width + left + x)];
@@ -172,12 +177,14 @@ Image make_color_squares(HairMesh& hair, Findings& findings) {
       hair.uvs[v][k] = float(texel / (k == 0 ? image.width : image.height));
     }
   }
-  findings.note(fmt::format("vertex colours are kept in an image of {} x {} texels, since the hair has no texture coordinates", image.width,
-                            image.height));
+  findings.note(
+      fmt::format("vertex colours are kept in an image of {} x {} texels, since the hair has no texture coordinates",
+                  image.width, image.height));
   if (planes.worst > 2 * kFlat) {
-    findings.warn("C152", fmt::format("the hair has no texture coordinates, and its vertex colours vary more than an image of them can hold: they "
-                              "are off by {:.0f} of 255; unwrap the hair",
-                              planes.worst * 255));
+    findings.warn("C152", fmt::format("the hair has no texture coordinates, and its vertex colours vary more than an "
+                                      "image of them can hold: they "
+                                      "are off by {:.0f} of 255; unwrap the hair",
+                                      planes.worst * 255));
   }
   hair.colors.clear();
   return image;

@@ -96,14 +96,15 @@ tl::expected<Image, std::string> read_image(const std::filesystem::path& path) {
 
 namespace {
 
-Image resized(const Image& image, std::uint32_t width, std::uint32_t height, TexelMeaning meaning, stbir_filter filter) {
+Image resized(const Image& image, std::uint32_t width, std::uint32_t height, TexelMeaning meaning,
+              stbir_filter filter) {
   Image result{width, height, image.channels, {}};
   result.texels.resize(result.texel_count() * image.channels);
   const bool color = meaning == TexelMeaning::kSrgbColorAlpha;
-  const int done = stbir_resize_uint8_generic(image.texels.data(), int(image.width), int(image.height), 0, result.texels.data(),
-                             int(width), int(height), 0, int(image.channels), color ? 3 : STBIR_ALPHA_CHANNEL_NONE, 0,
-                             STBIR_EDGE_WRAP, filter, color ? STBIR_COLORSPACE_SRGB : STBIR_COLORSPACE_LINEAR,
-                             nullptr);
+  const int done = stbir_resize_uint8_generic(image.texels.data(), int(image.width), int(image.height), 0,
+                                              result.texels.data(), int(width), int(height), 0, int(image.channels),
+                                              color ? 3 : STBIR_ALPHA_CHANNEL_NONE, 0, STBIR_EDGE_WRAP, filter,
+                                              color ? STBIR_COLORSPACE_SRGB : STBIR_COLORSPACE_LINEAR, nullptr);
   if (done == 0) throw std::bad_alloc();
   return result;
 }

@@ -37,7 +37,8 @@ constexpr ForeignKind kForeign[] = {{"\xABKTX 20\xBB", "KTX2", "ktx2"},
 
 std::string command_for(const ForeignKind& kind) {
   const std::string_view suffix = kind.suffix;
-  if (suffix == "ktx2") return "ktx extract hair.ktx2 hair.png (a .glb as a whole: npx @gltf-transform/cli ktxdecompress in.glb out.glb)";
+  if (suffix == "ktx2")
+    return "ktx extract hair.ktx2 hair.png (a .glb as a whole: npx @gltf-transform/cli ktxdecompress in.glb out.glb)";
   if (suffix == "ktx") return "ktx2ktx2 hair.ktx, then ktx extract hair.ktx2 hair.png";
   if (suffix == "basis") return "basisu -unpack hair.basis";
   return fmt::format("convert hair.{0} hair.png (ImageMagick)", suffix);
@@ -47,7 +48,8 @@ std::string command_for(const ForeignKind& kind) {
 
 std::string foreign_kind(std::span<const std::uint8_t> bytes) {
   for (const ForeignKind& kind : kForeign) {
-    if (has_at(bytes, 0, kind.mark)) return fmt::format("a {} image, which is not read; make a PNG of it: {}", kind.name, command_for(kind));
+    if (has_at(bytes, 0, kind.mark))
+      return fmt::format("a {} image, which is not read; make a PNG of it: {}", kind.name, command_for(kind));
   }
   // Of ISO media files the brand says which.
   if (has_at(bytes, 4, "ftypavif") || has_at(bytes, 4, "ftypheic")) {
@@ -64,8 +66,10 @@ tl::expected<Image, std::string> decode_webp(std::span<const std::uint8_t> bytes
   if (WebPGetFeatures(bytes.data(), bytes.size(), &features) != VP8_STATUS_OK) {
     return tl::unexpected(std::string("cannot read the image (damaged WebP); save it as PNG"));
   }
-  if (features.has_animation != 0) return tl::unexpected(std::string("an animated WebP; save one of its pictures as PNG"));
-  if (std::string fault = size_fault(features.width, features.height); !fault.empty()) return tl::unexpected(std::move(fault));
+  if (features.has_animation != 0)
+    return tl::unexpected(std::string("an animated WebP; save one of its pictures as PNG"));
+  if (std::string fault = size_fault(features.width, features.height); !fault.empty())
+    return tl::unexpected(std::move(fault));
   Image image{std::uint32_t(features.width), std::uint32_t(features.height), kRgbaChannels, {}};
   image.texels.resize(image.texel_count() * kRgbaChannels);
   const int stride = features.width * int(kRgbaChannels);
@@ -79,8 +83,8 @@ std::string size_fault(int width, int height) {
   const bool fits = width >= 1 && height >= 1 && std::max(width, height) <= int(kMaxImageSide) &&
                     std::uint64_t(width) * std::uint64_t(height) <= kMaxImageTexels;
   if (fits) return {};
-  return fmt::format("{} x {} texels; an image has 1 to {} a side and at most {} million; reduce it", width, height, kMaxImageSide,
-                     kMaxImageTexels / 1000000);
+  return fmt::format("{} x {} texels; an image has 1 to {} a side and at most {} million; reduce it", width, height,
+                     kMaxImageSide, kMaxImageTexels / 1000000);
 }
 
 }  // namespace coif

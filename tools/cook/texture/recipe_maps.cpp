@@ -8,7 +8,8 @@
 namespace coif {
 namespace {
 
-tl::expected<std::optional<Image>, ToolError> read_map(const RecipeTexture& chosen, const char* key, const CookSettings& settings,
+tl::expected<std::optional<Image>, ToolError> read_map(const RecipeTexture& chosen, const char* key,
+                                                       const CookSettings& settings,
                                                        std::vector<std::filesystem::path>& files) {
   auto read = read_recipe_image(chosen.file, key, settings);
   if (!read) return tl::unexpected(read.error());
@@ -35,7 +36,8 @@ Image as_strand_texture(const Image& numbers) {
 
 tl::expected<RecipeMaps, ToolError> read_recipe_maps(const Recipe& recipe, const CookSettings& settings) {
   RecipeMaps maps;
-  const auto keep = [&](const RecipeTexture& chosen, const char* key, std::optional<Image>& map) -> tl::expected<void, ToolError> {
+  const auto keep = [&](const RecipeTexture& chosen, const char* key,
+                        std::optional<Image>& map) -> tl::expected<void, ToolError> {
     auto read = read_map(chosen, key, settings, maps.files);
     if (!read) return tl::unexpected(read.error());
     map = std::move(*read);

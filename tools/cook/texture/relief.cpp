@@ -47,8 +47,7 @@ StoredTextures bake_relief(const Image* normals, const Image* strands, const Hai
       return findings.leave_out({name, "it says nothing where the hair shows it", bytes_with_mips(format, image)});
     }
     DetailedImage detailed = reduce_to_detail(std::move(image), used, TexelMeaning::kNumbers);
-    const std::vector<Image> mips =
-        make_mips(std::move(detailed.image), texture_limit(recipe), TexelMeaning::kNumbers);
+    const std::vector<Image> mips = make_mips(std::move(detailed.image), texture_limit(recipe), TexelMeaning::kNumbers);
     findings.note(fmt::format("{}: {} x {} texels", name, mips[0].width, mips[0].height));
     stored.append(role, format, mips, threads);
   };

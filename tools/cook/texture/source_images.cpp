@@ -44,7 +44,7 @@ const Image* SourceImages::normals_of(const SourceMaterial& material) {
   if (path) return read(*path, fmt::format("material '{}': normal map {}", material.name, path->string()));
   findings_.warn(
       "C144", fmt::format("material '{}': normal map '{}': no such file beside the source; it is lit by its own form",
-                  material.name, texture.path));
+                          material.name, texture.path));
   return nullptr;
 }
 
@@ -72,8 +72,8 @@ const Image* SourceImages::beside(const SourceMaterial& material) {
     return nullptr;
   }
   if (folder_.short_name(*path) != written) {
-    findings_.warn(
-        "C145", fmt::format("material '{}': texture '{}' taken from {}", material.name, written, folder_.short_name(*path)));
+    findings_.warn("C145", fmt::format("material '{}': texture '{}' taken from {}", material.name, written,
+                                       folder_.short_name(*path)));
   }
   return read(*path, fmt::format("material '{}': {}", material.name, path->string()));
 }
@@ -98,17 +98,17 @@ const Image* SourceImages::guess(std::span<const std::string> names) {
   }
   if (candidates.size() > 1) {
     findings_.warn(
-        "C146", fmt::format("no material of the hair names a texture, and several images beside the source may be meant: {}; "
+        "C146",
+        fmt::format("no material of the hair names a texture, and several images beside the source may be meant: {}; "
                     "choose one in the recipe: \"textures\": {{\"base_color\": \"{}\"}}",
                     listed(folder_, candidates), folder_.short_name(candidates[0])));
     return nullptr;
   }
   const Image* image = read(candidates[0], candidates[0].string());
   if (image != nullptr) {
-    findings_.warn(
-        "C146", fmt::format("no material of the hair names a texture; {} is taken, which fits best; say "
-                    "\"textures\": {{\"base_color\": ...}} in the recipe if it is another",
-                    folder_.short_name(candidates[0])));
+    findings_.warn("C146", fmt::format("no material of the hair names a texture; {} is taken, which fits best; say "
+                                       "\"textures\": {{\"base_color\": ...}} in the recipe if it is another",
+                                       folder_.short_name(candidates[0])));
   }
   return image;
 }
@@ -153,10 +153,12 @@ void SourceImages::note_question(TextureQuestion::Kind kind, std::vector<std::st
 
 void SourceImages::warn_of_absent(const SourceMaterial& material) {
   if (const auto outside = folder_.find_outside(material.base_texture.path)) {
-    return findings_.warn("C144", fmt::format(
-        "material '{}': texture '{}' is a link to {}, outside the source's folder; if that is meant, allow it with "
-        "--root {}; it is cooked without a base texture",
-        material.name, material.base_texture.path, outside->string(), outside->parent_path().string()));
+    return findings_.warn(
+        "C144",
+        fmt::format(
+            "material '{}': texture '{}' is a link to {}, outside the source's folder; if that is meant, allow it with "
+            "--root {}; it is cooked without a base texture",
+            material.name, material.base_texture.path, outside->string(), outside->parent_path().string()));
   }
   note_question(TextureQuestion::Kind::kImages, {});
   const std::string there =
@@ -164,16 +166,15 @@ void SourceImages::warn_of_absent(const SourceMaterial& material) {
           ? "put it there"
           : fmt::format("put it there, or choose one of {} by \"textures.base_color\" in the recipe",
                         listed(folder_, folder_.images()));
-  findings_.warn(
-      "C144", fmt::format("material '{}': texture '{}': no such file beside the source or in its texture "
-                  "folders; {}; it is cooked without a base texture",
-                  material.name, material.base_texture.path, there));
+  findings_.warn("C144", fmt::format("material '{}': texture '{}': no such file beside the source or in its texture "
+                                     "folders; {}; it is cooked without a base texture",
+                                     material.name, material.base_texture.path, there));
 }
 
 namespace {
 
 constexpr std::string_view kRead[] = {".png", ".tga", ".jpg", ".jpeg", ".bmp", ".webp"};
-constexpr std::string_view kNotRead[] = {".psd", ".dds", ".tif",   ".tiff", ".exr",
+constexpr std::string_view kNotRead[] = {".psd", ".dds", ".tif",  ".tiff",  ".exr",
                                          ".hdr", ".ktx", ".ktx2", ".basis", ".gif"};
 
 // Whole words, as artists end names with them ("hair_n"), and beginnings of words.

@@ -14,8 +14,9 @@ namespace {
 bool same(const SurfaceLook& a, const SurfaceLook& b) {
   const bool is_lit_alike = a.normals == nullptr || b.normals == nullptr ||
                             (a.normals == b.normals && a.normal_use.strength == b.normal_use.strength);
-  return is_lit_alike && a.image == b.image && a.strands == b.strands && std::ranges::equal(a.wrap, b.wrap) && a.lacks_image == b.lacks_image && a.factor == b.factor &&
-         a.alpha_use == b.alpha_use && a.alpha_cutoff == b.alpha_cutoff;
+  return is_lit_alike && a.image == b.image && a.strands == b.strands && std::ranges::equal(a.wrap, b.wrap) &&
+         a.lacks_image == b.lacks_image && a.factor == b.factor && a.alpha_use == b.alpha_use &&
+         a.alpha_cutoff == b.alpha_cutoff;
 }
 
 /// Material of each triangle; without the triangles' meshes the hair's main one.
@@ -93,7 +94,8 @@ Eigen::Vector4f color_factor(const SourceMaterial& material) {
   return material.base_color.cwiseMax(0.0f).cwiseMin(1.0f);
 }
 
-SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const HairMesh& hair, const WantedMaps& wanted) {
+SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const HairMesh& hair,
+                        const WantedMaps& wanted) {
   const std::vector<std::uint32_t> materials = material_of_triangle(source, hair);
   SurfaceLooks result;
   std::vector<std::uint32_t> look_of_material(source.materials.size() + 1, kNoIndex);

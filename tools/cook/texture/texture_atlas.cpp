@@ -78,7 +78,8 @@ void place_in_shelves(AtlasLayout& layout) {
 }
 
 std::size_t texel_at(float coordinate, std::uint32_t size, bool is_clamped) {
-  return is_clamped ? std::size_t(std::clamp(coordinate, 0.0f, 1.0f - 0.5f / float(size)) * float(size)) : repeated(coordinate, size);
+  return is_clamped ? std::size_t(std::clamp(coordinate, 0.0f, 1.0f - 0.5f / float(size)) * float(size))
+                    : repeated(coordinate, size);
 }
 
 void draw_tile(const AtlasTile& tile, const Image& image, Image& atlas) {

@@ -63,18 +63,23 @@ Image with_mirror_image(const Image& image, int axis) {
 bool can_be_doubled(const SurfaceLook& look, int axis) {
   for (const Image* image : {look.image, look.normals, look.strands}) {
     if (image == nullptr) continue;
-    const bool fits = (axis == 0 ? image->width : image->height) <= kMaxImageSide / 2 && image->texel_count() <= kMaxImageTexels / 2;
+    const bool fits =
+        (axis == 0 ? image->width : image->height) <= kMaxImageSide / 2 && image->texel_count() <= kMaxImageTexels / 2;
     if (!fits) return false;
   }
   return true;
 }
 
-void mirror(SurfaceLooks& looks, SurfaceLook& look, const LookCoordinates& at, int axis, HairMesh& hair, Findings& findings) {
+void mirror(SurfaceLooks& looks, SurfaceLook& look, const LookCoordinates& at, int axis, HairMesh& hair,
+            Findings& findings) {
   if (!at.crosses_integer[std::size_t(axis)] || !can_be_doubled(look, axis)) {
     if (at.crosses_integer[std::size_t(axis)]) {
-      findings.warn("C153", fmt::format("material '{}': its texture is mirrored and too large to be stored with its mirror image; strips that "
-                                "cross its border show it wrongly; reduce it",
-                                look.name));
+      findings.warn(
+          "C153",
+          fmt::format(
+              "material '{}': its texture is mirrored and too large to be stored with its mirror image; strips that "
+              "cross its border show it wrongly; reduce it",
+              look.name));
     }
     for (const std::uint32_t v : at.vertices) hair.uvs[v][axis] = folded(hair.uvs[v][axis]);
     return;
@@ -83,8 +88,8 @@ void mirror(SurfaceLooks& looks, SurfaceLook& look, const LookCoordinates& at, i
     if (*image != nullptr) *image = &looks.made.emplace_back(with_mirror_image(**image, axis));
   }
   for (const std::uint32_t v : at.vertices) hair.uvs[v][axis] *= 0.5f;
-  findings.note(fmt::format("material '{}': its texture is mirrored along {}, and stored with its mirror image", look.name,
-                            axis == 0 ? 'U' : 'V'));
+  findings.note(fmt::format("material '{}': its texture is mirrored along {}, and stored with its mirror image",
+                            look.name, axis == 0 ? 'U' : 'V'));
 }
 
 /// Half a texel inside the image, so that filtering does not reach over to its other side.
@@ -105,9 +110,12 @@ bool clamp(const SurfaceLook& look, const LookCoordinates& at, int axis, HairMes
     u = inside;
   }
   if (is_crossed && moved > 0) {
-    findings.warn("C153", fmt::format("material '{}': its texture is clamped, and {} vertices lie more than {} of it outside along {}: they "
-                              "are moved nearer, which shifts the texture there; cut the strips where the texture ends",
-                              look.name, moved, kFarthestClamped, axis == 0 ? 'U' : 'V'));
+    findings.warn(
+        "C153",
+        fmt::format(
+            "material '{}': its texture is clamped, and {} vertices lie more than {} of it outside along {}: they "
+            "are moved nearer, which shifts the texture there; cut the strips where the texture ends",
+            look.name, moved, kFarthestClamped, axis == 0 ? 'U' : 'V'));
   }
   return !is_crossed;
 }
@@ -123,7 +131,8 @@ void settle_wraps(SurfaceLooks& looks, HairMesh& hair, Findings& findings) {
     for (int axis = 0; axis < 2; ++axis) {
       TextureWrap& wrap = look.wrap[axis];
       const bool is_clamp = wrap == TextureWrap::kClamp;
-      if (wrap == TextureWrap::kMirror && at.leaves_image[std::size_t(axis)]) mirror(looks, look, at, axis, hair, findings);
+      if (wrap == TextureWrap::kMirror && at.leaves_image[std::size_t(axis)])
+        mirror(looks, look, at, axis, hair, findings);
       if (!is_clamp || look.image == nullptr || clamp(look, at, axis, hair, findings)) wrap = TextureWrap::kRepeat;
     }
   }

@@ -25,10 +25,10 @@ Transparency as_opaque(const AlphaHistogram& histogram, Findings& findings) {
   findings.note("opaque threshold 0: the material is opaque");
   const double clear = 1 - share_from(histogram, 0.5);
   if (clear > kManyClearTexels) {
-    findings.warn("C142", fmt::format(
-        "the material is opaque, but {:.0f} % of the texels that the hair uses have alpha below 0.5; to use it, export "
-        "the material as blended or set \"material.opaque_threshold\"",
-        100 * clear));
+    findings.warn("C142", fmt::format("the material is opaque, but {:.0f} % of the texels that the hair uses have "
+                                      "alpha below 0.5; to use it, export "
+                                      "the material as blended or set \"material.opaque_threshold\"",
+                                      100 * clear));
   }
   return result;
 }
@@ -48,10 +48,10 @@ Transparency as_recipe_says(const AlphaHistogram& histogram, const Recipe& recip
   const double drawn = share_from(histogram, recipe.discard_threshold);
   const double opaque = share_from(histogram, recipe.opaque_threshold);
   if (opaque < kFewOpaque * drawn) {
-    findings.warn(
-        "C143", fmt::format("only {:.1f} % of the hair's texels have alpha {} or more: without an opaque core hair "
-                    "sorts badly; lower \"material.opaque_threshold\" or paint opaque cores",
-                    100 * opaque / drawn, recipe.opaque_threshold));
+    findings.warn("C143",
+                  fmt::format("only {:.1f} % of the hair's texels have alpha {} or more: without an opaque core hair "
+                              "sorts badly; lower \"material.opaque_threshold\" or paint opaque cores",
+                              100 * opaque / drawn, recipe.opaque_threshold));
   }
   return result;
 }
@@ -64,10 +64,9 @@ Transparency as_painted(const AlphaHistogram& histogram, const Recipe& recipe, F
   findings.note(fmt::format("opaque threshold {:.2f}: {}; {:.0f} % of the hair's texels are opaque", chosen.value,
                             chosen.reason, 100 * chosen.opaque_share));
   if (chosen.opaque_share < kFewOpaque) {
-    findings.warn(
-        "C143", fmt::format("only {:.1f} % of the hair's texels have alpha {:.2f} or more: without an "
-                    "opaque core hair sorts badly; paint opaque cores",
-                    100 * chosen.opaque_share, chosen.value));
+    findings.warn("C143", fmt::format("only {:.1f} % of the hair's texels have alpha {:.2f} or more: without an "
+                                      "opaque core hair sorts badly; paint opaque cores",
+                                      100 * chosen.opaque_share, chosen.value));
   }
   return result;
 }

@@ -53,7 +53,8 @@ void add_cells(const HairMesh& hair, std::size_t t, std::vector<ColoredCell>& ou
     out.push_back({wrapped_cell(y) * kCells + wrapped_cell(x), color});
   };
   const Vector2f middle = (a + b + c) / 3;
-  add(std::int64_t(std::floor(middle.x())), std::int64_t(std::floor(middle.y())), color_at(1.0f / 3, 1.0f / 3, 1.0f / 3));
+  add(std::int64_t(std::floor(middle.x())), std::int64_t(std::floor(middle.y())),
+      color_at(1.0f / 3, 1.0f / 3, 1.0f / 3));
   const float area = (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
   const Vector2f low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
   const double cells = double(high.x() - low.x()) * double(high.y() - low.y());
@@ -147,13 +148,17 @@ void judge_vertex_colors(const Recipe& recipe, HairMesh& hair, Findings& finding
   }
   const char* const nothing = brightest < kNearlyNothing ? "black" : solidest < kNearlyNothing ? "clear" : nullptr;
   if (recipe.vertex_colors == "auto" && nothing != nullptr) {
-    findings.warn("C152", fmt::format("the hair's vertex colours are all {}: they are taken for numbers of another program and not used; to use "
-                              "them, set \"textures.vertex_colors\" to \"multiply\"",
-                              nothing));
+    findings.warn(
+        "C152",
+        fmt::format(
+            "the hair's vertex colours are all {}: they are taken for numbers of another program and not used; to use "
+            "them, set \"textures.vertex_colors\" to \"multiply\"",
+            nothing));
   }
   const bool is_used = recipe.vertex_colors == "multiply" || (recipe.vertex_colors == "auto" && nothing == nullptr);
   if (!is_used || is_plain(hair)) return hair.colors.clear();
-  findings.note("vertex colours multiply colour and alpha of the hair; \"textures.vertex_colors\": \"ignore\" does without");
+  findings.note(
+      "vertex colours multiply colour and alpha of the hair; \"textures.vertex_colors\": \"ignore\" does without");
 }
 
 namespace {
@@ -178,18 +183,21 @@ void paint_vertices(SurfaceLooks& looks, HairMesh& hair) {
   std::ranges::fill(looks.of_triangle, 0u);
 }
 
-
 /// Copies cost detail where they do not fit the size that the cooked image may have.
 void tell_of_copies(const SurfaceLook& look, std::uint32_t copies, std::uint32_t max_size, Findings& findings) {
   if (look.image == nullptr || copies < 2) return;
-  std::string text = fmt::format("material '{}': strips show the same part of its texture in different vertex colours, so that it is stored "
-                                 "{} times",
-                                 look.name, copies);
+  std::string text = fmt::format(
+      "material '{}': strips show the same part of its texture in different vertex colours, so that it is stored "
+      "{} times",
+      look.name, copies);
   const double wanted = double(copies) * double(look.image->texel_count()), most = double(max_size) * max_size;
   if (wanted <= most) return findings.note(std::move(text));
-  findings.warn("C152", fmt::format("{}, at {:.0f} % of its size: paint the colours into the texture, raise \"textures.max_size\", or set "
-                            "\"textures.vertex_colors\" to \"ignore\"",
-                            text, 100 * std::sqrt(most / wanted)));
+  findings.warn(
+      "C152",
+      fmt::format(
+          "{}, at {:.0f} % of its size: paint the colours into the texture, raise \"textures.max_size\", or set "
+          "\"textures.vertex_colors\" to \"ignore\"",
+          text, 100 * std::sqrt(most / wanted)));
 }
 
 }  // namespace
@@ -221,11 +229,13 @@ void split_by_vertex_colors(SurfaceLooks& looks, HairMesh& hair, std::uint32_t m
     SurfaceLook& look = looks.looks[i];
     if (look.image != nullptr || only_color(looks, i, hair)) continue;
     const std::size_t texels = std::size_t(kUnpaintedSide) * kUnpaintedSide;
-    look.image = &looks.made.emplace_back(Image{kUnpaintedSide, kUnpaintedSide, 4, std::vector<std::uint8_t>(4 * texels, 255)});
+    look.image =
+        &looks.made.emplace_back(Image{kUnpaintedSide, kUnpaintedSide, 4, std::vector<std::uint8_t>(4 * texels, 255)});
   }
 }
 
-std::vector<std::vector<std::size_t>> color_islands(const HairMesh& hair, const std::function<bool(std::size_t)>& takes) {
+std::vector<std::vector<std::size_t>> color_islands(const HairMesh& hair,
+                                                    const std::function<bool(std::size_t)>& takes) {
   DisjointSets sets(hair.positions.size());
   for (std::size_t t = 0; t < hair.triangle_count(); ++t) {
     if (!takes(t)) continue;

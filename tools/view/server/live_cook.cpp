@@ -138,8 +138,12 @@ tl::expected<LiveResult, ToolError> LiveCook::cook(const Order& order, const std
   if (!cooked) return tl::unexpected(cooked.error());
   watch(order, cooked->inputs, since);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  return LiveResult{order.name,    std::move(cooked->asset),           std::move(recipe->file),
-                    order.changes, {cooked->report.warnings.begin(), cooked->report.warnings.end()}, seconds.count()};
+  return LiveResult{order.name,
+                    std::move(cooked->asset),
+                    std::move(recipe->file),
+                    order.changes,
+                    {cooked->report.warnings.begin(), cooked->report.warnings.end()},
+                    seconds.count()};
 } catch (const TookTooLong&) {
   if (!obsolete && cooking_.within_limits) throw;
   return failure(ToolError::Kind::kBadInput, "what was cooked is out of date");
@@ -149,7 +153,7 @@ tl::expected<LiveResult, ToolError> LiveCook::cook(const Order& order, const std
 }
 
 tl::expected<const LiveCook::Imported*, ToolError> LiveCook::import(const Order& order, const Recipe& recipe,
-                                                                const std::atomic<bool>& obsolete) {
+                                                                    const std::atomic<bool>& obsolete) {
   ImportSettings settings = cooking_.import_settings(recipe, cooking_.roots);
   const bool is_stale = is_stale_.exchange(false);
   std::string values = source_values(recipe);
@@ -159,7 +163,8 @@ tl::expected<const LiveCook::Imported*, ToolError> LiveCook::import(const Order&
   imported_.reset();
   const auto bytes = FileBytes::read(order.source);
   if (!bytes) return tl::unexpected(bytes.error());
-  auto model = read_hair_source(order.source, cooking_.draft ? draft_of(recipe) : recipe, {settings, order.recipe_directory(), cooking_.threads, stop_if(obsolete)});
+  auto model = read_hair_source(order.source, cooking_.draft ? draft_of(recipe) : recipe,
+                                {settings, order.recipe_directory(), cooking_.threads, stop_if(obsolete)});
   if (!model) return tl::unexpected(model.error());
   imported_ = Imported{order.source, std::move(settings), std::move(values), std::move(*model), xxh64(bytes->span())};
   return &*imported_;

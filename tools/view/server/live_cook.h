@@ -88,7 +88,8 @@ class LiveCook {
 
   [[nodiscard]] Order order() const;
   tl::expected<LiveResult, ToolError> cook(const Order& order, const std::atomic<bool>& obsolete);
-  tl::expected<const Imported*, ToolError> import(const Order& order, const Recipe& recipe, const std::atomic<bool>& obsolete);
+  tl::expected<const Imported*, ToolError> import(const Order& order, const Recipe& recipe,
+                                                  const std::atomic<bool>& obsolete);
   void watch(const Order& order, const CookInputs& inputs, FileWatch::Time since);
 
   LiveCooking cooking_;
