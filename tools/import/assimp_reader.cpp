@@ -33,9 +33,12 @@ constexpr unsigned kPostProcess = aiProcess_Triangulate | aiProcess_SortByPType;
 // the suffix asks for stay: fewer parsers for a hostile file, and messages about the format that the artist meant.
 void keep_readers_of(Assimp::Importer& importer, const std::string& suffix) {
   for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+    Assimp::BaseImporter* const reader = importer.GetImporter(i);
     std::set<std::string> suffixes;
-    importer.GetImporter(i)->GetExtensionList(suffixes);
-    if (!suffixes.contains(suffix)) importer.UnregisterLoader(importer.GetImporter(i));
+    reader->GetExtensionList(suffixes);
+    if (suffixes.contains(suffix)) continue;
+    importer.UnregisterLoader(reader);
+    delete reader;  // Nobody's from then on: the importer forgets it and frees nothing.
   }
 }
 
@@ -67,7 +70,8 @@ class AskedFiles : public Assimp::DefaultIOSystem {
 
   Assimp::IOStream* Open(const char* name, const char* mode) override {
     asked_.names.insert(name);
-    Assimp::IOStream* const file = is_allowed(name) && is_for_reading(mode) ? DefaultIOSystem::Open(name, mode) : nullptr;
+    Assimp::IOStream* const file =
+        is_allowed(name) && is_for_reading(mode) ? DefaultIOSystem::Open(name, mode) : nullptr;
     if (file == nullptr) asked_.not_opened.emplace_back(name);
     return file;
   }
@@ -85,7 +89,8 @@ class AskedFiles : public Assimp::DefaultIOSystem {
 std::vector<std::string> opened_libraries(const Asked& asked) {
   std::vector<std::string> opened(asked.names.begin(), asked.names.end());
   std::erase_if(opened, [&](const std::string& name) {
-    return std::ranges::find(asked.not_opened, name) != asked.not_opened.end() || !std::filesystem::is_regular_file(name);
+    return std::ranges::find(asked.not_opened, name) != asked.not_opened.end() ||
+           !std::filesystem::is_regular_file(name);
   });
   return opened;
 }
@@ -107,10 +112,11 @@ void warn_of_lost_library(const std::string& library, bool lies_outside, const a
   const std::string name = std::filesystem::path(library).lexically_proximate(std::filesystem::path(model.path).parent_path()).string();
   std::error_code error;
   const auto status = std::filesystem::symlink_status(library, error);
-  const char* const why = std::filesystem::is_symlink(status) ? "it is a link that leads out of the model's folder, which --root allows"
-                          : !std::filesystem::exists(status)  ? "there is no such file beside the model"
-                          : lies_outside                      ? "it lies outside of the model's folder, which --root allows"
-                                                              : "it cannot be opened";
+  const char* const why = std::filesystem::is_symlink(status)
+                              ? "it is a link that leads out of the model's folder, which --root allows"
+                          : !std::filesystem::exists(status) ? "there is no such file beside the model"
+                          : lies_outside ? "it lies outside of the model's folder, which --root allows"
+                                         : "it cannot be opened";
   const bool has_another = std::ranges::any_of(std::span(scene.mMaterials, scene.mNumMaterials), [](const aiMaterial* m) {
     return m->GetName() != aiString(AI_DEFAULT_MATERIAL_NAME);
   });
@@ -131,7 +137,9 @@ std::vector<char> bytes_of(const std::filesystem::path& path) {
 }
 
 std::string cure_for(const std::string& reason) {
-  if (reason.find("referenced file") != std::string::npos) return "put that file beside it or export as .glb; where it lies in another folder or is a link, allow that folder with --root";
+  if (reason.find("referenced file") != std::string::npos)
+    return "put that file beside it or export as .glb; where it lies in another folder or is a link, allow that folder "
+           "with --root";
   return kReexport;
 }
 
