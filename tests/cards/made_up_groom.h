@@ -20,7 +20,7 @@ inline Groom groom_of(const std::vector<std::vector<Eigen::Vector3f>>& strands) 
   GroomBuilder builder(groom);
   for (const auto& strand : strands) builder.add(strand);
   const std::string fault = builder.finish();
-  if (!fault.empty()) groom.warnings.push_back(fault);
+  if (!fault.empty()) groom.warnings.emplace_back("S223", fault);
   return groom;
 }
 

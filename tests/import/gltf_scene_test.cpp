@@ -19,7 +19,7 @@ using test::kStripPositions;
 using test::kStripUvs;
 using test::TemporaryFolder;
 
-bool tells(const std::vector<std::string>& warnings, const std::string& text) {
+bool tells(const std::vector<Warning>& warnings, const std::string& text) {
   return std::ranges::any_of(warnings,
                              [&](const std::string& warning) { return warning.find(text) != std::string::npos; });
 }

@@ -256,8 +256,7 @@ SourceModel small_source_model() {
   model.head_node = 1;
   model.facing = Facing::kBackwards;
   model.materials[0].other_textures = {"gloss map"};
-  model.warnings = {"one", "two"};
-  model.doubts = {{"S115", "three"}};
+  model.warnings = {{"S201", "one"}, {"S115", "two"}};
   model.side_files = {"strip.bin"};
   return model;
 }

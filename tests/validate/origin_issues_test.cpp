@@ -88,17 +88,17 @@ TEST(SourceIssues, WigHasNone) { EXPECT_EQ(codes_of(make_wig()), Codes{}); }
 
 TEST(SourceIssues, WarningsOfTheImportAreKept) {
   SourceModel model = make_wig();
-  model.warnings = {"mesh 'a': 3 triangles dropped", "mesh 'b': 1 unusable normals replaced"};
+  model.warnings = {{"S201", "mesh 'a': 3 triangles dropped"}, {"S216", "mesh 'b': no usable bone weight"}};
   const std::vector<Issue> issues = find_source_issues(model, default_recipe());
   ASSERT_EQ(issues.size(), 2u);
-  EXPECT_EQ(issues[1].code, "S201");
+  EXPECT_EQ(issues[1].code, "S216");
   EXPECT_EQ(issues[1].message, model.warnings[1]);
 }
 
-TEST(SourceIssues, DoubtsOfTheImportKeepTheirCodesAndAreAcknowledged) {
+TEST(SourceIssues, WarningsOfTheImportAreAcknowledgedByTheirCodes) {
   SourceModel model = make_wig();
-  model.doubts = {{"S115", "mesh 'a': the weights of 3 vertices do not add up to 1"},
-                  {"S211", "mesh 'b': 2 points or lines left out"}};
+  model.warnings = {{"S115", "mesh 'a': the weights of 3 vertices do not add up to 1"},
+                    {"S211", "mesh 'b': 2 points or lines left out"}};
   EXPECT_EQ(codes_of(model), (Codes{"S115", "S211"}));
   Recipe recipe = default_recipe();
   recipe.acknowledged_warnings = {"S211"};
@@ -107,7 +107,7 @@ TEST(SourceIssues, DoubtsOfTheImportKeepTheirCodesAndAreAcknowledged) {
 
 TEST(SourceIssues, ACookInFullSaysWhatValidateDoes) {
   SourceModel model = make_wig();
-  model.doubts = {{"S211", "mesh 'b': 2 points or lines left out"}};
+  model.warnings = {{"S211", "mesh 'b': 2 points or lines left out"}};
   const auto cooked = cook(model, default_recipe(), {.threads = 2});
   ASSERT_TRUE(cooked) << cooked.error().message;
   Codes told;

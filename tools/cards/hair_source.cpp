@@ -8,6 +8,7 @@
 #include "cook/select/hair_evidence.h"
 #include "groom/read_groom.h"
 #include "grow/grow_hair.h"
+#include "import/source_codes.h"
 
 #include <algorithm>
 #include <optional>
@@ -116,12 +117,13 @@ Model read_model(const fs::path& path, const Recipe& recipe, const HairSourceSet
     if (model) {
       body = std::move(*model);
       // They are the hair.
-      std::erase_if(body->doubts, [](const SourceDoubt& doubt) { return doubt.code == kLinesLeftOut; });
+      std::erase_if(body->warnings, [](const Warning& warning) { return warning.code == source_code::kLoose; });
     }
     return cards_on(std::move(*groom), std::move(body), recipe, settings);
   }
   if (model && !recipe.cards_body.empty()) {
-    model->doubts.push_back({"S212", "the file has strips: \"cards.body\" is for strands, and is not read"});
+    model->warnings.emplace_back(source_code::kNoStrands,
+                                 "the file has strips: \"cards.body\" is for strands, and is not read");
   }
   return model;
 }

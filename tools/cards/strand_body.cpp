@@ -7,6 +7,7 @@
 #include "cook/select/head.h"
 #include "grow/body_surface.h"
 #include "grow/head_frame.h"
+#include "import/source_codes.h"
 
 #include <fmt/format.h>
 
@@ -129,11 +130,12 @@ std::uint32_t make_head_node(const grow::HeadFrame& head, SourceModel& body) {
   return head_node;
 }
 
-std::uint32_t find_head_node(SourceModel& body, std::vector<std::string>& warnings) {
+std::uint32_t find_head_node(SourceModel& body, std::vector<Warning>& warnings) {
   if (const std::uint32_t named = head_node_of(body); named != kNoIndex) return named;
   const Skin skin = skin_of(body);
   if (const auto head = grow::find_head(skin.positions, skin.triangles)) return make_head_node(*head, body);
-  warnings.push_back(
+  warnings.emplace_back(
+      source_code::kBody,
       fmt::format("{}: nothing is called head, and no skull is found at its top; name a node head", body.path));
   return kNoIndex;
 }
@@ -158,7 +160,8 @@ void place_on_body(const SourceModel& body, Groom& groom) {
   const std::size_t best = std::size_t(std::ranges::min_element(off) - off.begin());
   const float far = off.front() * extent;
   if (off[best] >= kOnSkin || off[best] > kBetter * off.front()) {
-    groom.warnings.push_back(
+    groom.warnings.emplace_back(
+        source_code::kBody,
         fmt::format("roots lie {:.3g} m from {}; give both files one unit, one up axis and one place, or say the "
                     "strands' own by the recipe's \"source.metres_per_unit\" and \"source.up_axis\"",
                     far, body.path));
@@ -169,7 +172,8 @@ void place_on_body(const SourceModel& body, Groom& groom) {
   for (float& width : groom.widths) width *= space.scale;
   groom.space.metres_per_unit *= double(space.scale);
   groom.space.up_axis = axis_after(groom.space.up_axis, space.up);
-  groom.warnings.push_back(
+  groom.warnings.emplace_back(
+      source_code::kBody,
       fmt::format("roots would lie {:.3g} m from {}; the strands are taken as of {:.4g} m per unit with {} up: set "
                   "\"source.metres_per_unit\" and \"source.up_axis\" in the recipe if that is wrong",
                   far, body.path, groom.space.metres_per_unit, char(groom.space.up_axis - 'a' + 'A')));
@@ -179,7 +183,8 @@ void add_body(SourceModel body, SourceModel& cards) {
   std::size_t dropped = 0;
   for (const SourceMesh& mesh : body.meshes) dropped += is_hair(body, mesh) ? 1 : 0;
   if (dropped > 0)
-    cards.warnings.push_back(
+    cards.warnings.emplace_back(
+        source_code::kBody,
         fmt::format("{}: {} of its meshes are called hair and left out; strands are the hair", body.path, dropped));
   std::erase_if(body.meshes, [&](const SourceMesh& mesh) { return is_hair(body, mesh); });
   const std::uint32_t head = find_head_node(body, cards.warnings);
@@ -210,7 +215,6 @@ void add_body(SourceModel body, SourceModel& cards) {
   for (const std::string& image : body.named_images)  // From the body's folder, which need not be that of the strands.
     cards.named_images.push_back((std::filesystem::path(body.path).parent_path() / image).string());
   cards.warnings.insert(cards.warnings.end(), body.warnings.begin(), body.warnings.end());
-  cards.doubts.insert(cards.doubts.end(), body.doubts.begin(), body.doubts.end());
 }
 
 }  // namespace coif

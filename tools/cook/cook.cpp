@@ -291,8 +291,7 @@ Done run(const Pass& pass, Cooking& cooking) {
 tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe& recipe,
                                          const CookSettings& settings) {
   CookResult result;
-  for (const std::string& warning : source.warnings) result.report.warn("S201", warning);
-  for (const SourceDoubt& doubt : source.doubts) result.report.warn(doubt.code.c_str(), doubt.text);
+  result.report.warnings = source.warnings;
   const Recipe used = settings.draft ? draft_of(recipe) : recipe;
   // Before all passes, which take the model for one in metres with Y up.
   SettledSource settled =

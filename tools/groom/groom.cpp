@@ -1,6 +1,7 @@
 #include "groom/groom.h"
 
 #include "base/text.h"
+#include "import/source_codes.h"
 
 #include <fmt/format.h>
 
@@ -62,8 +63,10 @@ std::string groups_fault(const Groom& groom) {
   return next == groom.strand_count() ? "" : "strands without a group";
 }
 
-void warn(std::size_t count, const char* what, std::vector<std::string>& warnings) {
-  if (count != 0) warnings.push_back(fmt::format("{} left out: {}", counted(count, "strand", "strands"), what));
+void warn(std::size_t count, const char* what, std::vector<Warning>& warnings) {
+  if (count != 0)
+    warnings.emplace_back(source_code::kStrands,
+                          fmt::format("{} left out: {}", counted(count, "strand", "strands"), what));
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ constexpr auto transfer_groom = [](auto& archive, auto& groom) {
          archive.sequence(groom.begin) && archive.sequence(groom.widths) && archive.sequence(groom.colors) &&
          archive.sequence(groom.opacities) && archive.list(groom.groups, kCount + 8, transfer_group) &&
          archive.plain(groom.follow_hairs) && transfer_flag(archive, groom.root_first) &&
-         transfer_space(archive, groom.space) && archive.list(groom.warnings, kCount, transfer_text);
+         transfer_space(archive, groom.space) && archive.list(groom.warnings, 2 * kCount, transfer_warning);
 };
 
 }  // namespace

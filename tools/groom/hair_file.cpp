@@ -1,5 +1,6 @@
 #include "groom/little_endian.h"
 #include "groom/strand_files.h"
+#include "import/source_codes.h"
 
 #include <algorithm>
 #include <array>
@@ -65,7 +66,7 @@ struct PointArrays {
   std::vector<Eigen::Vector3f> points, colors;
   std::vector<float> widths, opacities;
 
-  void tidy(const HairHeader& header, std::vector<std::string>& warnings) {
+  void tidy(const HairHeader& header, std::vector<Warning>& warnings) {
     if (widths.empty() && header.usual_thickness > 0) widths.assign(points.size(), header.usual_thickness);
     if (opacities.empty() && header.usual_transparency > 0) opacities.assign(points.size(), header.usual_transparency);
     std::size_t bad = 0;
@@ -83,7 +84,8 @@ struct PointArrays {
       for (int k = 0; k < 3; ++k) limit(color[k], 1);
     }
     if (bad != 0)
-      warnings.push_back(
+      warnings.emplace_back(
+          source_code::kStrands,
           fmt::format("{} thicknesses, transparencies or colours out of their range set to its end", bad));
   }
 

@@ -6,6 +6,7 @@
 #include "import/import.h"
 #include "import/scene_surface.h"
 #include "import/shown_meshes.h"
+#include "import/source_codes.h"
 
 #include <assimp/BaseImporter.h>
 #include <assimp/DefaultIOSystem.h>
@@ -120,10 +121,11 @@ void warn_of_lost_library(const std::string& library, bool lies_outside, const a
   const bool has_another = std::ranges::any_of(std::span(scene.mMaterials, scene.mNumMaterials), [](const aiMaterial* m) {
     return m->GetName() != aiString(AI_DEFAULT_MATERIAL_NAME);
   });
-  model.warnings.push_back(fmt::format(
-      "'{}' is named for the materials and was not read{}: {}; put the file beside the model, or export as .glb",
-      printable_text(name, 100), has_another ? "" : ", so that none has a colour or texture",
-      why));
+  model.warnings.emplace_back(
+      source_code::kMaterials,
+      fmt::format(
+          "'{}' is named for the materials and was not read{}: {}; put the file beside the model, or export as .glb",
+          printable_text(name, 100), has_another ? "" : ", so that none has a colour or texture", why));
 }
 
 std::vector<char> bytes_of(const std::filesystem::path& path) {
@@ -176,7 +178,7 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   if (objects) add_fbx_objects(*objects, scene, nodes);
   convert_materials(scene, suffix.format, model);
   model.named_images = named_images(scene);
-  model.meshes = convert_meshes(scene, nodes, {suffix.format, model.space.generator}, model.doubts, model.warnings);
+  model.meshes = convert_meshes(scene, nodes, {suffix.format, model.space.generator}, model.warnings);
   const bool hides_all = hides_all_meshes(nodes);
   model.nodes = std::move(nodes.nodes);
   if (auto kept = keep_shown_meshes(path, hides_all, model); !kept) return tl::unexpected(kept.error());

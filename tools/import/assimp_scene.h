@@ -66,7 +66,7 @@ struct SceneNodes {
 /// warning. Where several nodes carry a bone's name (a mesh 'head' beside a joint 'head'), the one without meshes and
 /// within a skeleton is the joint; a warning says so where that does not decide.
 [[nodiscard]] SceneNodes flatten_nodes(const aiScene& scene, const Eigen::Affine3d& model_from_scene,
-                                       std::vector<std::string>& warnings);
+                                       std::vector<Warning>& warnings);
 
 /// Matches the nodes to the file's models, by name and order below their parents, and marks what Visibility hides and what is not the
 /// finest level of a LodGroup. `objects` outlives `nodes`.
@@ -78,7 +78,7 @@ class FbxShapeKeys {
   /// `nodes` outlives this object.
   explicit FbxShapeKeys(const SceneNodes& nodes) : nodes_(nodes) {}
   /// Adds them to positions and normals of `out`, made of `mesh` on `node`; a warning names them, once for a geometry.
-  void apply(const aiMesh& mesh, std::uint32_t node, RawMesh& out, std::vector<std::string>& warnings);
+  void apply(const aiMesh& mesh, std::uint32_t node, RawMesh& out, std::vector<Warning>& warnings);
 
  private:
   const SceneNodes& nodes_;
@@ -92,14 +92,13 @@ class FbxShapeKeys {
 /// says nothing and is taken as metres, Y up. Settings override the file. Whether the file is right is not judged here.
 [[nodiscard]] Eigen::Affine3d model_from_scene(const aiScene& scene, SourceFormat format,
                                                const ImportSettings& settings, SourceSpace& space,
-                                               std::vector<std::string>& warnings);
+                                               std::vector<Warning>& warnings);
 
 /// One SourceMesh per mesh and node that shows it, in the order of nodes: instances are copied, since each stands
 /// elsewhere. Points and lines, triangles with absent or non-finite vertices and vertices without a triangle are
-/// dropped; meshes with no triangle left are too. Mesh names fall back to the node's. Points and lines are told of as kLinesLeftOut.
+/// dropped; meshes with no triangle left are too. Mesh names fall back to the node's. Points and lines are told of as source_code::kLoose.
 [[nodiscard]] std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes,
-                                                     const SourceSurface& surface, std::vector<SourceDoubt>& doubts,
-                                                     std::vector<std::string>& warnings);
+                                                     const SourceSurface& surface, std::vector<Warning>& warnings);
 
 /// Fills `materials`, one per material of the scene, and `images` with the embedded base-colour textures that they
 /// use. Colours: the diffuse colour, which FBX and COLLADA replace by a texture where there is one. Alpha is not kept: exporters

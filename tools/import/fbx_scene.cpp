@@ -3,6 +3,7 @@
 #include "import/fbx_objects.h"
 #include "import/raw_mesh.h"
 #include "import/shown_meshes.h"
+#include "import/source_codes.h"
 
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -102,7 +103,7 @@ void add_fbx_objects(const FbxObjects& objects, const aiScene& scene, SceneNodes
   mark_coarser(scene, nodes);
 }
 
-void FbxShapeKeys::apply(const aiMesh& mesh, std::uint32_t node, RawMesh& out, std::vector<std::string>& warnings) {
+void FbxShapeKeys::apply(const aiMesh& mesh, std::uint32_t node, RawMesh& out, std::vector<Warning>& warnings) {
   if (nodes_.fbx == nullptr || nodes_.model[node] == nullptr) return;
   const FbxObject* unlike = nullptr;
   for (const FbxConnection& connection : nodes_.fbx->below(nodes_.model[node]->id)) {
@@ -118,9 +119,11 @@ void FbxShapeKeys::apply(const aiMesh& mesh, std::uint32_t node, RawMesh& out, s
     return;
   }
   if (unlike == nullptr || !told_.insert(unlike).second) return;
-  warnings.push_back(fmt::format(
-      "mesh '{}': shape keys are on and could not be read; apply them in the modelling tool and export again",
-      out.name));
+  warnings.emplace_back(
+      source_code::kShapeKeys,
+      fmt::format(
+          "mesh '{}': shape keys are on and could not be read; apply them in the modelling tool and export again",
+          out.name));
 }
 
 }  // namespace coif

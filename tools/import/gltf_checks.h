@@ -13,9 +13,9 @@ namespace coif {
 /// some dozens. Readers repair or skip what is told of, or refuse the file. Sums of weights that are off by rounding are none, nor
 /// is what lies in compressed buffer views. Throws std::bad_alloc alone. Reads the whole file: call it where files are parsed.
 /// Source: Khronos, "glTF 2.0 Specification", chapters 3.5 to 3.11, 4.4 and 5.
-[[nodiscard]] std::vector<SourceDoubt> check_gltf(const std::filesystem::path& path);
+[[nodiscard]] std::vector<Warning> check_gltf(const std::filesystem::path& path);
 /// The same of a file whose document is read; `buffers` are its.
-[[nodiscard]] std::vector<SourceDoubt> check_gltf(const std::filesystem::path& path, const nlohmann::json& document,
-                                                  GltfBuffers& buffers);
+[[nodiscard]] std::vector<Warning> check_gltf(const std::filesystem::path& path, const nlohmann::json& document,
+                                              GltfBuffers& buffers);
 
 }  // namespace coif

@@ -7,6 +7,7 @@
 #include "gltf/primitive.h"
 #include "gltf/tree.h"
 #include "import/shown_meshes.h"
+#include "import/source_codes.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -72,7 +73,8 @@ class MeshReader {
   std::string read_node(const json& node, std::uint32_t n) {
     const auto mesh = index_of(member(node, "mesh"), meshes_.size());
     if (!mesh) {
-      model_.warnings.push_back(fmt::format("node '{}': refers to an absent mesh", model_.nodes[n].name));
+      model_.warnings.emplace_back(source_code::kRepaired,
+                                   fmt::format("node '{}': refers to an absent mesh", model_.nodes[n].name));
       return {};
     }
     auto instances = read_gltf_instances(document_, buffers_, node);
@@ -179,10 +181,12 @@ class MeshReader {
 
   void warn_of_lost_uvs(const GltfPrimitive& read, const GltfUvs& uvs, const RawMesh& raw) {
     if (uvs.set == 0 || !read.uvs.empty()) return;
-    model_.warnings.push_back(fmt::format(
-        "mesh '{}': its material's texture is laid out in UV set {}, which the mesh does not have; export that "
-        "UV map too",
-        raw.name, uvs.set));
+    model_.warnings.emplace_back(
+        source_code::kUvs,
+        fmt::format(
+            "mesh '{}': its material's texture is laid out in UV set {}, which the mesh does not have; export that "
+            "UV map too",
+            raw.name, uvs.set));
   }
 
   /// The variant's, where one is chosen and the primitive has one for it.
@@ -195,7 +199,7 @@ class MeshReader {
     }
     if (const auto index = index_of(*chosen, uvs_.size())) return *index;
     if (!chosen->is_null() && !told_of_material_) {
-      model_.warnings.push_back("a mesh refers to an absent material; a plain one is used");
+      model_.warnings.emplace_back(source_code::kMaterials, "a mesh refers to an absent material; a plain one is used");
       told_of_material_ = true;
     }
     if (!plain_) {
@@ -214,7 +218,8 @@ class MeshReader {
     if (named.is_null() || read.influences == 0) return {};
     const auto skin = index_of(named, skins.size());
     if (!skin) {
-      model_.warnings.push_back(fmt::format("mesh '{}': refers to an absent skin; it is taken as rigid", raw.name));
+      model_.warnings.emplace_back(source_code::kSkin,
+                                   fmt::format("mesh '{}': refers to an absent skin; it is taken as rigid", raw.name));
       return {};
     }
     std::vector<std::uint32_t> bone_of_joint;
@@ -259,8 +264,9 @@ class MeshReader {
       raw.bones.push_back(bone);
     }
     const std::string label = fmt::format("mesh '{}'", raw.name);
-    warn_count(absent, label, "bones dropped: they are no nodes of the scene", model_.warnings);
-    warn_count(unusable, label, "bones dropped: their bind matrix is absent or not finite", model_.warnings);
+    warn_count(source_code::kSkin, absent, label, "bones dropped: they are no nodes of the scene", model_.warnings);
+    warn_count(source_code::kSkin, unusable, label, "bones dropped: their bind matrix is absent or not finite",
+               model_.warnings);
     return {};
   }
 
@@ -270,8 +276,7 @@ class MeshReader {
       if (placed_vertices_ > kMostPlacedVertices)
         return fmt::format("its meshes and instances have more than {} vertices; {}", kMostPlacedVertices, kReduce);
       raw.node_from_mesh = instance;
-      keep_mesh(raw, place_mesh(raw, carrier, model_.nodes, model_.warnings), model_.meshes, model_.doubts,
-                model_.warnings);
+      keep_mesh(raw, place_mesh(raw, carrier, model_.nodes, model_.warnings), model_.meshes, model_.warnings);
     }
     return {};
   }

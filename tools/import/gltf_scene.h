@@ -27,7 +27,7 @@ namespace coif {
 /// What is said of extensions that a document asks for or uses.
 struct GltfExtensions {
   std::string refusal;  ///< A sentence with the cure, where it requires one that is not read; empty otherwise.
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 };
 [[nodiscard]] GltfExtensions check_gltf_extensions(const nlohmann::json& document);
 

@@ -69,10 +69,6 @@ constexpr auto transfer_image = [](auto& archive, auto& image) {
   return archive.sequence(image.name) && archive.sequence(image.bytes);
 };
 
-constexpr auto transfer_doubt = [](auto& archive, auto& doubt) {
-  return archive.sequence(doubt.code) && archive.sequence(doubt.text);
-};
-
 constexpr auto transfer_model = [](auto& archive, auto& model) {
   constexpr std::size_t kCount = sizeof(std::uint64_t);
   return archive.sequence(model.path) && archive.sequence(model.importer) &&
@@ -84,8 +80,7 @@ constexpr auto transfer_model = [](auto& archive, auto& model) {
          archive.list(model.springs, 3 * kCount + 4, transfer_spring) &&
          archive.list(model.colliders, 10 * sizeof(double) + 6, transfer_collider) && archive.plain(model.head_node) &&
          transfer_choice(archive, model.facing, Facing::kBackwards) && transfer_space(archive, model.space) &&
-         archive.list(model.warnings, kCount, transfer_text) &&
-         archive.list(model.doubts, 2 * kCount, transfer_doubt) &&
+         archive.list(model.warnings, 2 * kCount, transfer_warning) &&
          archive.list(model.side_files, kCount, transfer_text) &&
          archive.list(model.named_images, kCount, transfer_text);
 };

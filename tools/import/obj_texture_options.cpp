@@ -1,6 +1,7 @@
 #include "import/scene_surface.h"
 
 #include "base/text.h"
+#include "import/source_codes.h"
 
 #include <fmt/format.h>
 
@@ -156,7 +157,8 @@ void apply_obj_options(std::span<const std::string> libraries, SourceModel& mode
       material.opacity_texture = {};  // one image for both: its own alpha
     }
     if (is_own && base != nullptr && !(base->place == opacity->place)) {
-      model.warnings.push_back(
+      model.warnings.emplace_back(
+          source_code::kUvs,
           fmt::format("material '{}': map_d is placed otherwise than map_Kd (-s, -o), whose place is taken for "
                       "both; give both the same options in the .mtl",
                       material.name));

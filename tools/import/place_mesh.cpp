@@ -1,6 +1,7 @@
 #include "import/raw_mesh.h"
 
 #include "base/text.h"
+#include "import/source_codes.h"
 
 #include <fmt/format.h>
 
@@ -56,7 +57,7 @@ PlacedVertices place_vertices(const RawMesh& mesh, const SkinBinding& binding) {
 
 // The file's triangles that can be used, wound counter-clockwise after placement.
 std::vector<std::uint32_t> usable_triangles(const RawMesh& mesh, const PlacedVertices& placed, const std::string& label,
-                                            std::vector<std::string>& warnings) {
+                                            std::vector<Warning>& warnings) {
   std::vector<std::uint32_t> triangles;
   std::size_t out_of_range = 0;
   std::size_t misplaced = 0;
@@ -75,10 +76,11 @@ std::vector<std::uint32_t> usable_triangles(const RawMesh& mesh, const PlacedVer
       triangles.insert(triangles.end(), corner, corner + 3);
     }
   }
-  warn_count(out_of_range, label, "triangles dropped: vertex index out of range", warnings);
+  warn_count(source_code::kRepaired, out_of_range, label, "triangles dropped: vertex index out of range", warnings);
   if (misplaced != 0) {
     const Eigen::Vector3f& at = placed.positions[first_misplaced];
-    warnings.push_back(
+    warnings.emplace_back(
+        source_code::kRepaired,
         fmt::format("{}: {} triangles dropped: vertex {} stands at ({:g}, {:g}, {:g}) m, and {:g} m is the "
                     "farthest; move or delete it and export again",
                     label, misplaced, first_misplaced, at.x(), at.y(), at.z(), kFarthestVertex));
@@ -102,7 +104,7 @@ std::vector<std::uint32_t> keep_used_vertices(std::vector<std::uint32_t>& triang
 }
 
 void copy_uvs(const RawMesh& mesh, std::span<const std::uint32_t> kept, const std::string& label, SourceMesh& out,
-              std::vector<std::string>& warnings) {
+              std::vector<Warning>& warnings) {
   if (mesh.uvs.empty()) return;
   std::size_t unusable = 0;
   std::string first;
@@ -120,7 +122,8 @@ void copy_uvs(const RawMesh& mesh, std::span<const std::uint32_t> kept, const st
     out.uvs.push_back(uv);
   }
   if (unusable != 0) {
-    warnings.push_back(
+    warnings.emplace_back(
+        source_code::kUvs,
         fmt::format("{}: {} UVs set to (0, 0): {}, and {:g} repeats are the most; unwrap it anew and export "
                     "again",
                     label, unusable, first, kFarthestUv));
@@ -129,7 +132,7 @@ void copy_uvs(const RawMesh& mesh, std::span<const std::uint32_t> kept, const st
 
 // Those that are all white and opaque say nothing.
 void copy_colors(const RawMesh& mesh, std::span<const std::uint32_t> kept, const std::string& label, SourceMesh& out,
-                 std::vector<std::string>& warnings) {
+                 std::vector<Warning>& warnings) {
   if (mesh.colors.empty()) return;
   std::size_t unusable = 0;
   for (const std::uint32_t v : kept) {
@@ -137,7 +140,7 @@ void copy_colors(const RawMesh& mesh, std::span<const std::uint32_t> kept, const
     unusable += color.allFinite() ? 0 : 1;
     out.colors.push_back(color.allFinite() ? Eigen::Vector4f(color.cwiseMax(0.0f)) : Eigen::Vector4f::Ones());
   }
-  warn_count(unusable, label, "vertex colours that are no numbers taken for white", warnings);
+  warn_count(source_code::kRepaired, unusable, label, "vertex colours that are no numbers taken for white", warnings);
   if (std::ranges::all_of(out.colors, [](const Eigen::Vector4f& color) { return color == Eigen::Vector4f::Ones(); }))
     out.colors.clear();
 }
@@ -153,7 +156,7 @@ void copy_influences(const SkinBinding& binding, std::span<const std::uint32_t> 
 }
 
 // Unusable normals are taken from the surface, or point up where that has none.
-void repair_normals(SourceMesh& mesh, const std::string& label, std::vector<std::string>& warnings) {
+void repair_normals(SourceMesh& mesh, const std::string& label, std::vector<Warning>& warnings) {
   std::vector<Eigen::Vector3f> surface(mesh.normals.size(), Eigen::Vector3f::Zero());
   for (std::size_t i = 0; i < mesh.triangles.size() && !surface.empty(); i += 3) {
     const std::uint32_t* corner = &mesh.triangles[i];
@@ -168,13 +171,13 @@ void repair_normals(SourceMesh& mesh, const std::string& label, std::vector<std:
     mesh.normals[v] = std::isnormal(length) ? Eigen::Vector3f(surface[v] / length) : Eigen::Vector3f::UnitY();
     ++repaired;
   }
-  warn_count(repaired, label, "unusable normals replaced", warnings);
+  warn_count(source_code::kRepaired, repaired, label, "unusable normals replaced", warnings);
 }
 
 }  // namespace
 
 SourceMesh place_mesh(const RawMesh& mesh, std::uint32_t node, std::span<const SourceNode> nodes,
-                      std::vector<std::string>& warnings) {
+                      std::vector<Warning>& warnings) {
   SourceMesh out;
   out.name = mesh.name.empty() ? nodes[node].name : mesh.name;
   out.node = node;
@@ -196,16 +199,15 @@ SourceMesh place_mesh(const RawMesh& mesh, std::uint32_t node, std::span<const S
   return out;
 }
 
-void keep_mesh(const RawMesh& raw, SourceMesh placed, std::vector<SourceMesh>& meshes, std::vector<SourceDoubt>& doubts,
-               std::vector<std::string>& warnings) {
+void keep_mesh(const RawMesh& raw, SourceMesh placed, std::vector<SourceMesh>& meshes, std::vector<Warning>& warnings) {
   if (raw.points_and_lines != 0) {
-    doubts.push_back(
-        {kLinesLeftOut, fmt::format("mesh '{}': {} points or lines left out", placed.name, raw.points_and_lines)});
+    warnings.emplace_back(source_code::kLoose,
+                          fmt::format("mesh '{}': {} points or lines left out", placed.name, raw.points_and_lines));
   }
   if (!placed.triangles.empty())
     meshes.push_back(std::move(placed));
   else if (raw.points_and_lines == 0)
-    warnings.push_back(fmt::format("mesh '{}' left out: it has no triangles", placed.name));
+    warnings.emplace_back(source_code::kRepaired, fmt::format("mesh '{}' left out: it has no triangles", placed.name));
 }
 
 }  // namespace coif

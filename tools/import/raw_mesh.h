@@ -16,9 +16,9 @@
 namespace coif {
 
 /// "LABEL: 3 points or lines dropped", where there are any.
-inline void warn_count(std::size_t count, const std::string& label, const char* what,
-                       std::vector<std::string>& warnings) {
-  if (count != 0) warnings.push_back(fmt::format("{}: {} {}", label, count, what));
+inline void warn_count(const char* code, std::size_t count, const std::string& label, const char* what,
+                       std::vector<Warning>& warnings) {
+  if (count != 0) warnings.emplace_back(code, fmt::format("{}: {} {}", label, count, what));
 }
 
 struct RawBone {
@@ -55,7 +55,7 @@ class SkinBinding {
   /// or not above zero. Weights are normalised; a skinned mesh's vertices without any weight follow `mesh_node`. `label`
   /// names the mesh in warnings.
   SkinBinding(const RawMesh& mesh, std::uint32_t mesh_node, std::span<const SourceNode> nodes, const std::string& label,
-              std::vector<std::string>& warnings);
+              std::vector<Warning>& warnings);
 
   /// False when no vertex has a usable weight: the mesh is rigid to its node.
   [[nodiscard]] bool skinned() const { return !begin_.empty(); }
@@ -70,9 +70,9 @@ class SkinBinding {
     SourceInfluence influence;
   };
   [[nodiscard]] std::vector<Weight> collect_weights(const RawMesh& mesh, const std::string& label,
-                                                    std::vector<std::string>& warnings);
+                                                    std::vector<Warning>& warnings);
   void build_table(std::vector<Weight>& weights, std::size_t vertex_count, std::uint32_t mesh_node,
-                   const std::string& label, std::vector<std::string>& warnings);
+                   const std::string& label, std::vector<Warning>& warnings);
   void append_vertex(std::span<const Weight> weights);
 
   Eigen::Affine3d model_from_node_;
@@ -85,11 +85,10 @@ class SkinBinding {
 /// The mesh as it stands at rest in the model, carried by `node`. Triangles with absent or non-finite vertices and
 /// vertices without a triangle are dropped, with warnings; unusable normals, UVs and colours are replaced. No triangles may be left.
 [[nodiscard]] SourceMesh place_mesh(const RawMesh& mesh, std::uint32_t node, std::span<const SourceNode> nodes,
-                                    std::vector<std::string>& warnings);
+                                    std::vector<Warning>& warnings);
 
-/// Puts a placed mesh that has triangles behind the others. Says what was left out: points and lines as kLinesLeftOut, or all of it.
-void keep_mesh(const RawMesh& raw, SourceMesh placed, std::vector<SourceMesh>& meshes, std::vector<SourceDoubt>& doubts,
-               std::vector<std::string>& warnings);
+/// Puts a placed mesh that has triangles behind the others. Says what was left out: points and lines as source_code::kLoose, or all of it.
+void keep_mesh(const RawMesh& raw, SourceMesh placed, std::vector<SourceMesh>& meshes, std::vector<Warning>& warnings);
 
 /// Fills `posed_node` and `posed_degrees` of what became of the mesh.
 void measure_pose(const RawMesh& mesh, std::span<const SourceNode> nodes, SourceMesh& out);

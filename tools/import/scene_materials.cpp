@@ -1,5 +1,6 @@
 #include "import/assimp_scene.h"
 #include "import/scene_surface.h"
+#include "import/source_codes.h"
 
 #include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
@@ -115,7 +116,8 @@ class TextureTable {
     if (known != image_of_.end()) return known->second;
     std::uint32_t image = kNoIndex;
     if (texture.mHeight != 0 || texture.mWidth == 0 || texture.pcData == nullptr) {
-      model_.warnings.push_back(fmt::format("embedded image '{}' left out: not PNG, JPEG or TGA", name));
+      model_.warnings.emplace_back(source_code::kImages,
+                                   fmt::format("embedded image '{}' left out: not PNG, JPEG or TGA", name));
     } else {
       // For encoded images mWidth is the size in bytes.
       const auto* first = reinterpret_cast<const std::uint8_t*>(texture.pcData);

@@ -3,6 +3,7 @@
 
 #include "import/raw_mesh.h"
 #include "import/shown_meshes.h"
+#include "import/source_codes.h"
 
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -17,12 +18,13 @@ Eigen::Vector3f vector(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
 // assimp knows bones by name alone.
 void add_bones(const aiMesh& mesh, const SceneNodes& nodes, const std::string& label, RawMesh& out,
-               std::vector<std::string>& warnings) {
+               std::vector<Warning>& warnings) {
   for (const aiBone* bone : std::span(mesh.mBones, mesh.mNumBones)) {
     const auto found = nodes.joint_named.find(bone->mName.C_Str());
     const Eigen::Affine3d bone_from_mesh = affine_of(bone->mOffsetMatrix);
     if (found == nodes.joint_named.end() || !bone_from_mesh.matrix().allFinite()) {
-      warnings.push_back(
+      warnings.emplace_back(
+          source_code::kSkin,
           fmt::format("{}: bone '{}' dropped: {}", label, text_of(bone->mName),
                       found == nodes.joint_named.end() ? "no node has its name" : "its bind matrix is not finite"));
       continue;
@@ -56,12 +58,13 @@ void move_to_bound_space(RawMesh& mesh) {
 }
 
 std::vector<Eigen::Vector2f> uvs_of(const aiMesh& mesh, const TexturePlace& place, const std::string& label,
-                                    std::vector<std::string>& warnings) {
+                                    std::vector<Warning>& warnings) {
   std::vector<Eigen::Vector2f> uvs;
   const unsigned set = mesh.HasTextureCoords(place.uv_set) ? place.uv_set : 0;
   if (!mesh.HasTextureCoords(set)) return uvs;
   if (set != place.uv_set) {
-    warnings.push_back(
+    warnings.emplace_back(
+        source_code::kUvs,
         fmt::format("{}: its texture names UV set {}, which the mesh lacks; the first is taken", label, place.uv_set));
   }
   for (const aiVector3D& given : std::span(mesh.mTextureCoords[set], mesh.mNumVertices)) {
@@ -73,7 +76,7 @@ std::vector<Eigen::Vector2f> uvs_of(const aiMesh& mesh, const TexturePlace& plac
 }
 
 RawMesh raw_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, const SceneNodes& nodes,
-                 const SourceSurface& surface, FbxShapeKeys& shape_keys, std::vector<std::string>& warnings) {
+                 const SourceSurface& surface, FbxShapeKeys& shape_keys, std::vector<Warning>& warnings) {
   RawMesh out;
   out.name = text_of(mesh.mName);
   if (out.name.empty()) out.name = nodes.nodes[node].name;
@@ -81,7 +84,8 @@ RawMesh raw_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, c
   if (mesh.mMaterialIndex < scene.mNumMaterials)
     out.material = mesh.mMaterialIndex;
   else
-    warnings.push_back(fmt::format("{}: refers to an absent material; a plain one is used", label));
+    warnings.emplace_back(source_code::kMaterials,
+                          fmt::format("{}: refers to an absent material; a plain one is used", label));
   for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
     out.positions.push_back(vector(mesh.mVertices[v]));
     if (mesh.HasNormals()) out.normals.push_back(vector(mesh.mNormals[v]));
@@ -102,7 +106,7 @@ RawMesh raw_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, c
 }  // namespace
 
 std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes, const SourceSurface& surface,
-                                       std::vector<SourceDoubt>& doubts, std::vector<std::string>& warnings) {
+                                       std::vector<Warning>& warnings) {
   std::vector<SourceMesh> meshes;
   std::vector<std::string> hidden, coarser;
   FbxShapeKeys shape_keys(nodes);
@@ -118,11 +122,12 @@ std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& n
     }
     for (const unsigned index : std::span(node.mMeshes, node.mNumMeshes)) {
       if (index >= scene.mNumMeshes) {
-        warnings.push_back(fmt::format("node '{}': refers to an absent mesh", nodes.nodes[n].name));
+        warnings.emplace_back(source_code::kRepaired,
+                              fmt::format("node '{}': refers to an absent mesh", nodes.nodes[n].name));
         continue;
       }
       const RawMesh raw = raw_mesh(scene, *scene.mMeshes[index], n, nodes, surface, shape_keys, warnings);
-      keep_mesh(raw, place_mesh(raw, n, nodes.nodes, warnings), meshes, doubts, warnings);
+      keep_mesh(raw, place_mesh(raw, n, nodes.nodes, warnings), meshes, warnings);
     }
   }
   warn_of_hidden(hidden, warnings);

@@ -1,4 +1,5 @@
 #include "import/assimp_scene.h"
+#include "import/source_codes.h"
 
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -35,7 +36,7 @@ bool is_off(const aiMetadata* metadata, const char* key) {
 }
 
 void append(SceneNodes& out, const Pending& pending, const Eigen::Affine3d& model_from_scene,
-            std::vector<std::string>& warnings) {
+            std::vector<Warning>& warnings) {
   const Eigen::Affine3d& above =
       pending.parent == kNoIndex ? model_from_scene : out.nodes[pending.parent].model_from_node;
   SourceNode node;
@@ -43,7 +44,8 @@ void append(SceneNodes& out, const Pending& pending, const Eigen::Affine3d& mode
   node.parent = pending.parent;
   node.model_from_node = above * affine_of(pending.pivots * pending.node->mTransformation);
   if (!node.model_from_node.matrix().allFinite()) {
-    warnings.push_back(fmt::format("node '{}': transform is not finite; its parent's is used", node.name));
+    warnings.emplace_back(source_code::kSpace,
+                          fmt::format("node '{}': transform is not finite; its parent's is used", node.name));
     node.model_from_node = above;
   }
   out.nodes.push_back(std::move(node));
@@ -92,7 +94,7 @@ int joint_likeness(const aiNode& node, const std::unordered_set<std::string>& bo
   return (node.mNumMeshes == 0 ? 2 : 0) + (within_skeleton ? 1 : 0);
 }
 
-void name_joints(const aiScene& scene, SceneNodes& out, std::vector<std::string>& warnings) {
+void name_joints(const aiScene& scene, SceneNodes& out, std::vector<Warning>& warnings) {
   const std::unordered_set<std::string> bones = bone_names(scene);
   std::vector<std::string> undecided;
   for (std::uint32_t i = 0; i < out.origin.size(); ++i) {
@@ -107,14 +109,15 @@ void name_joints(const aiScene& scene, SceneNodes& out, std::vector<std::string>
   std::ranges::sort(undecided);
   undecided.erase(std::ranges::unique(undecided).begin(), undecided.end());
   for (const std::string& name : undecided) {
-    warnings.push_back(fmt::format("several nodes are named '{}'; the first is taken for the bone", name));
+    warnings.emplace_back(source_code::kSkin,
+                          fmt::format("several nodes are named '{}'; the first is taken for the bone", name));
   }
 }
 
 }  // namespace
 
 SceneNodes flatten_nodes(const aiScene& scene, const Eigen::Affine3d& model_from_scene,
-                         std::vector<std::string>& warnings) {
+                         std::vector<Warning>& warnings) {
   SceneNodes out;
   // A list instead of recursion: a file may nest nodes deeper than the stack.
   std::vector<Pending> pending{{scene.mRootNode, kNoIndex, false, {}, {}}};

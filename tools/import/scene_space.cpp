@@ -1,6 +1,7 @@
 #include "import/assimp_scene.h"
 
 #include "base/geometry.h"
+#include "import/source_codes.h"
 
 #include <assimp/commonMetaData.h>
 #include <assimp/scene.h>
@@ -40,28 +41,30 @@ std::optional<Eigen::Vector3d> axis(const aiMetadata* metadata, const std::strin
 }
 
 // FBX names the file's right (Coord), up and front axes; front points at the viewer, so (right, up, front) = (X, Y, Z).
-Eigen::Matrix3d y_up_from_fbx(const aiMetadata* metadata, std::vector<std::string>& warnings) {
+Eigen::Matrix3d y_up_from_fbx(const aiMetadata* metadata, std::vector<Warning>& warnings) {
   const auto right = axis(metadata, "CoordAxis");
   const auto up = axis(metadata, "UpAxis");
   const auto front = axis(metadata, "FrontAxis");
   if (right && up && front) {
     Eigen::Matrix3d rows;
     rows << right->transpose(), up->transpose(), front->transpose();
-    if (rows.determinant() < -0.5) warnings.emplace_back("left-handed axes in the file were mirrored");
+    if (rows.determinant() < -0.5)
+      warnings.emplace_back(source_code::kSpace, "left-handed axes in the file were mirrored");
     if (std::abs(rows.determinant()) > 0.5) return rows;
   }
   if (!up) return Eigen::Matrix3d::Identity();
-  warnings.emplace_back("the file's axes contradict each other; only its up axis is used");
+  warnings.emplace_back(source_code::kSpace, "the file's axes contradict each other; only its up axis is used");
   return y_up_from(up->x() != 0 ? UpAxis::kX : up->z() != 0 ? UpAxis::kZ : UpAxis::kY);
 }
 
 constexpr double kMetresPerCentimetre = 0.01;
 
-double fbx_metres_per_unit(const aiMetadata* metadata, SourceSpace& space, std::vector<std::string>& warnings) {
+double fbx_metres_per_unit(const aiMetadata* metadata, SourceSpace& space, std::vector<Warning>& warnings) {
   const std::optional<double> said = number(metadata, "UnitScaleFactor");
   const double centimetres = said.value_or(1.0);
   if (!(std::isfinite(centimetres) && centimetres > 0)) {
-    warnings.push_back(fmt::format("UnitScaleFactor {} is not a length; centimetres are assumed", centimetres));
+    warnings.emplace_back(source_code::kSpace,
+                          fmt::format("UnitScaleFactor {} is not a length; centimetres are assumed", centimetres));
     space.unit_words = "an FBX without a unit is in centimetres";
     return kMetresPerCentimetre;
   }
@@ -121,7 +124,7 @@ void read_format(const aiScene& scene, SourceFormat format, SourceSpace& space) 
 }  // namespace
 
 Eigen::Affine3d model_from_scene(const aiScene& scene, SourceFormat format, const ImportSettings& settings,
-                                 SourceSpace& space, std::vector<std::string>& warnings) {
+                                 SourceSpace& space, std::vector<Warning>& warnings) {
   space.generator = generator_of(scene);
   read_format(scene, format, space);
   double scale = 1;

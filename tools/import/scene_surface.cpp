@@ -1,6 +1,7 @@
 #include "import/scene_surface.h"
 
 #include "base/srgb.h"
+#include "import/source_codes.h"
 
 #include <assimp/material.h>
 #include <assimp/scene.h>
@@ -59,14 +60,15 @@ float linear_of(float stored) { return stored <= 1 ? float(decode_srgb(double(st
 }  // namespace
 
 TexturePlace texture_place(const aiMaterial& material, const SourceSurface& surface, const std::string& label,
-                           std::vector<std::string>& warnings) {
+                           std::vector<Warning>& warnings) {
   constexpr aiTextureType kBase[] = {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE};
   constexpr aiTextureType kOpacity[] = {aiTextureType_OPACITY};
   const auto base = first_type(material, kBase), opacity = first_type(material, kOpacity);
   if (!base && !opacity) return {};
   const TexturePlace place = stated_place(material, base ? *base : *opacity, surface);
   if (base && opacity && !(stated_place(material, *opacity, surface) == place)) {
-    warnings.push_back(
+    warnings.emplace_back(
+        source_code::kUvs,
         fmt::format("{}: its opacity texture has other texture coordinates than its base texture, whose are taken for "
                     "both; give both the same UV map and mapping, and export again",
                     label));

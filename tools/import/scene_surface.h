@@ -40,7 +40,7 @@ struct SourceSurface {
 /// there and differ, since a mesh keeps one set alone. assimp 5.2 hands on the transforms of FBX and COLLADA; an OBJ's library is
 /// read by apply_obj_options().
 [[nodiscard]] TexturePlace texture_place(const aiMaterial& material, const SourceSurface& surface,
-                                         const std::string& label, std::vector<std::string>& warnings);
+                                         const std::string& label, std::vector<Warning>& warnings);
 
 /// How the first texture of one of assimp's types goes on outside 0..1. Of FBX assimp 5.2 does not say.
 void read_wrap(const aiMaterial& material, unsigned type, SourceTexture& texture);

@@ -1,6 +1,7 @@
 #include "import/shown_meshes.h"
 
 #include "base/text.h"
+#include "import/source_codes.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -60,24 +61,27 @@ std::optional<LevelName> level_of(const SourceModel& model, const SourceMesh& me
 
 }  // namespace
 
-void warn_of_hidden(std::span<const std::string> nodes, std::vector<std::string>& warnings) {
+void warn_of_hidden(std::span<const std::string> nodes, std::vector<Warning>& warnings) {
   if (nodes.empty()) return;
-  warnings.push_back(fmt::format("{} left out, since the file hides {}: {}; show {} and export again where {} hair",
-                                 counted(nodes.size(), "mesh", "meshes"), nodes.size() == 1 ? "it" : "them",
-                                 list_of_names(nodes), nodes.size() == 1 ? "it" : "them",
-                                 nodes.size() == 1 ? "it is" : "they are"));
+  warnings.emplace_back(
+      source_code::kHidden,
+      fmt::format("{} left out, since the file hides {}: {}; show {} and export again where {} hair",
+                  counted(nodes.size(), "mesh", "meshes"), nodes.size() == 1 ? "it" : "them", list_of_names(nodes),
+                  nodes.size() == 1 ? "it" : "them", nodes.size() == 1 ? "it is" : "they are"));
 }
 
-void warn_of_coarser(std::span<const std::string> meshes, std::vector<std::string>& warnings) {
+void warn_of_coarser(std::span<const std::string> meshes, std::vector<Warning>& warnings) {
   if (meshes.empty()) return;
-  warnings.push_back(fmt::format(
-      "{} left out as coarser levels of detail of what is there in a finer one: {}; the cook makes levels of its own",
-      counted(meshes.size(), "mesh", "meshes"), list_of_names(meshes)));
+  warnings.emplace_back(source_code::kCoarser,
+                        fmt::format("{} left out as coarser levels of detail of what is there in a finer one: {}; the "
+                                    "cook makes levels of its own",
+                                    counted(meshes.size(), "mesh", "meshes"), list_of_names(meshes)));
 }
 
-void warn_of_shape_keys(const std::string& mesh, std::span<const std::string> on, std::vector<std::string>& warnings) {
+void warn_of_shape_keys(const std::string& mesh, std::span<const std::string> on, std::vector<Warning>& warnings) {
   if (on.empty()) return;
-  warnings.push_back(
+  warnings.emplace_back(
+      source_code::kShapeKeys,
       fmt::format("mesh '{}': shape keys are on ({}) and are part of the hair's shape; turn them off and export again "
                   "where that is not meant",
                   mesh, fmt::join(on, ", ")));

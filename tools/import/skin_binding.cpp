@@ -1,4 +1,5 @@
 #include "import/raw_mesh.h"
+#include "import/source_codes.h"
 
 #include <fmt/format.h>
 
@@ -13,21 +14,22 @@ constexpr float kRounding = 1e-4f;  // what exporters leave of a weight of 0 may
 }  // namespace
 
 SkinBinding::SkinBinding(const RawMesh& mesh, std::uint32_t mesh_node, std::span<const SourceNode> nodes,
-                         const std::string& label, std::vector<std::string>& warnings)
+                         const std::string& label, std::vector<Warning>& warnings)
     : model_from_node_(nodes[mesh_node].model_from_node * mesh.node_from_mesh) {
   if (mesh.bones.empty()) return;
   palette_.assign(nodes.size(), Eigen::Affine3d::Identity());
   for (const RawBone& bone : mesh.bones) palette_[bone.node] = nodes[bone.node].model_from_node * bone.bone_from_mesh;
   std::vector<Weight> weights = collect_weights(mesh, label, warnings);
   if (weights.empty()) {
-    warnings.push_back(fmt::format("{}: no usable bone weight; the mesh is taken as rigid", label));
+    warnings.emplace_back(source_code::kSkin,
+                          fmt::format("{}: no usable bone weight; the mesh is taken as rigid", label));
     return;
   }
   build_table(weights, mesh.positions.size(), mesh_node, label, warnings);
 }
 
 std::vector<SkinBinding::Weight> SkinBinding::collect_weights(const RawMesh& mesh, const std::string& label,
-                                                              std::vector<std::string>& warnings) {
+                                                              std::vector<Warning>& warnings) {
   std::vector<Weight> weights;
   std::size_t without_vertex = 0;
   std::size_t without_bone = 0;
@@ -45,14 +47,14 @@ std::vector<SkinBinding::Weight> SkinBinding::collect_weights(const RawMesh& mes
       }
     }
   }
-  warn_count(without_vertex, label, "bone weights of absent vertices dropped", warnings);
-  warn_count(without_bone, label, "bone weights of absent bones dropped", warnings);
-  warn_count(unusable, label, "bone weights below zero or not finite dropped", warnings);
+  warn_count(source_code::kSkin, without_vertex, label, "bone weights of absent vertices dropped", warnings);
+  warn_count(source_code::kSkin, without_bone, label, "bone weights of absent bones dropped", warnings);
+  warn_count(source_code::kSkin, unusable, label, "bone weights below zero or not finite dropped", warnings);
   return weights;
 }
 
 void SkinBinding::build_table(std::vector<Weight>& weights, std::size_t vertex_count, std::uint32_t mesh_node,
-                              const std::string& label, std::vector<std::string>& warnings) {
+                              const std::string& label, std::vector<Warning>& warnings) {
   // Stable: equal weights keep the file's order on every platform.
   std::ranges::stable_sort(weights, {}, [](const Weight& w) { return std::pair(w.vertex, w.influence.node); });
   begin_.reserve(vertex_count + 1);
@@ -73,7 +75,7 @@ void SkinBinding::build_table(std::vector<Weight>& weights, std::size_t vertex_c
     begin_.push_back(static_cast<std::uint32_t>(influences_.size()));
     first = last;
   }
-  warn_count(without, label, "vertices without a bone weight follow the mesh's node", warnings);
+  warn_count(source_code::kSkin, without, label, "vertices without a bone weight follow the mesh's node", warnings);
 }
 
 // `weights` of one vertex, by node: merges the entries of one node, normalises, sorts the heaviest first.

@@ -3,6 +3,7 @@
 // What every supported file becomes: a plain model in metres, Y up, right-handed, in its rest pose.
 
 #include "base/texture_channel.h"
+#include "base/warning.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -163,15 +164,6 @@ struct SourceSpace {
   std::string generator;                  ///< The program that wrote the file, as far as it says.
 };
 
-/// What is wrong or odd in a file, of a kind that has a code of its own in the table of issues (tools/validate).
-struct SourceDoubt {
-  std::string code;  ///< "S115"
-  std::string text;  ///< A sentence: where, what, and what mends it.
-};
-
-/// Code of points and lines beside triangles, which are no part of a model: strands of hair, or what a modelling tool left behind.
-inline constexpr const char* kLinesLeftOut = "S211";
-
 struct SourceModel {
   std::string path;
   std::vector<std::filesystem::path> roots;  ///< ImportSettings::roots.
@@ -190,8 +182,8 @@ struct SourceModel {
   std::vector<SourceLevel> coarser;  ///< Each of fewer triangles than the one before; cards alone have them.
   double scalp_radius = 0;  ///< Of the sphere that the strands' roots lie on, metres; 0 where that is not known.
   SourceSpace space;
-  std::vector<std::string> warnings;  ///< What was repaired or dropped, one sentence each.
-  std::vector<SourceDoubt> doubts;    ///< The same, of kinds that have a code.
+  std::vector<Warning>
+      warnings;  ///< What is wrong or odd in the file, was repaired or dropped: where, what, and what mends it.
   /// Paths of the other files that the importer opened or looked for, absent ones too: buffers, material libraries. Not
   /// textures, which it leaves alone.
   std::vector<std::string> side_files;

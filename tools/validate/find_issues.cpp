@@ -133,8 +133,7 @@ Issues cook_issues(const Findings& findings) {
 
 Issues find_source_issues(const SourceModel& imported, const Recipe& recipe) {
   Findings findings;
-  for (const std::string& warning : imported.warnings) findings.warn("S201", warning);
-  for (const SourceDoubt& doubt : imported.doubts) findings.warn(doubt.code.c_str(), doubt.text);
+  findings.warnings = imported.warnings;
   const SettledSource settled = settle_size(imported, recipe, findings);
   const SourceModel& source = settled.model ? *settled.model : imported;
   const auto hair = select_hair(source, recipe, findings);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/warning.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -19,14 +21,6 @@ struct LeftOut {
 
   /// "what: why (12 bytes, 40 bytes a head, 175 ns a frame)", without what is 0.
   [[nodiscard]] std::string text() const;
-};
-
-/// A sentence of what the artist may not have meant, with its code in the table of issues (tools/validate), by which one warning can be
-/// acknowledged. Whoever only tells it takes it for the sentence that it is.
-struct Warning : std::string {
-  Warning() = default;
-  Warning(std::string of_code, std::string text) : std::string(std::move(text)), code(std::move(of_code)) {}
-  std::string code;  ///< "C144"
 };
 
 /// What passes have to say: the one place that all of them write to, each list in the order in which they ran.

@@ -1,0 +1,23 @@
+#pragma once
+
+// Codes of what readers of models and strands warn of; the table of issues (tools/validate) says what each means and what mends it.
+
+namespace coif::source_code {
+
+inline constexpr const char* kRepaired = "S201";    ///< Triangles, vertices, normals, colours.
+inline constexpr const char* kLoose = "S211";       ///< Points and lines beside triangles.
+inline constexpr const char* kNoStrands = "S212";   ///< A body for strands, of which there are none.
+inline constexpr const char* kHidden = "S213";      ///< Meshes that the file hides.
+inline constexpr const char* kCoarser = "S214";     ///< Coarser levels of detail.
+inline constexpr const char* kShapeKeys = "S215";   ///< Shape keys that are on.
+inline constexpr const char* kSkin = "S216";        ///< Bones, weights and bind matrices.
+inline constexpr const char* kImages = "S217";      ///< Images inside of the file, and textures without one.
+inline constexpr const char* kMaterials = "S218";   ///< Materials, and the libraries that they are in.
+inline constexpr const char* kExtensions = "S219";  ///< Extensions that are used and not read.
+inline constexpr const char* kSprings = "S220";     ///< Of a VRM.
+inline constexpr const char* kUvs = "S221";         ///< Texture coordinates, and how a texture lies on them.
+inline constexpr const char* kSpace = "S222";       ///< Axes, units and transforms.
+inline constexpr const char* kStrands = "S223";     ///< Strands and what is said of their points.
+inline constexpr const char* kBody = "S224";        ///< The body that strands grow on.
+
+}  // namespace coif::source_code
