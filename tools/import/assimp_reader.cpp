@@ -10,12 +10,12 @@
 
 #include <assimp/BaseImporter.h>
 #include <assimp/DefaultIOSystem.h>
-#include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <assimp/version.h>
 #include <fmt/format.h>
+#include <assimp/Importer.hpp>
 
 #include <algorithm>
 #include <fstream>
@@ -53,7 +53,8 @@ void configure(Assimp::Importer& importer, const SourceSuffix& suffix, const Imp
 
 /// What assimp asked for beside the model, by name.
 struct Asked {
-  std::set<std::string> names;          ///< Looked for or opened, whether there was such a file or not: a model changes with each.
+  std::set<std::string>
+      names;  ///< Looked for or opened, whether there was such a file or not: a model changes with each.
   std::vector<std::string> not_opened;  ///< In their order.
 };
 
@@ -110,7 +111,8 @@ std::vector<std::string> lost_libraries(const Asked& asked, const std::string& m
 
 /// Of a material library that was not read. assimp goes on without, and the hair would be brown without a word.
 void warn_of_lost_library(const std::string& library, bool lies_outside, const aiScene& scene, SourceModel& model) {
-  const std::string name = std::filesystem::path(library).lexically_proximate(std::filesystem::path(model.path).parent_path()).string();
+  const std::string name =
+      std::filesystem::path(library).lexically_proximate(std::filesystem::path(model.path).parent_path()).string();
   std::error_code error;
   const auto status = std::filesystem::symlink_status(library, error);
   const char* const why = std::filesystem::is_symlink(status)
@@ -173,10 +175,17 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   set_importer(model);
   const Eigen::Affine3d to_model = model_from_scene(scene, suffix.format, settings, model.space, model.warnings);
   SceneNodes nodes = flatten_nodes(scene, to_model, model.warnings);
-  const std::vector<char> file = suffix.format == SourceFormat::kFbx ? bytes_of(path) : std::vector<char>();
-  const auto objects = FbxObjects::read({file.data(), file.size()});
+  const bool is_fbx = suffix.format == SourceFormat::kFbx, is_dae = suffix.format == SourceFormat::kDae;
+  const std::vector<char> file = is_fbx || is_dae ? bytes_of(path) : std::vector<char>();
+  const auto objects = is_fbx ? FbxObjects::read({file.data(), file.size()}) : std::nullopt;
   if (objects) add_fbx_objects(*objects, scene, nodes);
   convert_materials(scene, suffix.format, model);
+  if (objects) apply_fbx_wraps(*objects, model.materials);
+  const std::string_view document = is_dae ? std::string_view(file.data(), file.size()) : std::string_view();
+  const ColladaTextures collada(document);
+  collada.apply(model.materials);
+  for (std::string& fault : faults_of_weights(document))
+    model.warnings.emplace_back(source_code::kSkin, std::move(fault));
   model.named_images = named_images(scene);
   model.meshes = convert_meshes(scene, nodes, {suffix.format, model.space.generator}, model.warnings);
   const bool hides_all = hides_all_meshes(nodes);
@@ -205,10 +214,6 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
   auto model = convert_scene(*scene, path, suffix, settings);
   asked.names.erase(path.string());
   if (model) model->side_files.assign(asked.names.begin(), asked.names.end());
-  if (model && suffix.format == SourceFormat::kDae) {
-    const std::vector<char> text = bytes_of(path);
-    apply_collada_opacity({text.data(), text.size()}, *model);
-  }
   if (model && suffix.format == SourceFormat::kObj) {
     apply_obj_options(opened_libraries(asked), *model);
     for (const std::string& library : lost_libraries(asked, model->path)) {

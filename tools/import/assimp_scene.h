@@ -7,10 +7,10 @@
 #include "import/scene_surface.h"
 #include "import/source_model.h"
 
-#include <Eigen/Geometry>
 #include <assimp/matrix4x4.h>
 #include <assimp/types.h>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cstdint>
@@ -51,7 +51,7 @@ struct RawMesh;
 /// The node tree as a list, parents first, in the order of the file.
 struct SceneNodes {
   std::vector<SourceNode> nodes;
-  std::vector<const aiNode*> origin;                           ///< Beside each node; owned by the scene.
+  std::vector<const aiNode*> origin;  ///< Beside each node; owned by the scene.
   std::vector<Eigen::Affine3d>
       node_from_mesh;            ///< Beside each node, for the meshes that it carries: FBX's geometric transform.
   std::vector<bool> is_hidden;   ///< Beside each node: by FBX's Visibility or Show, its own or inherited.
@@ -71,6 +71,9 @@ struct SceneNodes {
 /// Matches the nodes to the file's models, by name and order below their parents, and marks what Visibility hides and what is not the
 /// finest level of a LodGroup. `objects` outlives `nodes`.
 void add_fbx_objects(const FbxObjects& objects, const aiScene& scene, SceneNodes& nodes);
+
+/// How textures go on outside 0..1 (WrapModeU, WrapModeV), which assimp does not hand on. A texture goes by the material's name and its file's.
+void apply_fbx_wraps(const FbxObjects& objects, std::span<SourceMaterial> materials);
 
 /// Shape keys that an FBX has on. assimp gives their shapes, and not how much of each is on.
 class FbxShapeKeys {

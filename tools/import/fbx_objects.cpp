@@ -15,8 +15,8 @@ constexpr std::string_view kNameEnd("\0\1", 2);  // "Hair\0\1Model" of a binary 
 
 std::string_view object_name(std::string_view text) {
   if (const std::size_t end = text.find(kNameEnd); end != std::string_view::npos) return text.substr(0, end);
-  for (const std::string_view prefix :
-       {"Model::", "Geometry::", "Deformer::", "SubDeformer::", "NodeAttribute::", "DisplayLayer::"}) {
+  for (const std::string_view prefix : {"Model::", "Geometry::", "Deformer::", "SubDeformer::", "NodeAttribute::",
+                                        "DisplayLayer::", "Material::", "Texture::"}) {
     if (text.starts_with(prefix)) return text.substr(prefix.size());
   }
   return text;
@@ -26,6 +26,8 @@ bool is_lod_class(std::string_view text) { return text == "LodGroup" || text == 
 
 std::optional<FbxKind> kind_of(std::string_view record, std::string_view object_class) {
   if (record == "Model") return FbxKind::kModel;
+  if (record == "Material") return FbxKind::kMaterial;
+  if (record == "Texture") return FbxKind::kTexture;
   if (record == "NodeAttribute" && is_lod_class(object_class)) return FbxKind::kLodAttribute;
   if (record == "CollectionExclusive" && object_class == "DisplayLayer") return FbxKind::kLayer;
   if (record == "Geometry" && object_class == "Mesh") return FbxKind::kMesh;
@@ -49,6 +51,12 @@ double shape_weight(std::span<const double> full, std::size_t shape, double perc
     return std::max(0.0, (percent - before) / (own - before));
   }
   return std::max(0.0, (full[shape + 1] - percent) / (full[shape + 1] - own));
+}
+
+/// Of connections by `to`.
+std::span<const FbxConnection> connected_to(std::int64_t id, std::span<const FbxConnection> connections) {
+  const auto found = std::ranges::equal_range(connections, id, {}, &FbxConnection::to);
+  return {found.begin(), found.end()};
 }
 
 }  // namespace
@@ -80,15 +88,15 @@ class FbxObjects::Collector {
     object.kind = *kind;
     object.is_lod_group = *kind == FbxKind::kModel && is_lod_class(object_class);
     out_.objects_.push_back(object);
-    return *kind == FbxKind::kModel || *kind == FbxKind::kLayer || *kind == FbxKind::kChannel;
+    return *kind == FbxKind::kModel || *kind == FbxKind::kLayer || *kind == FbxKind::kChannel ||
+           *kind == FbxKind::kTexture;
   }
 
   bool add_connection(const FbxRecord& record) {
     const auto& values = record.values;
-    if (record.name == "C" && values.size() >= 3 && values[0].text == "OO" && is_number(values[1]) &&
-        is_number(values[2])) {
-      out_.connections_.push_back({values[1].whole, values[2].whole});
-    }
+    if (record.name != "C" || values.size() < 3 || !is_number(values[1]) || !is_number(values[2])) return false;
+    if (values[0].text == "OO") out_.connections_.push_back({values[1].whole, values[2].whole});
+    if (values[0].text == "OP") out_.on_properties_.push_back({values[1].whole, values[2].whole});
     return false;
   }
 
@@ -101,6 +109,11 @@ class FbxObjects::Collector {
       if (!record.values.empty() && record.values[0].kind == FbxValue::Kind::kArray)
         add_full_weights(record.values[0].text);
       return true;
+    }
+    if (object.kind == FbxKind::kTexture && !record.values.empty()) {
+      const bool is_relative = part_ == "RelativeFilename";
+      const std::string_view file = record.values[0].text;
+      if (!file.empty() && (is_relative || (part_ == "FileName" && object.file.empty()))) object.file = file;
     }
     return part_ == "Properties70";
   }
@@ -120,6 +133,8 @@ class FbxObjects::Collector {
     if (name == (object.kind == FbxKind::kLayer ? "Show" : "Visibility")) object.is_visible = is_on;
     if (name == "Visibility Inheritance") object.inherits_visibility = is_on;
     if (name == "DeformPercent") set_percent(record.values[4]);
+    if (name == "WrapModeU") object.is_clamped[0] = is_on;
+    if (name == "WrapModeV") object.is_clamped[1] = is_on;
   }
 
   void set_percent(const FbxValue& value) {
@@ -160,6 +175,7 @@ void FbxObjects::sort() {
                              [](const FbxObject& a, const FbxObject& b) { return a.id == b.id; }),
                  objects_.end());
   std::ranges::stable_sort(connections_, {}, &FbxConnection::to);
+  std::ranges::stable_sort(on_properties_, {}, &FbxConnection::to);
 }
 
 const FbxObject* FbxObjects::find(std::int64_t id) const {
@@ -167,9 +183,10 @@ const FbxObject* FbxObjects::find(std::int64_t id) const {
   return found != objects_.end() && found->id == id ? &*found : nullptr;
 }
 
-std::span<const FbxConnection> FbxObjects::below(std::int64_t id) const {
-  const auto begin = std::ranges::lower_bound(connections_, id, {}, &FbxConnection::to);
-  return {begin, std::ranges::upper_bound(begin, connections_.end(), id, {}, &FbxConnection::to)};
+std::span<const FbxConnection> FbxObjects::below(std::int64_t id) const { return connected_to(id, connections_); }
+
+std::span<const FbxConnection> FbxObjects::on_properties(std::int64_t id) const {
+  return connected_to(id, on_properties_);
 }
 
 /// Some writers say in the model's attribute alone that it is a LodGroup. A layer that is off hides its models.

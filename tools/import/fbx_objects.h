@@ -1,7 +1,7 @@
 #pragma once
 
 // What an FBX file says of its objects that assimp passes over: which models are hidden, which hold levels of detail, which shape keys
-// are on.
+// are on, which textures are clamped.
 
 #include <cstdint>
 #include <optional>
@@ -11,7 +11,17 @@
 
 namespace coif {
 
-enum class FbxKind : std::uint8_t { kModel, kLodAttribute, kLayer, kMesh, kShape, kBlendShape, kChannel };
+enum class FbxKind : std::uint8_t {
+  kModel,
+  kLodAttribute,
+  kLayer,
+  kMesh,
+  kShape,
+  kBlendShape,
+  kChannel,
+  kMaterial,
+  kTexture
+};
 
 struct FbxObject {
   std::int64_t id = 0;
@@ -19,10 +29,12 @@ struct FbxObject {
   FbxKind kind = FbxKind::kModel;
   bool is_visible =
       true;  ///< Of a model: neither its Visibility is 0 nor Show of a layer that it is in. Of a layer: Show.
-  bool inherits_visibility = true;  ///< Of a model: hidden where the one above it is.
-  bool is_lod_group = false;        ///< Of a model: its children are levels of detail, the finest first.
-  double percent = 0;               ///< Of a channel: DeformPercent, 100 where the key is fully on.
-  std::uint32_t begin = 0;          ///< Of a mesh, into shapes(); of a channel, into the file's FullWeights.
+  bool inherits_visibility = true;      ///< Of a model: hidden where the one above it is.
+  bool is_lod_group = false;            ///< Of a model: its children are levels of detail, the finest first.
+  double percent = 0;                   ///< Of a channel: DeformPercent, 100 where the key is fully on.
+  std::string_view file;                ///< Of a texture: RelativeFilename, or FileName where that is empty.
+  bool is_clamped[2] = {false, false};  ///< Of a texture: along U and V.
+  std::uint32_t begin = 0;              ///< Of a mesh, into shapes(); of a channel, into the file's FullWeights.
   std::uint32_t end = 0;
 };
 
@@ -50,6 +62,8 @@ class FbxObjects {
   [[nodiscard]] const FbxObject* find(std::int64_t id) const;
   /// In the file's order.
   [[nodiscard]] std::span<const FbxConnection> below(std::int64_t id) const;
+  /// What is connected to one of the object's properties ("OP"): the textures of a material. In the file's order.
+  [[nodiscard]] std::span<const FbxConnection> on_properties(std::int64_t id) const;
   [[nodiscard]] std::span<const FbxShape> shapes(const FbxObject& mesh) const {
     return std::span(shapes_).subspan(mesh.begin, mesh.end - mesh.begin);
   }
@@ -62,8 +76,9 @@ class FbxObjects {
   bool add_shapes_of(const FbxObject& mesh, std::size_t& steps_left);
   void add_channel(const FbxObject& channel, std::span<const FbxConnection> below_channel);
 
-  std::vector<FbxObject> objects_;          // by id
-  std::vector<FbxConnection> connections_;  // by `to`
+  std::vector<FbxObject> objects_;            // by id
+  std::vector<FbxConnection> connections_;    // by `to`
+  std::vector<FbxConnection> on_properties_;  // by `to`
   std::vector<double> full_weights_;
   std::vector<FbxShape> shapes_;
 };

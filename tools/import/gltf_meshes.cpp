@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace coif {
 namespace {
@@ -61,10 +62,8 @@ class MeshReader {
     }
     const auto found = std::ranges::find(names, wanted);
     if (found == names.end()) {
-      return names.empty()
-                 ? fmt::format("it has no variants, and '{}' is asked for; remove source.variant from the recipe",
-                               wanted)
-                 : fmt::format("it has no variant '{}'; there are '{}'", wanted, fmt::join(names, "', '"));
+      if (names.empty()) return "it has no variants; remove \"source.variant\" from the recipe";
+      return fmt::format("it has no variant '{}'; there are '{}'", wanted, fmt::join(names, "', '"));
     }
     variant_ = std::uint32_t(found - names.begin());
     return {};
@@ -73,8 +72,7 @@ class MeshReader {
   std::string read_node(const json& node, std::uint32_t n) {
     const auto mesh = index_of(member(node, "mesh"), meshes_.size());
     if (!mesh) {
-      model_.warnings.emplace_back(source_code::kRepaired,
-                                   fmt::format("node '{}': refers to an absent mesh", model_.nodes[n].name));
+      warn(source_code::kRepaired, "node '{}': refers to an absent mesh", model_.nodes[n].name);
       return {};
     }
     auto instances = read_gltf_instances(document_, buffers_, node);
@@ -181,12 +179,8 @@ class MeshReader {
 
   void warn_of_lost_uvs(const GltfPrimitive& read, const GltfUvs& uvs, const RawMesh& raw) {
     if (uvs.set == 0 || !read.uvs.empty()) return;
-    model_.warnings.emplace_back(
-        source_code::kUvs,
-        fmt::format(
-            "mesh '{}': its material's texture is laid out in UV set {}, which the mesh does not have; export that "
-            "UV map too",
-            raw.name, uvs.set));
+    warn(source_code::kUvs, "mesh '{}': its texture lies in UV set {}, which the mesh lacks; export that UV map too",
+         raw.name, uvs.set);
   }
 
   /// The variant's, where one is chosen and the primitive has one for it.
@@ -198,16 +192,13 @@ class MeshReader {
       }
     }
     if (const auto index = index_of(*chosen, uvs_.size())) return *index;
-    if (!chosen->is_null() && !told_of_material_) {
-      model_.warnings.emplace_back(source_code::kMaterials, "a mesh refers to an absent material; a plain one is used");
-      told_of_material_ = true;
-    }
+    if (!chosen->is_null() && !std::exchange(told_of_material_, true))
+      warn(source_code::kMaterials, "a mesh refers to an absent material; a plain one is used");
     if (!plain_) {
       plain_ = static_cast<std::uint32_t>(model_.materials.size());
-      SourceMaterial plain;
+      SourceMaterial& plain = model_.materials.emplace_back();
       plain.alpha_use = AlphaUse::kOpaque;
       plain.roughness = 1;
-      model_.materials.push_back(plain);
     }
     return *plain_;
   }
@@ -218,8 +209,7 @@ class MeshReader {
     if (named.is_null() || read.influences == 0) return {};
     const auto skin = index_of(named, skins.size());
     if (!skin) {
-      model_.warnings.emplace_back(source_code::kSkin,
-                                   fmt::format("mesh '{}': refers to an absent skin; it is taken as rigid", raw.name));
+      warn(source_code::kSkin, "mesh '{}': refers to an absent skin; it is taken as rigid", raw.name);
       return {};
     }
     std::vector<std::uint32_t> bone_of_joint;
@@ -279,6 +269,11 @@ class MeshReader {
       keep_mesh(raw, place_mesh(raw, carrier, model_.nodes, model_.warnings), model_.meshes, model_.warnings);
     }
     return {};
+  }
+
+  template <class... Args>
+  void warn(const char* code, fmt::format_string<Args...> text, Args&&... args) {
+    model_.warnings.emplace_back(code, fmt::format(text, std::forward<Args>(args)...));
   }
 
   const json& document_;

@@ -8,6 +8,8 @@
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -35,6 +37,24 @@ void add_bones(const aiMesh& mesh, const SceneNodes& nodes, const std::string& l
       out.weights.push_back({weight.mVertexId, number, weight.mWeight});
     }
   }
+}
+
+/// Formats that assimp reads leave it to the reader to scale weights; whoever wants them as they are must know.
+void warn_of_sums(const RawMesh& mesh, const std::string& label, std::vector<Warning>& warnings) {
+  constexpr double kLeastError = 0.01;  // programs that write percent stay below it
+  std::vector<double> sums(mesh.positions.size(), 0);
+  for (const RawWeight& weight : mesh.weights) {
+    if (weight.vertex < sums.size() && weight.weight > 0) sums[weight.vertex] += double{weight.weight};
+  }
+  const auto is_off = [](double sum) { return sum > 0 && std::isfinite(sum) && std::abs(sum - 1) > kLeastError; };
+  const auto first = std::ranges::find_if(sums, is_off);
+  if (first == sums.end()) return;
+  warnings.emplace_back(
+      source_code::kSkin,
+      fmt::format("{}: the weights of {} vertices do not add up to 1 (of vertex {} to {:.4g}) and were scaled until "
+                  "they do; normalize the weights "
+                  "(Blender: Weights > Normalize All) and export again where bones should hold less",
+                  label, std::ranges::count_if(sums, is_off), first - sums.begin(), *first));
 }
 
 void add_triangles(const aiMesh& mesh, RawMesh& out) {
@@ -92,13 +112,14 @@ RawMesh raw_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, c
   }
   shape_keys.apply(mesh, node, out, warnings);
   add_bones(mesh, nodes, label, out, warnings);
+  warn_of_sums(out, label, warnings);
   out.node_from_mesh = nodes.node_from_mesh[node];
   if (!out.bones.empty()) move_to_bound_space(out);
   add_triangles(mesh, out);
   out.colors = vertex_colors(mesh);
-  const TexturePlace place = out.material == kNoIndex
-                                 ? TexturePlace{}
-                                 : texture_place(*scene.mMaterials[out.material], surface, label, warnings);
+  const TexturePlace place = out.material == kNoIndex ? TexturePlace{}
+                                                      : texture_place(*scene.mMaterials[out.material],
+                                                                      text_of(mesh.mName), surface, label, warnings);
   out.uvs = uvs_of(mesh, place, label, warnings);
   return out;
 }

@@ -1,6 +1,7 @@
 #include "import/scene_surface.h"
 
 #include "base/srgb.h"
+#include "import/assimp_scene.h"
 #include "import/source_codes.h"
 
 #include <assimp/material.h>
@@ -22,12 +23,24 @@ std::optional<aiTextureType> first_type(const aiMaterial& material, std::span<co
   return found == types.data() + types.size() ? std::nullopt : std::optional(*found);
 }
 
+unsigned stated_uv_set(const aiMaterial& material, aiTextureType type, const std::string& geometry,
+                       const SourceSurface& surface) {
+  if (surface.collada != nullptr) {
+    aiString name;
+    material.Get(AI_MATKEY_NAME, name);
+    const auto use = type == aiTextureType_OPACITY ? ColladaTextures::Use::kOpacity : ColladaTextures::Use::kBase;
+    if (const auto bound = surface.collada->uv_set(geometry, text_of(name), use)) return *bound;
+  }
+  int uv_set = 0;
+  return material.Get(AI_MATKEY_UVWSRC(type, 0), uv_set) == AI_SUCCESS && uv_set > 0 ? unsigned(uv_set) : 0;
+}
+
 /// COLLADA moves the coordinates over the texture. FBX moves the texture over the surface, so that a scale of 2 shows half of it; but
 /// Blender undoes the scale alone and adds the offset as it is.
-TexturePlace stated_place(const aiMaterial& material, aiTextureType type, const SourceSurface& surface) {
+TexturePlace stated_place(const aiMaterial& material, aiTextureType type, const std::string& geometry,
+                          const SourceSurface& surface) {
   TexturePlace place;
-  int uv_set = 0;
-  if (material.Get(AI_MATKEY_UVWSRC(type, 0), uv_set) == AI_SUCCESS && uv_set > 0) place.uv_set = unsigned(uv_set);
+  place.uv_set = stated_uv_set(material, type, geometry, surface);
   aiUVTransform moved;
   if (material.Get(AI_MATKEY_UVTRANSFORM(type, 0), moved) != AI_SUCCESS) return place;
   const Eigen::Vector2f scale(moved.mScaling.x, moved.mScaling.y), offset(moved.mTranslation.x, moved.mTranslation.y);
@@ -59,14 +72,14 @@ float linear_of(float stored) { return stored <= 1 ? float(decode_srgb(double(st
 
 }  // namespace
 
-TexturePlace texture_place(const aiMaterial& material, const SourceSurface& surface, const std::string& label,
-                           std::vector<Warning>& warnings) {
+TexturePlace texture_place(const aiMaterial& material, const std::string& geometry, const SourceSurface& surface,
+                           const std::string& label, std::vector<Warning>& warnings) {
   constexpr aiTextureType kBase[] = {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE};
   constexpr aiTextureType kOpacity[] = {aiTextureType_OPACITY};
   const auto base = first_type(material, kBase), opacity = first_type(material, kOpacity);
   if (!base && !opacity) return {};
-  const TexturePlace place = stated_place(material, base ? *base : *opacity, surface);
-  if (base && opacity && !(stated_place(material, *opacity, surface) == place)) {
+  const TexturePlace place = stated_place(material, base ? *base : *opacity, geometry, surface);
+  if (base && opacity && !(stated_place(material, *opacity, geometry, surface) == place)) {
     warnings.emplace_back(
         source_code::kUvs,
         fmt::format("{}: its opacity texture has other texture coordinates than its base texture, whose are taken for "

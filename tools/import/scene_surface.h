@@ -8,9 +8,12 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 struct aiMaterial;
@@ -30,19 +33,52 @@ struct TexturePlace {
   [[nodiscard]] Eigen::Vector2f operator()(const Eigen::Vector2f& uv) const { return linear * uv + offset; }
 };
 
+/// What a COLLADA document says of its textures that assimp 5.2 passes over: which UV set <bind_vertex_input> binds a texture's
+/// coordinates to, <wrap_s> and <wrap_t>, and which numbers of an opacity texture count (<transparent opaque="RGB_ZERO">).
+class ColladaTextures {
+ public:
+  enum class Use : std::uint8_t { kBase, kOpacity };
+
+  /// Knows of nothing where the document cannot be read.
+  explicit ColladaTextures(std::string_view document);
+  /// Which of the sets that assimp gives the mesh; none where the document does not bind one. A geometry goes by its id, a material by
+  /// its name, or its id where it has none; both as printable text.
+  [[nodiscard]] std::optional<unsigned> uv_set(const std::string& geometry, const std::string& material, Use use) const;
+  /// Wrap modes of base and opacity textures, channel and sense of the latter.
+  void apply(std::span<SourceMaterial> materials) const;
+
+ private:
+  class Walk;
+  struct Texture {
+    std::string texcoord;
+    std::optional<TextureWrap> wrap[2];
+  };
+  struct Effect {
+    std::optional<Texture> base, opacity;
+    TextureChannel opacity_channel = TextureChannel::kAuto;
+    bool opacity_inverted = false;
+  };
+
+  std::map<std::string, Effect> effects_;         // by id
+  std::map<std::string, std::string> effect_of_;  // by the material's name
+  std::map<std::tuple<std::string, std::string, Use>, unsigned> uv_sets_;
+};
+
 /// What is needed of the file to read its surfaces.
 struct SourceSurface {
   SourceFormat format;
-  std::string generator;  ///< SourceSpace::generator: programs disagree about FBX.
+  std::string generator;                     ///< SourceSpace::generator: programs disagree about FBX.
+  const ColladaTextures* collada = nullptr;  ///< Of a COLLADA document; outlives this.
 };
 
 /// Of the base texture that convert_materials() takes; of the opacity texture where there is no other. A warning where both are
-/// there and differ, since a mesh keeps one set alone. assimp 5.2 hands on the transforms of FBX and COLLADA; an OBJ's library is
+/// there and differ, since a mesh keeps one set alone. `geometry` is what assimp calls the mesh. assimp 5.2 hands on the transforms of FBX and COLLADA; an OBJ's library is
 /// read by apply_obj_options().
-[[nodiscard]] TexturePlace texture_place(const aiMaterial& material, const SourceSurface& surface,
-                                         const std::string& label, std::vector<Warning>& warnings);
+[[nodiscard]] TexturePlace texture_place(const aiMaterial& material, const std::string& geometry,
+                                         const SourceSurface& surface, const std::string& label,
+                                         std::vector<Warning>& warnings);
 
-/// How the first texture of one of assimp's types goes on outside 0..1. Of FBX assimp 5.2 does not say.
+/// How the first texture of one of assimp's types goes on outside 0..1. Of FBX assimp 5.2 does not say: apply_fbx_wraps().
 void read_wrap(const aiMaterial& material, unsigned type, SourceTexture& texture);
 
 /// Colours of the first set, linear, of each vertex; empty where there are none. Formats other than glTF store what a screen shows, as
@@ -53,8 +89,5 @@ void read_wrap(const aiMaterial& material, unsigned type, SourceTexture& texture
 /// numbers, and takes the path for one where there are two; -imfchan). Moves the coordinates of the meshes; `libraries` are paths of
 /// files that were opened.
 void apply_obj_options(std::span<const std::string> libraries, SourceModel& model);
-
-/// Which numbers of an opacity texture count in a COLLADA document, and whether 1 is clear in it (<transparent opaque="RGB_ZERO">).
-void apply_collada_opacity(std::string_view document, SourceModel& model);
 
 }  // namespace coif

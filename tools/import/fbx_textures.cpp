@@ -1,0 +1,49 @@
+#include "import/assimp_scene.h"
+
+#include "import/fbx_objects.h"
+
+#include <map>
+#include <string>
+#include <utility>
+
+namespace coif {
+namespace {
+
+std::string file_name(std::string_view path) {
+  const std::string text = printable_text(path);
+  const std::size_t slash = text.find_last_of("/\\");
+  return slash == std::string::npos ? text : text.substr(slash + 1);
+}
+
+/// By the material's name and the image file's. Of several the first counts.
+using MaterialTextures = std::map<std::pair<std::string, std::string>, const FbxObject*>;
+
+MaterialTextures material_textures(const FbxObjects& objects) {
+  MaterialTextures out;
+  for (const FbxObject& material : objects.all()) {
+    if (material.kind != FbxKind::kMaterial) continue;
+    for (const FbxConnection& connection : objects.on_properties(material.id)) {
+      const FbxObject* const texture = objects.find(connection.from);
+      if (texture == nullptr || texture->kind != FbxKind::kTexture) continue;
+      out.emplace(std::pair(printable_text(material.name), file_name(texture->file)), texture);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+void apply_fbx_wraps(const FbxObjects& objects, std::span<SourceMaterial> materials) {
+  const MaterialTextures textures = material_textures(objects);
+  for (SourceMaterial& material : materials) {
+    for (SourceTexture* const texture : {&material.base_texture, &material.opacity_texture}) {
+      const auto found = textures.find({material.name, file_name(texture->path)});
+      if (!texture->is_there() || found == textures.end()) continue;
+      for (int axis = 0; axis < 2; ++axis) {
+        texture->wrap[axis] = found->second->is_clamped[axis] ? TextureWrap::kClamp : TextureWrap::kRepeat;
+      }
+    }
+  }
+}
+
+}  // namespace coif
