@@ -8,6 +8,7 @@
 #     fuzz    10 s of libFuzzer for each reader of foreign bytes; see tests/fuzz/README.md
 #     farm    many machines, emulated on this one: Slurm and GNU parallel, killed nodes and lost hosts
 #     web     in WebAssembly: the npm package gives the same bits in node, hair in three's scenes and the page of coif view in Chromium
+#     blender   what is read of FBX, OBJ and COLLADA is what Blender reads of it
 #     variants  reader and simulation, by other compilers and flags, in 32 bits and for ARM, give the same bits; or one of them by
 #             its preset: fma, avx2, native, clang, x86-32, arm64
 #     calm    hair of heads that are held comes to rest, in every way to run each of the artists' files; an hour
@@ -81,21 +82,22 @@ compare_builds() {
 
 install program tests
 for part in ${*:-plain}; do
-  [ "$part" = all ] && part='plain asan asan-cook fuzz farm web variants calm debug'
+  [ "$part" = all ] && part='plain asan asan-cook fuzz farm web blender variants calm debug'
   for part in $part; do
     case $part in
-      plain) build release -DCOIF_TESTS=ON all && run release plain -LE '^(farm|other_builds|web|calm_all)$' ;;
+      plain) build release -DCOIF_TESTS=ON all && run release plain -LE '^(farm|other_builds|web|blender|calm_all)$' ;;
       asan) sanitize asan formats sim c import groom ;;
       asan-cook) sanitize asan-cook cook cache validate view ;;
       fuzz) install fuzz && build fuzz -DCOIF_TESTS=ON fuzz_readers && run fuzz fuzz ;;
       farm) install farm && build release -DCOIF_TESTS=ON coif_cli && run release farm -L '^farm$' ;;
       web) test_web ;;
+      blender) install blender && build release -DCOIF_TESTS=ON coif_print_model && run release blender -L '^blender$' ;;
       variants) install fuzz variants && for preset in fma avx2 native clang x86-32 arm64; do try_variant $preset; done ;;
       fma | avx2 | native) try_variant "$part" ;;
       clang | x86-32 | arm64) install fuzz variants && try_variant "$part" ;;
       calm) build release -DCOIF_TESTS=ON coif_cli coif_hold_heads && run release calm -L '^calm_all$' ;;
       debug) compare_builds ;;
-      *) echo "run.sh: '$part' is none of plain, asan, asan-cook, fuzz, farm, web, variants (or one of them), calm, debug, all" >&2; broken=$((broken + 1)) ;;
+      *) echo "run.sh: '$part' is none of plain, asan, asan-cook, fuzz, farm, web, blender, variants (or one of them), calm, debug, all" >&2; broken=$((broken + 1)) ;;
     esac
   done
 done

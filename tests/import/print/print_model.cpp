@@ -43,6 +43,18 @@ json influences_of(const SourceModel& model, const SourceMesh& mesh) {
   return out;
 }
 
+const char* word_of(TextureWrap wrap) {
+  return wrap == TextureWrap::kClamp ? "clamp" : wrap == TextureWrap::kMirror ? "mirror" : "repeat";
+}
+
+json material_of(const SourceModel& model, const SourceMesh& mesh) {
+  if (mesh.material >= model.materials.size()) return json();
+  const SourceMaterial& material = model.materials[mesh.material];
+  const SourceTexture& base = material.base_texture;
+  return {
+      {"name", material.name}, {"texture", base.is_there()}, {"wrap", {word_of(base.wrap[0]), word_of(base.wrap[1])}}};
+}
+
 int print(const std::filesystem::path& path) {
   const auto model = import_model(path);
   json out;
@@ -53,6 +65,8 @@ int print(const std::filesystem::path& path) {
     out["meshes"] = json::array();
     for (const SourceMesh& mesh : model->meshes) {
       out["meshes"].push_back({{"name", mesh.name},
+                               {"node", model->nodes[mesh.node].name},
+                               {"material", material_of(*model, mesh)},
                                {"positions", flat(mesh.positions)},
                                {"normals", flat(mesh.normals)},
                                {"uvs", flat(mesh.uvs)},
