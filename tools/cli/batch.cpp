@@ -148,12 +148,12 @@ std::string batch_text(const Outcomes& outcomes) {
   return text + sentence(count(outcomes)) + "\n";
 }
 
-tl::expected<CookSummary, ToolError> cook_one(const CookOptions& options, const CookRequest& request, unsigned threads,
-                                              const Messages& messages) {
+tl::expected<CookSummary, FailedCook> cook_one(const CookOptions& options, const CookRequest& request, unsigned threads,
+                                               const Messages& messages) {
   auto choice = choose_recipe(request.source, request.recipe, messages, {options.preset, ""});
-  if (!choice) return tl::unexpected(choice.error());
+  if (!choice) return tl::unexpected(failed_by_recipe(choice.error()));
   choose_body(options.body, *choice);
-  if (auto known = acknowledge(options, *choice); !known) return tl::unexpected(known.error());
+  if (auto known = acknowledge(options, *choice); !known) return tl::unexpected(failed_by_recipe(known.error()));
   std::error_code told_by_the_cook;
   fs::create_directories(fs::path(request.output).parent_path(), told_by_the_cook);
   CookOptions alone = options;
@@ -187,10 +187,10 @@ ordered_json outcome_of(const CookOptions& options, const CookRequest& request, 
     return outcome;
   }
   messages.error(summary.error().message);
-  const Exit code = exit_code(summary.error().kind);
-  outcome["status"] = status_word(code);
-  outcome["exit_code"] = int(code);
-  outcome["error"] = summary.error().message;
+  CookOptions alone = options;
+  alone.sources = {request.source};
+  alone.output = request.output;
+  outcome.update(ordered_json::parse(failed_cook_json(alone, summary.error())));
   return outcome;
 }
 

@@ -50,7 +50,7 @@ CookOptions with_list_read(CookOptions options) {
   return options;
 }
 
-tl::expected<Exit, ToolError> run_options(const CookOptions& options, const Messages& all_messages) {
+tl::expected<Exit, FailedCook> run_options(const CookOptions& options, const Messages& all_messages) {
   const Messages messages = options.quiet ? all_messages.without_notes() : all_messages;
   const bool is_batch = options.sources.size() > 1 || !options.manifest.empty();
   if (options.list_presets) {
@@ -60,9 +60,9 @@ tl::expected<Exit, ToolError> run_options(const CookOptions& options, const Mess
   if (is_batch && !options.print_recipe) return run_cook_batch(options, messages);
   if (options.sources.empty() && !options.print_recipe) return usage("needs a SOURCE; see 'coif cook --help'");
   auto choice = choose_recipe(options.sources.empty() ? "" : options.source(), options.recipe, messages, {options.preset, ""});
-  if (!choice) return tl::unexpected(choice.error());
+  if (!choice) return tl::unexpected(failed_by_recipe(choice.error()));
   choose_body(options.body, *choice);
-  if (auto known = acknowledge(options, *choice); !known) return tl::unexpected(known.error());
+  if (auto known = acknowledge(options, *choice); !known) return tl::unexpected(failed_by_recipe(known.error()));
   if (options.print_recipe) {
     print_result(print_recipe(choice->recipe));
     return Exit::kOk;
@@ -80,9 +80,9 @@ tl::expected<Exit, ToolError> run_options(const CookOptions& options, const Mess
 }
 
 /// Says what went wrong where results go, too.
-void tell_failure(const CookOptions& options, const ToolError& error, const Messages& messages) {
-  if (options.format == OutputFormat::kJson) print_result(failed_cook_json(options, error));
-  report_failed_cook(options, error, messages);
+void tell_failure(const CookOptions& options, const FailedCook& failed, const Messages& messages) {
+  if (options.format == OutputFormat::kJson) print_result(failed_cook_json(options, failed));
+  report_failed_cook(options, failed, messages);
 }
 
 tl::expected<Exit, ToolError> run_cook(const CookOptions& given, const Messages& messages) {
@@ -94,8 +94,9 @@ tl::expected<Exit, ToolError> run_cook(const CookOptions& given, const Messages&
     std::_Exit(int(exit_code(error.kind)));  // Nothing else is written yet.
   };
   auto done = run_options(options, messages);
-  if (!done) tell_failure(options, done.error(), messages);
-  return done;
+  if (done) return *done;
+  tell_failure(options, done.error(), messages);
+  return tl::unexpected<ToolError>(done.error());
 }
 
 void add_many(CLI::App& app, CookOptions& options) {

@@ -1,5 +1,6 @@
 #include "base/files.h"
 #include "base/parallel_for.h"
+#include "base/text.h"
 #include "cards/hair_source.h"
 #include "cli/command.h"
 #include "cli/cook_job.h"
@@ -16,7 +17,10 @@
 #include "validate/issue_codes.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <memory>
 #include <ranges>
@@ -34,6 +38,7 @@ struct OriginOptions {
   std::vector<fs::path> roots;        ///< ImportSettings::roots.
   SourceLimits limits;
   bool recook = false;                ///< Compare with the bytes of a new cook, too.
+  std::function<void(const ToolError&)> end{};  ///< LimitedWork calls it.
 };
 
 struct ValidateOptions {
@@ -92,7 +97,7 @@ Found validate_asset(std::span<const std::byte> bytes, const OriginOptions& orig
   if (!status) return std::vector{refusal_issue(status)};
   std::vector<Issue> issues = find_asset_issues(asset);
   if (origin.source.empty()) return issues;
-  LimitedWork work(origin.source, origin.limits, all_threads(), messages);
+  LimitedWork work(origin.source, origin.limits, all_threads(), messages, origin.end);
   auto differences = work.run([&] { return compare_with_origin(asset, origin, messages, work); });
   if (!differences) return differences;
   issues.insert(issues.end(), differences->begin(), differences->end());
@@ -104,7 +109,7 @@ std::vector<Issue> issues_of_a_cook(const fs::path& path, Recipe recipe, const f
                                     const OriginOptions& options, const Messages& messages) {
   recipe.order_method = "head";
   recipe.occlusion_strength = 0;
-  LimitedWork work(path.string(), options.limits, all_threads(), messages);
+  LimitedWork work(path.string(), options.limits, all_threads(), messages, options.end);
   CookSettings settings;
   settings.threads = all_threads();
   settings.recipe_directory = recipe_directory;
@@ -212,27 +217,46 @@ Exit exit_of(std::span<const Verdict> verdicts) {
   return std::ranges::any_of(verdicts, invalid) ? Exit::kUnsupported : Exit::kOk;
 }
 
-tl::expected<Exit, ToolError> run_validate(const ValidateOptions& options, const Messages& messages) {
-  if (const auto checked = check_usage(options); !checked) return tl::unexpected(checked.error());
-  const bool as_json = options.format == OutputFormat::kJson;
-  if (options.list_codes) {
-    print_result(as_json ? code_json() : code_page());
-    return Exit::kOk;
-  }
-  std::vector<Verdict> verdicts;
-  for (const std::string& path : options.files) {
-    auto verdict = validate_file(path, options, messages);
-    if (!verdict) return tl::unexpected(verdict.error());
-    verdicts.push_back(std::move(*verdict));
-    tell(verdicts.back(), messages);
-  }
-  print_result(as_json ? verdicts_json(verdicts) : verdicts_text(verdicts));
+/// Prints the verdicts, and writes the page that was asked for.
+tl::expected<Exit, ToolError> publish(const std::vector<Verdict>& verdicts, const ValidateOptions& options) {
+  print_result(options.format == OutputFormat::kJson ? verdicts_json(verdicts) : verdicts_text(verdicts));
   if (!options.report.empty()) {
     const std::string page = verdict_page(verdicts);
     auto written = write_output(options.report, std::as_bytes(std::span(page)));
     if (!written) return tl::unexpected(written.error());
   }
   return exit_of(verdicts);
+}
+
+/// Ends the program because work on the file `path` exceeded its limits, with the verdicts of all files up to that one.
+[[noreturn]] void end_at(const std::string& path, const ToolError& error, std::vector<Verdict> verdicts,
+                         const ValidateOptions& options, const Messages& messages) {
+  verdicts.push_back({path, true, judge({import_issue(error)}, options.policy), {}});
+  tell(verdicts.back(), messages);
+  if (const std::size_t left = options.files.size() - verdicts.size(); left > 0)
+    messages.error(fmt::format("{} not checked, since the work on {} had to be ended", counted(left, "file was", "files were"), path));
+  const auto code = publish(verdicts, options);
+  if (!code) messages.error(code.error().message);
+  std::fflush(stdout);
+  std::_Exit(int(code ? *code : exit_code(code.error().kind)));
+}
+
+tl::expected<Exit, ToolError> run_validate(const ValidateOptions& options, const Messages& messages) {
+  if (const auto checked = check_usage(options); !checked) return tl::unexpected(checked.error());
+  if (options.list_codes) {
+    print_result(options.format == OutputFormat::kJson ? code_json() : code_page());
+    return Exit::kOk;
+  }
+  std::vector<Verdict> verdicts;
+  for (const std::string& path : options.files) {
+    ValidateOptions of_file = options;
+    of_file.origin.end = [&](const ToolError& error) { end_at(path, error, verdicts, options, messages); };
+    auto verdict = validate_file(path, of_file, messages);
+    if (!verdict) return tl::unexpected(verdict.error());
+    verdicts.push_back(std::move(*verdict));
+    tell(verdicts.back(), messages);
+  }
+  return publish(verdicts, options);
 }
 
 void add_policy(CLI::App& app, IssuePolicy& policy) {

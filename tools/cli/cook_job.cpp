@@ -9,6 +9,7 @@
 #include "cli/messages.h"
 #include "cook/cook.h"
 #include "payload_hash.h"
+#include "validate/find_issues.h"
 
 #include <fmt/format.h>
 
@@ -45,9 +46,9 @@ struct FinishedCook {
 };
 
 /// Cooks as if there were no cache.
-tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, const RecipeChoice& choice,
-                                                std::span<const std::byte> bytes, const Messages& messages,
-                                                LimitedWork& work) {
+tl::expected<CookResult, FailedCook> cook_source(const CookOptions& options, const RecipeChoice& choice,
+                                                 std::span<const std::byte> bytes, const Messages& messages,
+                                                 LimitedWork& work) {
   std::optional<ProgressLine> progress;
   if (options.shows_progress && !options.quiet) progress.emplace(options.source());
   const auto show = [&](const char* pass) {
@@ -71,16 +72,16 @@ tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, cons
   settings.draft = options.draft;
   settings.list_patches = options.list_patches;
   auto result = cook(*model, choice.recipe, settings);
-  if (!result) return result;
+  if (!result) return tl::unexpected(FailedCook(result.error(), find_source_issues(*model, choice.recipe, result)));
   result->report.passes.insert(result->report.passes.begin(), {"import", import_ms.count()});
   return result;
 }
 
-tl::expected<FinishedCook, ToolError> cook_or_find(const CookOptions& options, const RecipeChoice& choice,
-                                                   const Messages& messages, LimitedWork& work) {
+tl::expected<FinishedCook, FailedCook> cook_or_find(const CookOptions& options, const RecipeChoice& choice,
+                                                    const Messages& messages, LimitedWork& work) {
   const auto begin = file_time_now();
   const auto bytes = FileBytes::read(options.source());
-  if (!bytes) return tl::unexpected(bytes.error());
+  if (!bytes) return tl::unexpected(FailedCook(bytes.error(), {make_issue("F101", bytes.error().message)}));
   const auto fresh = [&] { return cook_source(options, choice, bytes->span(), messages, work); };
   if (options.cache.empty()) {
     return fresh().map([](CookResult result) { return FinishedCook{std::move(result), false}; });
@@ -108,6 +109,15 @@ tl::expected<std::string, ToolError> depfile_of(const CookOptions& options, cons
 
 }  // namespace
 
+FailedCook::FailedCook(ToolError error) : ToolError(std::move(error)) {
+  if (kind == Kind::kBadInput || kind == Kind::kUnsupported) issues.push_back(import_issue(*this));
+}
+
+FailedCook failed_by_recipe(const ToolError& error) {
+  if (error.kind == ToolError::Kind::kUsage) return {error, {}};
+  return {error, {make_issue("S103", error.message, "recipe")}};
+}
+
 tl::expected<void, ToolError> acknowledge(const CookOptions& options, RecipeChoice& choice) {
   std::vector<std::string>& codes = choice.recipe.acknowledged_warnings;
   if (auto known = check_ignored(codes, "recipe key \"warnings.acknowledged\""); !known)
@@ -118,15 +128,15 @@ tl::expected<void, ToolError> acknowledge(const CookOptions& options, RecipeChoi
 
 tl::expected<CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice, const Messages& messages) {
   LimitedWork work = work_on(options, messages);
-  return work.run([&]() -> tl::expected<CookResult, ToolError> {
+  return work.run([&]() -> tl::expected<CookResult, FailedCook> {
     const auto bytes = FileBytes::read(options.source());
     if (!bytes) return tl::unexpected(bytes.error());
     return cook_source(options, choice, bytes->span(), messages, work);
   });
 }
 
-tl::expected<CookSummary, ToolError> run_cook_job(const CookOptions& options, const RecipeChoice& choice,
-                                                  const Messages& messages) {
+tl::expected<CookSummary, FailedCook> run_cook_job(const CookOptions& options, const RecipeChoice& choice,
+                                                   const Messages& messages) {
   if (auto checked = check_cook_outputs(options, choice, {}); !checked) return tl::unexpected(checked.error());
   LimitedWork work = work_on(options, messages);
   const auto cooked = work.run([&] { return cook_or_find(options, choice, messages, work); });
@@ -141,8 +151,9 @@ tl::expected<CookSummary, ToolError> run_cook_job(const CookOptions& options, co
   for (const Warning& warning : result.report.warnings)
     messages.warning(fmt::format("{}: {} [{}]", options.source(), std::string_view(warning), warning.code));
   if (const std::size_t count = result.report.warnings.size(); options.warnings_as_errors && count > 0) {
-    return file_failure(ToolError::Kind::kBadInput, options.source(), "{} warning{}, and --warnings-as-errors; nothing was written",
-                        count, count == 1 ? "" : "s");
+    const auto failed = file_failure(ToolError::Kind::kBadInput, options.source(), "{} warning{}, and --warnings-as-errors; nothing was written",
+                                     count, count == 1 ? "" : "s");
+    return tl::unexpected(FailedCook(failed.value(), cook_issues(result.report)));
   }
   CookSummary summary{options.output,
                       result.asset.size(),

@@ -8,6 +8,7 @@
 #include "cli/source_limits.h"
 #include "cook/cook.h"
 #include "import/import.h"
+#include "validate/issue_codes.h"
 
 #include <tl/expected.hpp>
 
@@ -69,12 +70,24 @@ struct CookOptions {
   [[nodiscard]] const std::string& source() const { return sources.front(); }
 };
 
-/// A cook that failed as JSON: source, output, status, exit_code, error; the keys are stable.
-[[nodiscard]] std::string failed_cook_json(const CookOptions& options, const ToolError& error);
+/// Why there is no asset, with the issues that `coif validate` has of the same source. They include the warnings that were found first.
+struct FailedCook : ToolError {
+  /// The source cannot be read, or takes too much; or there is no issue, because the command line or an output is at fault.
+  FailedCook(ToolError error);
+  FailedCook(ToolError error, Issues found) : ToolError(std::move(error)), issues(std::move(found)) {}
+
+  Issues issues;
+};
+
+/// By what the recipe says, or by its file.
+[[nodiscard]] FailedCook failed_by_recipe(const ToolError& error);
+
+/// A cook that failed as JSON: source, output, status, exit_code, error, issues; the keys are stable.
+[[nodiscard]] std::string failed_cook_json(const CookOptions& options, const FailedCook& failed);
 
 /// Writes that to --report, where one is asked for: in place of an earlier report or where there is no file, and never over anything
 /// else, since a failed cook does not know all that its source names.
-void report_failed_cook(const CookOptions& options, const ToolError& error, const Messages& messages);
+void report_failed_cook(const CookOptions& options, const FailedCook& failed, const Messages& messages);
 
 /// Adds the codes that the command line ignores to those that the recipe does. Error (kUsage, kBadInput): one is no warning.
 tl::expected<void, ToolError> acknowledge(const CookOptions& options, RecipeChoice& choice);
@@ -84,7 +97,7 @@ tl::expected<CookResult, ToolError> cook_alone(const CookOptions& options, const
 
 /// Of the first of `options.sources`: cooks, or takes the result from the cache, tells the warnings, and writes asset, report
 /// and depfile, each whole or not at all and none without the asset.
-tl::expected<CookSummary, ToolError> run_cook_job(const CookOptions& options, const RecipeChoice& choice,
-                                                  const Messages& messages);
+tl::expected<CookSummary, FailedCook> run_cook_job(const CookOptions& options, const RecipeChoice& choice,
+                                                   const Messages& messages);
 
 }  // namespace coif

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -102,13 +103,28 @@ std::string cook_json(const CookSummary& summary) {
                     {"left_out", left_out_json(report)}});
 }
 
-std::string failed_cook_json(const CookOptions& options, const ToolError& error) {
-  const Exit code = exit_code(error.kind);
+namespace {
+
+/// Errors and warnings as `coif validate` would count them.
+nlohmann::ordered_json issues_json(const CookOptions& options, const FailedCook& failed) {
+  IssuePolicy policy{.lowest = Severity::kWarning, .warnings_as_errors = options.warnings_as_errors};
+  policy.most_of_a_code = std::max<std::size_t>(1, failed.issues.size());
+  auto list = nlohmann::ordered_json::array();
+  for (const Issue& issue : judge(failed.issues, policy).shown)
+    list.push_back({{"code", issue.code}, {"severity", name(issue.severity)}, {"message", issue.message}});
+  return list;
+}
+
+}  // namespace
+
+std::string failed_cook_json(const CookOptions& options, const FailedCook& failed) {
+  const Exit code = exit_code(failed.kind);
   return json_text({{"source", options.sources.empty() ? "" : options.source()},
                     {"output", options.output},
                     {"status", status_word(code)},
                     {"exit_code", int(code)},
-                    {"error", error.message}});
+                    {"error", failed.message},
+                    {"issues", issues_json(options, failed)}});
 }
 
 namespace {
@@ -124,15 +140,15 @@ bool is_report(const std::filesystem::path& file) {
 
 }  // namespace
 
-void report_failed_cook(const CookOptions& options, const ToolError& error, const Messages& messages) {
+void report_failed_cook(const CookOptions& options, const FailedCook& failed, const Messages& messages) {
   const bool is_for_one = options.sources.size() == 1 && options.manifest.empty();
-  if (options.report.empty() || !is_for_one || error.kind == ToolError::Kind::kUsage) return;
+  if (options.report.empty() || !is_for_one || failed.kind == ToolError::Kind::kUsage) return;
   std::error_code ignored;
   if (std::filesystem::exists(options.report, ignored) && std::filesystem::is_regular_file(options.report, ignored) &&
       !is_report(options.report)) {
     return messages.warning(options.report + ": is no report of an earlier cook, and was left as it is");
   }
-  const std::string report = failed_cook_json(options, error);
+  const std::string report = failed_cook_json(options, failed);
   if (auto written = write_output(options.report, std::as_bytes(std::span(report))); !written)
     messages.warning(written.error().message);
 }
