@@ -154,6 +154,11 @@ def limits_hold_from_the_start(bench):
         bench.refuses(3, "big.hair: the cook exceeded 1 s, in the pass 'cards'", *arguments, "--max-seconds", 1, "--threads", 1) \
             if arguments[0] == "cook" else bench.run(*arguments, "--max-seconds", 1)
         assert time.monotonic() - begin < 20, arguments
+    # Where a limit ends the program, what it has found so far is printed all the same.
+    done = bench.run("validate", "m.obj", "big.hair", "--max-seconds", 1, "--format", "json")
+    files = json.loads(done.stdout)["files"]
+    assert done.returncode == 3 and files[-1]["path"] == "big.hair", done
+    assert files[-1]["issues"][0]["code"] == "S101" and "exceeded 1 s" in files[-1]["issues"][0]["message"], files
     if "address" not in os.environ.get("COIF_SANITIZE", ""):
         bench.refuses(3, "MiB of memory", "cook", "big.hair", "-o", "x.coif", "--max-memory-mb", 64, "--threads", 1)
     bench.kept_all()
@@ -184,12 +189,17 @@ def streams_and_names_at_their_edges(bench):
         done = bench.refuses(2, "nope.glb: cannot open", "cook", "nope.glb", "-o", "x.coif", "--format", "json", "--report", report)
         told = json.loads(done.stdout)
         assert told["exit_code"] == 2 and told["status"] == "file access" and told["error"].startswith("nope.glb: cannot open"), told
+        assert [issue["code"] for issue in told["issues"]] == ["F101"], told
     assert json.loads((bench.folder / "report.json").read_text()) == told
     assert (bench.folder / "mask.png").read_bytes() == bench.before["mask.png"]
     assert bench.run("cook", "m.obj", "--draft", "-q", "-o", "x.coif", "--report", "report.json").returncode == 0
     bench.write("lost.obj", CARD.replace("m.mtl", "lost.mtl").encode())
     bench.refuses(3, "nothing was written", "cook", "lost.obj", "--draft", "-q", "-o", "x.coif", "--report", "report.json", "--warnings-as-errors")
-    assert json.loads((bench.folder / "report.json").read_text())["exit_code"] == 3
+    told = json.loads((bench.folder / "report.json").read_text())
+    assert told["exit_code"] == 3 and told["issues"] and all(issue["severity"] == "error" for issue in told["issues"]), told
+    verdict = json.loads(bench.run("validate", "lost.obj", "--format", "json", "--warnings-as-errors").stdout)["files"][0]
+    codes = lambda issues: sorted(issue["code"] for issue in issues if issue["severity"] != "info")
+    assert codes(told["issues"]) == codes(verdict["issues"]), (told, verdict)
     # Names are shown, never obeyed.
     bench.write("esc.obj", CARD.replace("o hair", "o hair\x1b[31m\x9b").encode("latin-1"))
     done = bench.run("cook", "esc.obj", "--list")

@@ -1,5 +1,6 @@
 // What a glTF's scene, materials and extensions say of its meshes.
 
+#include "base/encodings.h"
 #include "import/gltf_builder.h"
 #include "import/imported_model.h"
 
@@ -120,6 +121,9 @@ TEST_F(GltfScene, OfLevelsOfDetailTheFinestIsKept) {
   EXPECT_EQ(kept({"BodyLOD1", "HairLOD0", "HairLOD10"}), (Names{"BodyLOD1", "HairLOD0"}));
   EXPECT_EQ(kept({"melody1", "melody2"}), (Names{"melody1", "melody2"})) << "not a level";
   EXPECT_EQ(kept({"Hair_LOD1"}), (Names{"Hair_LOD1"})) << "all that there is";
+  // The finest level often has no number.
+  EXPECT_EQ(kept({"Fringe", "hair", "Hair_LOD1", "Hair_LOD2"}), (Names{"Fringe", "hair"}));
+  EXPECT_EQ(kept({"Hair", "Hair_LOD0", "Hair_LOD1"}), (Names{"Hair", "Hair_LOD0"})) << "level 0 is another mesh";
 }
 
 TEST_F(GltfScene, MorphTargetsThatAreOnAreApplied) {
@@ -217,6 +221,33 @@ TEST_F(GltfScene, BuffersAreFoundByTheirDecodedNameAndOnlyInTheFolder) {
     const auto refused = beside(uri);
     ASSERT_FALSE(refused) << uri;
     EXPECT_NE(refused.error().message.find("not in this file's folder"), std::string::npos) << refused.error().message;
+  }
+}
+
+TEST_F(GltfScene, DataUrisMayBeEscaped) {
+  GltfBuilder file;
+  const auto within = [&](const std::string& uri) {
+    json document = file.document;
+    document["buffers"] = {{{"byteLength", file.buffer.size()}, {"uri", uri}}};
+    return import_model(folder_.write("m.gltf", document.dump()));
+  };
+  const std::string in_base64 =
+      base64({reinterpret_cast<const std::uint8_t*>(file.buffer.data()), file.buffer.size()});
+  std::string escaped, bytes;
+  for (const char letter : in_base64) escaped += fmt::format("%{:02X}", static_cast<unsigned char>(letter));
+  for (const char byte : file.buffer) bytes += fmt::format("%{:02x}", static_cast<unsigned char>(byte));
+  const std::string head = "data:application/octet-stream";
+  const auto plain = within(head + ";base64," + in_base64);
+  ASSERT_TRUE(plain) << plain.error().message;
+  for (const std::string& uri : {head + ";base64," + escaped, head + "," + bytes}) {
+    const auto model = within(uri);
+    ASSERT_TRUE(model) << model.error().message;
+    EXPECT_EQ(model->meshes[0].positions, plain->meshes[0].positions);
+  }
+  for (const std::string& uri : {head + ";base64,?" + in_base64, head}) {
+    const auto refused = within(uri);
+    ASSERT_FALSE(refused) << uri;
+    EXPECT_NE(refused.error().message.find("a damaged data: URI"), std::string::npos) << refused.error().message;
   }
 }
 

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <fstream>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -56,7 +57,7 @@ Bytes read_binary_chunk(const fs::path& path, std::size_t wanted) {
 
 Bytes read_data_uri(const std::string& text, std::size_t wanted) {
   auto bytes = bytes_of_data_uri(text);
-  if (!bytes) return fault("a data: URI that is not base64");
+  if (!bytes) return fault("a damaged data: URI");
   if (bytes->size() < wanted) return fault("cut off: {} of {} bytes", bytes->size(), wanted);
   bytes->resize(wanted);
   return std::move(*bytes);
@@ -65,9 +66,15 @@ Bytes read_data_uri(const std::string& text, std::size_t wanted) {
 }  // namespace
 
 std::optional<std::vector<std::byte>> bytes_of_data_uri(std::string_view uri) {
-  constexpr std::string_view kMark = ";base64,";
-  const std::size_t mark = uri.find(kMark);
-  return mark == std::string_view::npos ? std::nullopt : from_base64(uri.substr(mark + kMark.size()));
+  const std::size_t comma = uri.find(',');
+  if (comma == std::string_view::npos) return std::nullopt;
+  const std::string_view data = uri.substr(comma + 1);
+  const bool is_escaped = data.find('%') != std::string_view::npos;
+  const std::string plain = is_escaped ? decoded_uri(data) : std::string();
+  const std::string_view text = is_escaped ? std::string_view(plain) : data;
+  if (uri.substr(0, comma).ends_with(";base64")) return from_base64(text);
+  const auto bytes = std::as_bytes(std::span(text));
+  return std::vector<std::byte>(bytes.begin(), bytes.end());
 }
 
 Bytes GltfBuffers::read_side_file(const std::string& uri, std::size_t wanted) {
@@ -124,7 +131,7 @@ tl::expected<std::span<const std::byte>, std::string> GltfBuffers::part(const js
   const auto size = index_of(member(place, "byteLength"), kMostBufferBytes + 1);
   if (!buffer || !begin || !size) return fault("has offsets or sizes that are no such numbers");
   const auto whole = bytes(*buffer);
-  if (!whole) return whole;
+  if (!whole) return fault("needs a buffer that cannot be read: {}", whole.error());
   if (*begin > whole->size() || *size > whole->size() - *begin) {
     return fault("ends at byte {} of a buffer of {}", std::size_t{*begin} + *size, whole->size());
   }

@@ -61,7 +61,7 @@ class GltfBuffers {
   std::set<std::string> side_files_;
 };
 
-/// What a "data:" URI holds; none where that is not base64.
+/// What a "data:" URI holds (RFC 2397), in base64 or with %XX in place of bytes; none where it is damaged.
 [[nodiscard]] std::optional<std::vector<std::byte>> bytes_of_data_uri(std::string_view uri);
 
 /// What EXT_meshopt_compression made of a bufferView, undone. `compression` is the extension's object. The error is a sentence.

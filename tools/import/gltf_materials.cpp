@@ -147,7 +147,7 @@ class MaterialReader {
     std::vector<std::uint8_t> bytes;
     if (is_data) {
       const auto decoded = bytes_of_data_uri(uri.get_ref<const std::string&>());
-      if (!decoded) return reject(name, "its data: URI is not base64");
+      if (!decoded) return reject(name, "its data: URI is damaged");
       const auto* const first = reinterpret_cast<const std::uint8_t*>(decoded->data());
       bytes.assign(first, first + decoded->size());
     } else {

@@ -89,15 +89,33 @@ void warn_of_shape_keys(const std::string& mesh, std::span<const std::string> on
 
 namespace {
 
+using FinestLevels = std::map<std::string, unsigned>;
+
+/// A mesh "Hair" beside "Hair_LOD1" is its level 0, unless there is a "Hair_LOD0".
+void find_unnumbered_levels(const SourceModel& model, std::vector<std::optional<LevelName>>& levels, FinestLevels& finest) {
+  for (std::size_t m = 0; m < model.meshes.size(); ++m) {
+    if (levels[m]) continue;
+    const std::string& node = model.nodes[model.meshes[m].node].name;
+    std::string name = node.empty() ? model.meshes[m].name : node;
+    std::ranges::transform(name, name.begin(), lower);
+    const auto known = finest.find(name);
+    if (!name.empty() && known != finest.end() && known->second > 0) levels[m] = LevelName{name, 0};
+  }
+  for (const auto& level : levels) {
+    if (level) finest[level->thing] = std::min(finest[level->thing], level->level);
+  }
+}
+
 void keep_finest_levels(SourceModel& model) {
   std::vector<std::optional<LevelName>> levels;
-  std::map<std::string, unsigned> finest;
+  FinestLevels finest;
   for (const SourceMesh& mesh : model.meshes) {
     levels.push_back(level_of(model, mesh));
     if (!levels.back()) continue;
     const auto [known, is_new] = finest.emplace(levels.back()->thing, levels.back()->level);
     known->second = std::min(known->second, levels.back()->level);
   }
+  find_unnumbered_levels(model, levels, finest);
   std::vector<std::string> dropped;
   std::vector<SourceMesh> kept;
   for (std::size_t m = 0; m < model.meshes.size(); ++m) {

@@ -23,8 +23,8 @@ void warn_of_coarser(std::span<const std::string> meshes, std::vector<Warning>& 
 /// A warning that shape keys are part of the mesh's shape, each as "'Longer' at 0.5"; none where none is on.
 void warn_of_shape_keys(const std::string& mesh, std::span<const std::string> on, std::vector<Warning>& warnings);
 
-/// The end of every reader. Of meshes that are levels of detail of one thing ("Hair_LOD0", "Hair_LOD1": nodes, those above them or meshes
-/// of one beginning) keeps the finest, with a warning that names the others. Errors (kBadInput): no mesh was left, because the file
+/// The end of every reader. Of meshes that are levels of detail of one thing ("Hair_LOD0", "Hair_LOD1", or "Hair" beside them: nodes, those above
+/// them or meshes of one beginning) keeps the finest, with a warning that names the others. Errors (kBadInput): no mesh was left, because the file
 /// hides all that it has (`hides_all`) or because it has none.
 [[nodiscard]] tl::expected<void, ToolError> keep_shown_meshes(const std::filesystem::path& path, bool hides_all,
                                                               SourceModel& model);
