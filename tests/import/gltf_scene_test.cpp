@@ -138,7 +138,7 @@ TEST_F(GltfScene, MorphTargetsThatAreOnAreApplied) {
   file.document["nodes"][0]["weights"] = {0};
   const SourceModel by_node = model_of(file);
   EXPECT_FLOAT_EQ(by_node.meshes[0].positions[3].y(), 2.0f) << "the node's weights stand before the mesh's";
-  EXPECT_TRUE(by_node.warnings.empty());
+  EXPECT_FALSE(tells(by_node.warnings, "shape keys"));
 }
 
 TEST_F(GltfScene, TheCallerChoosesAVariant) {
@@ -231,8 +231,7 @@ TEST_F(GltfScene, DataUrisMayBeEscaped) {
     document["buffers"] = {{{"byteLength", file.buffer.size()}, {"uri", uri}}};
     return import_model(folder_.write("m.gltf", document.dump()));
   };
-  const std::string in_base64 =
-      base64({reinterpret_cast<const std::uint8_t*>(file.buffer.data()), file.buffer.size()});
+  const std::string in_base64 = base64({reinterpret_cast<const std::uint8_t*>(file.buffer.data()), file.buffer.size()});
   std::string escaped, bytes;
   for (const char letter : in_base64) escaped += fmt::format("%{:02X}", static_cast<unsigned char>(letter));
   for (const char byte : file.buffer) bytes += fmt::format("%{:02x}", static_cast<unsigned char>(byte));

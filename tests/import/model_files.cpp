@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
@@ -25,8 +27,9 @@ class GltfBuffer {
     bytes_.append(reinterpret_cast<const char*>(values.data()), size);
     bytes_.resize((bytes_.size() + 3) / 4 * 4);
     views_.push_back(fmt::format(R"({{"buffer": 0, "byteOffset": {}, "byteLength": {}}})", start, size));
-    accessors_.push_back(fmt::format(R"({{"bufferView": {}, "componentType": {}, "count": {}, "type": "{}"}})",
-                                     views_.size() - 1, component_type, values.size() / std::size_t(components), type));
+    accessors_.push_back(fmt::format(R"({{"bufferView": {}, "componentType": {}, "count": {}, "type": "{}"{}}})",
+                                     views_.size() - 1, component_type, values.size() / std::size_t(components), type,
+                                     components == 3 ? bounds_of(values) : ""));
     return static_cast<int>(views_.size()) - 1;
   }
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
@@ -36,6 +39,18 @@ class GltfBuffer {
   }
 
  private:
+  /// Of places, as the format asks; none where they are no numbers, which JSON cannot have.
+  template <class T>
+  static std::string bounds_of(const std::vector<T>& values) {
+    double least[3] = {1e300, 1e300, 1e300}, most[3] = {-1e300, -1e300, -1e300};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!std::isfinite(double(values[i]))) return "";
+      least[i % 3] = std::min(least[i % 3], double(values[i]));
+      most[i % 3] = std::max(most[i % 3], double(values[i]));
+    }
+    return fmt::format(R"(, "min": [{}], "max": [{}])", fmt::join(least, ", "), fmt::join(most, ", "));
+  }
+
   std::string bytes_;
   std::vector<std::string> views_, accessors_;
 };

@@ -234,7 +234,8 @@ tl::expected<Exit, ToolError> publish(const std::vector<Verdict>& verdicts, cons
   verdicts.push_back({path, true, judge({import_issue(error)}, options.policy), {}});
   tell(verdicts.back(), messages);
   if (const std::size_t left = options.files.size() - verdicts.size(); left > 0)
-    messages.error(fmt::format("{} not checked, since the work on {} had to be ended", counted(left, "file was", "files were"), path));
+    messages.error(fmt::format("{} not checked, since the work on {} had to be ended",
+                               counted(left, "file was", "files were"), path));
   const auto code = publish(verdicts, options);
   if (!code) messages.error(code.error().message);
   std::fflush(stdout);

@@ -151,8 +151,9 @@ tl::expected<CookSummary, FailedCook> run_cook_job(const CookOptions& options, c
   for (const Warning& warning : result.report.warnings)
     messages.warning(fmt::format("{}: {} [{}]", options.source(), std::string_view(warning), warning.code));
   if (const std::size_t count = result.report.warnings.size(); options.warnings_as_errors && count > 0) {
-    const auto failed = file_failure(ToolError::Kind::kBadInput, options.source(), "{} warning{}, and --warnings-as-errors; nothing was written",
-                                     count, count == 1 ? "" : "s");
+    const auto failed =
+        file_failure(ToolError::Kind::kBadInput, options.source(),
+                     "{} warning{}, and --warnings-as-errors; nothing was written", count, count == 1 ? "" : "s");
     return tl::unexpected(FailedCook(failed.value(), cook_issues(result.report)));
   }
   CookSummary summary{options.output,

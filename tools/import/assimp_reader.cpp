@@ -187,7 +187,7 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   for (std::string& fault : faults_of_weights(document))
     model.warnings.emplace_back(source_code::kSkin, std::move(fault));
   model.named_images = named_images(scene);
-  model.meshes = convert_meshes(scene, nodes, {suffix.format, model.space.generator}, model.warnings);
+  model.meshes = convert_meshes(scene, nodes, {suffix.format, model.space.generator, &collada}, model.warnings);
   const bool hides_all = hides_all_meshes(nodes);
   model.nodes = std::move(nodes.nodes);
   if (auto kept = keep_shown_meshes(path, hides_all, model); !kept) return tl::unexpected(kept.error());

@@ -92,7 +92,8 @@ namespace {
 using FinestLevels = std::map<std::string, unsigned>;
 
 /// A mesh "Hair" beside "Hair_LOD1" is its level 0, unless there is a "Hair_LOD0".
-void find_unnumbered_levels(const SourceModel& model, std::vector<std::optional<LevelName>>& levels, FinestLevels& finest) {
+void find_unnumbered_levels(const SourceModel& model, std::vector<std::optional<LevelName>>& levels,
+                            FinestLevels& finest) {
   for (std::size_t m = 0; m < model.meshes.size(); ++m) {
     if (levels[m]) continue;
     const std::string& node = model.nodes[model.meshes[m].node].name;
