@@ -37,13 +37,7 @@ std::size_t width_of(const std::string& type) {
 
 /// Readers ask for the bounds of positions, some of them loudly; what they say is not used here.
 void add_bounds(std::span<const float> numbers, json& accessor) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    float least = numbers[k], most = numbers[k];
-    for (std::size_t i = k; i < numbers.size(); i += 3)
-      least = std::min(least, numbers[i]), most = std::max(most, numbers[i]);
-    accessor["min"].push_back(least);
-    accessor["max"].push_back(most);
-  }
+  accessor.update(json::parse("{" + bounds_of(numbers) + "}"));
 }
 
 std::string compressed(const std::string& bytes, std::size_t count, std::size_t stride) {
@@ -116,6 +110,12 @@ GltfBuilder& GltfBuilder::attribute(const std::string& name, std::span<const flo
   primitive()["attributes"][name] = index;
   if (name == "POSITION") add_bounds(numbers, document["accessors"][index]);
   return *this;
+}
+
+std::size_t GltfBuilder::add_places(std::span<const float> numbers) {
+  const std::size_t index = add(numbers, "VEC3");
+  add_bounds(numbers, document["accessors"][index]);
+  return index;
 }
 
 GltfBuilder& GltfBuilder::textured(const json& texture_info, const json& sampler) {

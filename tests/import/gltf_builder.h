@@ -32,6 +32,8 @@ class GltfBuilder {
 
   /// Adds an accessor and returns its number. `type` is "SCALAR", "VEC3" ...
   std::size_t add(std::span<const float> numbers, const std::string& type, const Storage& storage = {});
+  /// The same of places, with their bounds.
+  std::size_t add_places(std::span<const float> numbers);
   /// Adds a bufferView and returns its number.
   std::size_t add_view(const std::string& bytes);
   /// Sets an attribute of the primitive.

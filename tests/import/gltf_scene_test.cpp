@@ -129,7 +129,7 @@ TEST_F(GltfScene, OfLevelsOfDetailTheFinestIsKept) {
 TEST_F(GltfScene, MorphTargetsThatAreOnAreApplied) {
   const std::vector<float> longer{0, 0, 0, 0, 0, 0, 0, -1, 0, 0, -1, 0};
   GltfBuilder file;
-  file.primitive()["targets"] = {{{"POSITION", file.add(longer, "VEC3")}}};
+  file.primitive()["targets"] = {{{"POSITION", file.add_places(longer)}}};
   file.document["meshes"][0]["extras"]["targetNames"] = {"Longer"};
   file.document["meshes"][0]["weights"] = {0.5};
   const SourceModel by_mesh = model_of(file);
@@ -138,7 +138,7 @@ TEST_F(GltfScene, MorphTargetsThatAreOnAreApplied) {
   file.document["nodes"][0]["weights"] = {0};
   const SourceModel by_node = model_of(file);
   EXPECT_FLOAT_EQ(by_node.meshes[0].positions[3].y(), 2.0f) << "the node's weights stand before the mesh's";
-  EXPECT_FALSE(tells(by_node.warnings, "shape keys"));
+  EXPECT_TRUE(by_node.warnings.empty());
 }
 
 TEST_F(GltfScene, TheCallerChoosesAVariant) {

@@ -1,8 +1,8 @@
 #include "import/model_files.h"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <type_traits>
 
 namespace coif::test {
 namespace {
@@ -27,9 +28,11 @@ class GltfBuffer {
     bytes_.append(reinterpret_cast<const char*>(values.data()), size);
     bytes_.resize((bytes_.size() + 3) / 4 * 4);
     views_.push_back(fmt::format(R"({{"buffer": 0, "byteOffset": {}, "byteLength": {}}})", start, size));
-    accessors_.push_back(fmt::format(R"({{"bufferView": {}, "componentType": {}, "count": {}, "type": "{}"{}}})",
+    std::string bounds;
+    if constexpr (std::is_same_v<T, float>) bounds = components == 3 ? bounds_of(values) : "";
+    accessors_.push_back(fmt::format(R"({{"bufferView": {}, "componentType": {}, "count": {}, "type": "{}"{}{}}})",
                                      views_.size() - 1, component_type, values.size() / std::size_t(components), type,
-                                     components == 3 ? bounds_of(values) : ""));
+                                     bounds.empty() ? "" : ", ", bounds));
     return static_cast<int>(views_.size()) - 1;
   }
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
@@ -39,18 +42,6 @@ class GltfBuffer {
   }
 
  private:
-  /// Of places, as the format asks; none where they are no numbers, which JSON cannot have.
-  template <class T>
-  static std::string bounds_of(const std::vector<T>& values) {
-    double least[3] = {1e300, 1e300, 1e300}, most[3] = {-1e300, -1e300, -1e300};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (!std::isfinite(double(values[i]))) return "";
-      least[i % 3] = std::min(least[i % 3], double(values[i]));
-      most[i % 3] = std::max(most[i % 3], double(values[i]));
-    }
-    return fmt::format(R"(, "min": [{}], "max": [{}])", fmt::join(least, ", "), fmt::join(most, ", "));
-  }
-
   std::string bytes_;
   std::vector<std::string> views_, accessors_;
 };
@@ -59,6 +50,16 @@ constexpr int kFloat = 5126;
 constexpr int kUnsignedShort = 5123;
 
 }  // namespace
+
+std::string bounds_of(std::span<const float> places) {
+  float least[3], most[3];
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!std::isfinite(places[i])) return "";
+    least[i % 3] = i < 3 ? places[i] : std::min(least[i % 3], places[i]);
+    most[i % 3] = i < 3 ? places[i] : std::max(most[i % 3], places[i]);
+  }
+  return fmt::format(R"("min": [{}], "max": [{}])", fmt::join(least, ", "), fmt::join(most, ", "));
+}
 
 TemporaryFolder::TemporaryFolder() {
   std::string pattern = (fs::temp_directory_path() / "coif-import-XXXXXX").string();

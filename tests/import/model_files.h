@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,9 @@ struct SmallGltf {
 
   [[nodiscard]] std::filesystem::path write(const TemporaryFolder& folder, const std::string& name) const;
 };
+
+/// "min" and "max" of an accessor of places, which glTF asks for, as JSON; nothing where one is no number, which JSON cannot have.
+[[nodiscard]] std::string bounds_of(std::span<const float> places);
 
 /// An ASCII FBX of lines of GlobalSettings, objects and connections.
 [[nodiscard]] std::string fbx_document(const std::string& settings, const std::string& objects,

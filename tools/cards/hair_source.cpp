@@ -8,7 +8,7 @@
 #include "cook/select/hair_evidence.h"
 #include "groom/read_groom.h"
 #include "grow/grow_hair.h"
-#include "import/source_codes.h"
+#include "import/source_warnings.h"
 
 #include <algorithm>
 #include <optional>
@@ -122,8 +122,8 @@ Model read_model(const fs::path& path, const Recipe& recipe, const HairSourceSet
     return cards_on(std::move(*groom), std::move(body), recipe, settings);
   }
   if (model && !recipe.cards_body.empty()) {
-    model->warnings.emplace_back(source_code::kNoStrands,
-                                 "the file has strips: \"cards.body\" is for strands, and is not read");
+    warn(model->warnings, source_code::kNoStrands,
+         "the file has strips: \"cards.body\" is for strands, and is not read");
   }
   return model;
 }

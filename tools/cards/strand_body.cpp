@@ -7,7 +7,7 @@
 #include "cook/select/head.h"
 #include "grow/body_surface.h"
 #include "grow/head_frame.h"
-#include "import/source_codes.h"
+#include "import/source_warnings.h"
 
 #include <fmt/format.h>
 
@@ -134,9 +134,8 @@ std::uint32_t find_head_node(SourceModel& body, std::vector<Warning>& warnings) 
   if (const std::uint32_t named = head_node_of(body); named != kNoIndex) return named;
   const Skin skin = skin_of(body);
   if (const auto head = grow::find_head(skin.positions, skin.triangles)) return make_head_node(*head, body);
-  warnings.emplace_back(
-      source_code::kBody,
-      fmt::format("{}: nothing is called head, and no skull is found at its top; name a node head", body.path));
+  warn(warnings, source_code::kBody, "{}: nothing is called head, and no skull is found at its top; name a node head",
+       body.path);
   return kNoIndex;
 }
 
@@ -160,11 +159,10 @@ void place_on_body(const SourceModel& body, Groom& groom) {
   const std::size_t best = std::size_t(std::ranges::min_element(off) - off.begin());
   const float far = off.front() * extent;
   if (off[best] >= kOnSkin || off[best] > kBetter * off.front()) {
-    groom.warnings.emplace_back(
-        source_code::kBody,
-        fmt::format("roots lie {:.3g} m from {}; give both files one unit, one up axis and one place, or say the "
-                    "strands' own by the recipe's \"source.metres_per_unit\" and \"source.up_axis\"",
-                    far, body.path));
+    warn(groom.warnings, source_code::kBody,
+         "roots lie {:.3g} m from {}; give both files one unit, one up axis and one place, or say the "
+         "strands' own by the recipe's \"source.metres_per_unit\" and \"source.up_axis\"",
+         far, body.path);
     return;
   }
   const OtherSpace& space = spaces[best];
@@ -172,20 +170,18 @@ void place_on_body(const SourceModel& body, Groom& groom) {
   for (float& width : groom.widths) width *= space.scale;
   groom.space.metres_per_unit *= double(space.scale);
   groom.space.up_axis = axis_after(groom.space.up_axis, space.up);
-  groom.warnings.emplace_back(
-      source_code::kBody,
-      fmt::format("roots would lie {:.3g} m from {}; the strands are taken as of {:.4g} m per unit with {} up: set "
-                  "\"source.metres_per_unit\" and \"source.up_axis\" in the recipe if that is wrong",
-                  far, body.path, groom.space.metres_per_unit, char(groom.space.up_axis - 'a' + 'A')));
+  warn(groom.warnings, source_code::kBody,
+       "roots would lie {:.3g} m from {}; the strands are taken as of {:.4g} m per unit with {} up: set "
+       "\"source.metres_per_unit\" and \"source.up_axis\" in the recipe if that is wrong",
+       far, body.path, groom.space.metres_per_unit, char(groom.space.up_axis - 'a' + 'A'));
 }
 
 void add_body(SourceModel body, SourceModel& cards) {
   std::size_t dropped = 0;
   for (const SourceMesh& mesh : body.meshes) dropped += is_hair(body, mesh) ? 1 : 0;
   if (dropped > 0)
-    cards.warnings.emplace_back(
-        source_code::kBody,
-        fmt::format("{}: {} of its meshes are called hair and left out; strands are the hair", body.path, dropped));
+    warn(cards.warnings, source_code::kBody, "{}: {} of its meshes are called hair and left out; strands are the hair",
+         body.path, dropped);
   std::erase_if(body.meshes, [&](const SourceMesh& mesh) { return is_hair(body, mesh); });
   const std::uint32_t head = find_head_node(body, cards.warnings);
   const auto nodes = std::uint32_t(body.nodes.size());

@@ -180,7 +180,7 @@ ordered_json outcome_of(const CookOptions& options, const CookRequest& request, 
                        {"exit_code", int(Exit::kOk)},
                        {"ms", elapsed.count()}};
   if (summary) {
-    outcome.update(ordered_json::parse(cook_json(*summary)));
+    outcome.update(cook_json(*summary));
     for (const auto* const files : {&summary->files, &summary->named}) {
       for (const fs::path& file : *files) outcome[kInputs].push_back(file_identity(file));
     }
@@ -190,7 +190,7 @@ ordered_json outcome_of(const CookOptions& options, const CookRequest& request, 
   CookOptions alone = options;
   alone.sources = {request.source};
   alone.output = request.output;
-  outcome.update(ordered_json::parse(failed_cook_json(alone, summary.error())));
+  outcome.update(failed_cook_json(alone, summary.error()));
   return outcome;
 }
 

@@ -1,3 +1,4 @@
+#include "base/json.h"
 #include "base/parallel_for.h"
 #include "cards/hair_source.h"
 #include "cli/asset_summary.h"
@@ -59,7 +60,8 @@ tl::expected<Exit, FailedCook> run_options(const CookOptions& options, const Mes
   }
   if (is_batch && !options.print_recipe) return run_cook_batch(options, messages);
   if (options.sources.empty() && !options.print_recipe) return usage("needs a SOURCE; see 'coif cook --help'");
-  auto choice = choose_recipe(options.sources.empty() ? "" : options.source(), options.recipe, messages, {options.preset, ""});
+  auto choice =
+      choose_recipe(options.sources.empty() ? "" : options.source(), options.recipe, messages, {options.preset, ""});
   if (!choice) return tl::unexpected(failed_by_recipe(choice.error()));
   choose_body(options.body, *choice);
   if (auto known = acknowledge(options, *choice); !known) return tl::unexpected(failed_by_recipe(known.error()));
@@ -75,13 +77,14 @@ tl::expected<Exit, FailedCook> run_options(const CookOptions& options, const Mes
   const auto summary = run_cook_job(options, *choice, messages);
   if (!summary) return tl::unexpected(summary.error());
   const bool as_json = options.format == OutputFormat::kJson;
-  if (as_json || !options.quiet) print_result(as_json ? cook_json(*summary) : cook_text(*summary, options.verbose));
+  if (as_json || !options.quiet)
+    print_result(as_json ? json_text(cook_json(*summary)) : cook_text(*summary, options.verbose));
   return Exit::kOk;
 }
 
 /// Says what went wrong where results go, too.
 void tell_failure(const CookOptions& options, const FailedCook& failed, const Messages& messages) {
-  if (options.format == OutputFormat::kJson) print_result(failed_cook_json(options, failed));
+  if (options.format == OutputFormat::kJson) print_result(json_text(failed_cook_json(options, failed)));
   report_failed_cook(options, failed, messages);
 }
 
@@ -147,9 +150,10 @@ Command add_cook(CLI::App& program) {
   app->add_option("--cache", options->cache, "Keep results in this folder, and take them from there")->type_name("DIR");
   add_roots(*app, options->roots);
   app->add_flag("--print-recipe", options->print_recipe, "Print the complete recipe with comments, cook nothing");
-  app->add_option("--list", options->list,
-                  "Cook nothing, but print the source's meshes, materials and nodes, or the 'patches' that a recipe can say"
-                  " something of, and draw them with -o PICTURE.png")
+  app->add_option(
+         "--list", options->list,
+         "Cook nothing, but print the source's meshes, materials and nodes, or the 'patches' that a recipe can say"
+         " something of, and draw them with -o PICTURE.png")
       ->expected(0, 1)
       ->type_name("[source|patches]");
   CLI::Option* quiet = app->add_flag("-q,--quiet", options->quiet, "Print errors and warnings only, and no progress");

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <functional>
 #include <map>
 #include <memory>
@@ -37,7 +36,7 @@ struct OriginOptions {
   std::optional<std::string> recipe;  ///< None: the one beside the source, or the defaults.
   std::vector<fs::path> roots;        ///< ImportSettings::roots.
   SourceLimits limits;
-  bool recook = false;                ///< Compare with the bytes of a new cook, too.
+  bool recook = false;                          ///< Compare with the bytes of a new cook, too.
   std::function<void(const ToolError&)> end{};  ///< LimitedWork calls it.
 };
 
@@ -205,7 +204,8 @@ tl::expected<void, ToolError> check_usage(const ValidateOptions& options) {
 bool is_only_unsupported(const Verdict& verdict) {
   const auto is_error = [](const Issue& issue) { return issue.severity == Severity::kError; };
   auto errors = verdict.issues.shown | std::views::filter(is_error);
-  return !std::ranges::empty(errors) && std::ranges::all_of(errors, [](const Issue& e) { return is_unsupported(e.code); });
+  return !std::ranges::empty(errors) &&
+         std::ranges::all_of(errors, [](const Issue& e) { return is_unsupported(e.code); });
 }
 
 Exit exit_of(std::span<const Verdict> verdicts) {
@@ -222,8 +222,8 @@ tl::expected<Exit, ToolError> publish(const std::vector<Verdict>& verdicts, cons
   print_result(options.format == OutputFormat::kJson ? verdicts_json(verdicts) : verdicts_text(verdicts));
   if (!options.report.empty()) {
     const std::string page = verdict_page(verdicts);
-    auto written = write_output(options.report, std::as_bytes(std::span(page)));
-    if (!written) return tl::unexpected(written.error());
+    if (auto written = write_output(options.report, std::as_bytes(std::span(page))); !written)
+      return tl::unexpected(written.error());
   }
   return exit_of(verdicts);
 }
@@ -283,7 +283,9 @@ void add_origin(CLI::App& app, OriginOptions& origin) {
 }  // namespace
 
 Command add_validate(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("validate", "Check assets and sources; exit code 3 where one has an error, 5 where all that is wrong is that it is not read here");
+  CLI::App* app = program.add_subcommand("validate",
+                                         "Check assets and sources; exit code 3 where one has an error, 5 where all "
+                                         "that is wrong is that it is not read here");
   const auto options = std::make_shared<ValidateOptions>();
   app->add_option("FILE", options->files, "Cooked assets or models");
   add_policy(*app, options->policy);

@@ -1,6 +1,7 @@
 #include "cli/cook_job.h"
 
 #include "base/files.h"
+#include "base/json.h"
 #include "base/parallel_for.h"
 #include "cache/cook_cache.h"
 #include "cache/manifest.h"
@@ -126,7 +127,8 @@ tl::expected<void, ToolError> acknowledge(const CookOptions& options, RecipeChoi
   return check_ignored(options.ignored, "--ignore");
 }
 
-tl::expected<CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice, const Messages& messages) {
+tl::expected<CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice,
+                                               const Messages& messages) {
   LimitedWork work = work_on(options, messages);
   return work.run([&]() -> tl::expected<CookResult, FailedCook> {
     const auto bytes = FileBytes::read(options.source());
@@ -168,7 +170,7 @@ tl::expected<CookSummary, FailedCook> run_cook_job(const CookOptions& options, c
     return write_output(path, bytes, options.durable ? Durability::kNow : Durability::kSoon);
   };
   auto written = write(options.output, result.asset);
-  const std::string report = options.report.empty() ? "" : cook_json(summary);
+  const std::string report = options.report.empty() ? "" : json_text(cook_json(summary));
   if (written && !options.report.empty()) written = write(options.report, std::as_bytes(std::span(report)));
   if (written && !options.depfile.empty()) written = write(options.depfile, std::as_bytes(std::span(*depfile)));
   if (!written) return tl::unexpected(written.error());

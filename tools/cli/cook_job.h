@@ -10,6 +10,7 @@
 #include "import/import.h"
 #include "validate/issue_codes.h"
 
+#include <nlohmann/json_fwd.hpp>
 #include <tl/expected.hpp>
 
 #include <algorithm>
@@ -22,17 +23,17 @@ namespace coif {
 
 /// A cook as it is told to people and programs.
 struct CookSummary {
-  std::string output;       ///< Path of the asset.
-  std::size_t bytes = 0;    ///< Its size.
-  CookReport report;        ///< Passes include the import; warnings include the importer's.
-  bool draft = false;       ///< CookSettings::draft.
-  bool from_cache = false;  ///< The report's times are those of the cook that filled the cache.
+  std::string output;                        ///< Path of the asset.
+  std::size_t bytes = 0;                     ///< Its size.
+  CookReport report;                         ///< Passes include the import; warnings include the importer's.
+  bool draft = false;                        ///< CookSettings::draft.
+  bool from_cache = false;                   ///< The report's times are those of the cook that filled the cache.
   std::vector<std::filesystem::path> files;  ///< What was read beside the source, or looked for in vain.
   std::vector<std::filesystem::path> named;  ///< CookInputs::named_files.
 };
 
 /// The result as JSON; the keys are stable.
-[[nodiscard]] std::string cook_json(const CookSummary& summary);
+[[nodiscard]] nlohmann::ordered_json cook_json(const CookSummary& summary);
 
 /// What was made and what to do next; `in_full` with all notes, what was left out, the passes' times and the files.
 [[nodiscard]] std::string cook_text(const CookSummary& summary, bool in_full);
@@ -62,7 +63,7 @@ struct CookOptions {
   bool quiet = false;  ///< Errors and warnings only, and what was asked for as JSON.
   bool verbose = false;
   bool durable = false;
-  bool draft = false;  ///< CookSettings::draft.
+  bool draft = false;         ///< CookSettings::draft.
   bool list_patches = false;  ///< CookSettings::list_patches.
   bool warnings_as_errors = false;
   std::vector<std::string> ignored;  ///< Codes, beside the recipe's "warnings.acknowledged".
@@ -83,7 +84,7 @@ struct FailedCook : ToolError {
 [[nodiscard]] FailedCook failed_by_recipe(const ToolError& error);
 
 /// A cook that failed as JSON: source, output, status, exit_code, error, issues; the keys are stable.
-[[nodiscard]] std::string failed_cook_json(const CookOptions& options, const FailedCook& failed);
+[[nodiscard]] nlohmann::ordered_json failed_cook_json(const CookOptions& options, const FailedCook& failed);
 
 /// Writes that to --report, where one is asked for: in place of an earlier report or where there is no file, and never over anything
 /// else, since a failed cook does not know all that its source names.
@@ -93,7 +94,8 @@ void report_failed_cook(const CookOptions& options, const FailedCook& failed, co
 tl::expected<void, ToolError> acknowledge(const CookOptions& options, RecipeChoice& choice);
 
 /// Of the first of `options.sources`: cooks within the limits, without a cache, and writes nothing.
-tl::expected<CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice, const Messages& messages);
+tl::expected<CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice,
+                                               const Messages& messages);
 
 /// Of the first of `options.sources`: cooks, or takes the result from the cache, tells the warnings, and writes asset, report
 /// and depfile, each whole or not at all and none without the asset.

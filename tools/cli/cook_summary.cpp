@@ -79,28 +79,28 @@ std::string told_with_v(const CookReport& report) {
 
 }  // namespace
 
-std::string cook_json(const CookSummary& summary) {
+nlohmann::ordered_json cook_json(const CookSummary& summary) {
   const CookReport& report = summary.report;
   auto passes = nlohmann::ordered_json::array();
   for (const PassTime& pass : report.passes) passes.push_back({{"name", pass.name}, {"ms", pass.ms}});
-  return json_text({{"output", summary.output},
-                    {"bytes", summary.bytes},
-                    {"draft", summary.draft},
-                    {"from_cache", summary.from_cache},
-                    {"passes", std::move(passes)},
-                    {"warnings", std::vector<std::string>(report.warnings.begin(), report.warnings.end())},
-                    {"issues", issues_json(report)},
-                    {"triangles", report.triangles},
-                    {"vertices", report.vertices},
-                    {"patches", report.patches},
-                    {"patches_by_index", report.patches_by_index},
-                    {"patches_by_position", report.patches_by_position},
-                    {"chains", report.chains},
-                    {"bones", report.bones},
-                    {"simulated_bones", report.simulated_bones},
-                    {"draw_order", draw_order_json(report.order)},
-                    {"notes", report.notes},
-                    {"left_out", left_out_json(report)}});
+  return {{"output", summary.output},
+          {"bytes", summary.bytes},
+          {"draft", summary.draft},
+          {"from_cache", summary.from_cache},
+          {"passes", std::move(passes)},
+          {"warnings", std::vector<std::string>(report.warnings.begin(), report.warnings.end())},
+          {"issues", issues_json(report)},
+          {"triangles", report.triangles},
+          {"vertices", report.vertices},
+          {"patches", report.patches},
+          {"patches_by_index", report.patches_by_index},
+          {"patches_by_position", report.patches_by_position},
+          {"chains", report.chains},
+          {"bones", report.bones},
+          {"simulated_bones", report.simulated_bones},
+          {"draw_order", draw_order_json(report.order)},
+          {"notes", report.notes},
+          {"left_out", left_out_json(report)}};
 }
 
 namespace {
@@ -117,14 +117,14 @@ nlohmann::ordered_json issues_json(const CookOptions& options, const FailedCook&
 
 }  // namespace
 
-std::string failed_cook_json(const CookOptions& options, const FailedCook& failed) {
+nlohmann::ordered_json failed_cook_json(const CookOptions& options, const FailedCook& failed) {
   const Exit code = exit_code(failed.kind);
-  return json_text({{"source", options.sources.empty() ? "" : options.source()},
-                    {"output", options.output},
-                    {"status", status_word(code)},
-                    {"exit_code", int(code)},
-                    {"error", failed.message},
-                    {"issues", issues_json(options, failed)}});
+  return {{"source", options.sources.empty() ? "" : options.source()},
+          {"output", options.output},
+          {"status", status_word(code)},
+          {"exit_code", int(code)},
+          {"error", failed.message},
+          {"issues", issues_json(options, failed)}};
 }
 
 namespace {
@@ -148,7 +148,7 @@ void report_failed_cook(const CookOptions& options, const FailedCook& failed, co
       !is_report(options.report)) {
     return messages.warning(options.report + ": is no report of an earlier cook, and was left as it is");
   }
-  const std::string report = failed_cook_json(options, failed);
+  const std::string report = json_text(failed_cook_json(options, failed));
   if (auto written = write_output(options.report, std::as_bytes(std::span(report))); !written)
     messages.warning(written.error().message);
 }

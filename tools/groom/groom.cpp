@@ -1,7 +1,7 @@
 #include "groom/groom.h"
 
 #include "base/text.h"
-#include "import/source_codes.h"
+#include "import/source_warnings.h"
 
 #include <fmt/format.h>
 
@@ -63,10 +63,8 @@ std::string groups_fault(const Groom& groom) {
   return next == groom.strand_count() ? "" : "strands without a group";
 }
 
-void warn(std::size_t count, const char* what, std::vector<Warning>& warnings) {
-  if (count != 0)
-    warnings.emplace_back(source_code::kStrands,
-                          fmt::format("{} left out: {}", counted(count, "strand", "strands"), what));
+void warn_of(std::size_t count, const char* what, std::vector<Warning>& warnings) {
+  if (count != 0) warn(warnings, source_code::kStrands, "{} left out: {}", counted(count, "strand", "strands"), what);
 }
 
 }  // namespace
@@ -122,9 +120,9 @@ std::string GroomBuilder::finish() {
     return fmt::format("more than {} strands or {} points; export guides, or a part of the hair", kMostStrands,
                        kMostStrandPoints);
   }
-  warn(too_short_, "fewer than two points", groom_.warnings);
-  warn(misplaced_, "points that are no numbers, or farther out than a million units", groom_.warnings);
-  warn(without_length_, "all of their points at one place", groom_.warnings);
+  warn_of(too_short_, "fewer than two points", groom_.warnings);
+  warn_of(misplaced_, "points that are no numbers, or farther out than a million units", groom_.warnings);
+  warn_of(without_length_, "all of their points at one place", groom_.warnings);
   return groom_.strand_count() == 0 ? "no strand that could be used; export curves as polylines" : "";
 }
 

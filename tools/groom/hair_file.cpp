@@ -1,6 +1,6 @@
 #include "groom/little_endian.h"
 #include "groom/strand_files.h"
-#include "import/source_codes.h"
+#include "import/source_warnings.h"
 
 #include <algorithm>
 #include <array>
@@ -84,9 +84,8 @@ struct PointArrays {
       for (int k = 0; k < 3; ++k) limit(color[k], 1);
     }
     if (bad != 0)
-      warnings.emplace_back(
-          source_code::kStrands,
-          fmt::format("{} thicknesses, transparencies or colours out of their range set to its end", bad));
+      warn(warnings, source_code::kStrands,
+           "{} thicknesses, transparencies or colours out of their range set to its end", bad);
   }
 
   [[nodiscard]] GroomBuilder::Attributes of(std::size_t begin, std::size_t count) const {

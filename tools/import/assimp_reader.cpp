@@ -2,11 +2,12 @@
 
 #include "base/files.h"
 #include "base/text.h"
+#include "import/collada_document.h"
 #include "import/fbx_objects.h"
 #include "import/import.h"
 #include "import/scene_surface.h"
 #include "import/shown_meshes.h"
-#include "import/source_codes.h"
+#include "import/source_warnings.h"
 
 #include <assimp/BaseImporter.h>
 #include <assimp/DefaultIOSystem.h>
@@ -120,14 +121,12 @@ void warn_of_lost_library(const std::string& library, bool lies_outside, const a
                           : !std::filesystem::exists(status) ? "there is no such file beside the model"
                           : lies_outside ? "it lies outside of the model's folder, which --root allows"
                                          : "it cannot be opened";
-  const bool has_another = std::ranges::any_of(std::span(scene.mMaterials, scene.mNumMaterials), [](const aiMaterial* m) {
-    return m->GetName() != aiString(AI_DEFAULT_MATERIAL_NAME);
-  });
-  model.warnings.emplace_back(
-      source_code::kMaterials,
-      fmt::format(
-          "'{}' is named for the materials and was not read{}: {}; put the file beside the model, or export as .glb",
-          printable_text(name, 100), has_another ? "" : ", so that none has a colour or texture", why));
+  const bool has_another =
+      std::ranges::any_of(std::span(scene.mMaterials, scene.mNumMaterials),
+                          [](const aiMaterial* m) { return m->GetName() != aiString(AI_DEFAULT_MATERIAL_NAME); });
+  warn(model.warnings, source_code::kMaterials,
+       "'{}' is named for the materials and was not read{}: {}; put the file beside the model, or export as .glb",
+       printable_text(name, 100), has_another ? "" : ", so that none has a colour or texture", why);
 }
 
 std::vector<char> bytes_of(const std::filesystem::path& path) {
@@ -181,11 +180,10 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   if (objects) add_fbx_objects(*objects, scene, nodes);
   convert_materials(scene, suffix.format, model);
   if (objects) apply_fbx_wraps(*objects, model.materials);
-  const std::string_view document = is_dae ? std::string_view(file.data(), file.size()) : std::string_view();
+  pugi::xml_document document = is_dae ? parse_collada({file.data(), file.size()}) : pugi::xml_document();
   const ColladaTextures collada(document);
   collada.apply(model.materials);
-  for (std::string& fault : faults_of_weights(document))
-    model.warnings.emplace_back(source_code::kSkin, std::move(fault));
+  warn_of_weights(document, model.warnings);
   model.named_images = named_images(scene);
   model.meshes = convert_meshes(scene, nodes, {suffix.format, model.space.generator, &collada}, model.warnings);
   const bool hides_all = hides_all_meshes(nodes);

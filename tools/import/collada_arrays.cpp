@@ -1,4 +1,6 @@
+#include "import/collada_document.h"
 #include "import/import.h"
+#include "import/source_warnings.h"
 
 #include "base/text.h"
 
@@ -9,7 +11,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <map>
 #include <new>
 #include <string_view>
@@ -54,15 +55,11 @@ std::uint64_t reach(const pugi::xml_node& accessor) {
 }  // namespace
 
 std::optional<std::string> overrun_array(std::string_view document) {
-  pugi::xml_document parsed;
-  const pugi::xml_parse_result result = parsed.load_buffer(document.data(), document.size());
-  if (result.status == pugi::status_out_of_memory) throw std::bad_alloc();
-  if (!result) return {};
+  pugi::xml_document parsed = parse_collada(document);
   Arrays arrays;
   parsed.traverse(arrays);
   for (const pugi::xml_node& accessor : arrays.accessors) {
-    const std::string_view source = accessor.attribute("source").value();
-    const auto array = arrays.sizes.find(source.substr(source.starts_with('#') ? 1 : 0));
+    const auto array = arrays.sizes.find(collada_id(accessor.attribute("source")));
     if (array == arrays.sizes.end() || reach(accessor) <= array->second) continue;
     return fmt::format("an accessor reads {} numbers of the array '{}', which has {}", reach(accessor),
                        printable_text(array->first, 100), array->second);
@@ -72,7 +69,7 @@ std::optional<std::string> overrun_array(std::string_view document) {
 
 namespace {
 
-/// Of the text of an array.
+/// How many of an array's numbers are no weights; `text` has them.
 std::size_t unusable_weights(const char* text) {
   std::size_t count = 0;
   for (char* end = nullptr;; text = end) {
@@ -82,39 +79,21 @@ std::size_t unusable_weights(const char* text) {
   }
 }
 
-class Skins : public pugi::xml_tree_walker {
- public:
-  bool for_each(pugi::xml_node& node) override {
-    if (std::strcmp(node.name(), "skin") == 0) skins.push_back(node);
-    return true;
-  }
-
-  std::vector<pugi::xml_node> skins;
-};
-
 }  // namespace
 
-std::vector<std::string> faults_of_weights(std::string_view document) {
-  pugi::xml_document parsed;
-  const pugi::xml_parse_result result = parsed.load_buffer(document.data(), document.size());
-  if (result.status == pugi::status_out_of_memory) throw std::bad_alloc();
-  std::vector<std::string> faults;
-  if (!result) return faults;
-  Skins found;
-  parsed.traverse(found);
-  for (const pugi::xml_node& skin : found.skins) {
+void warn_of_weights(const pugi::xml_document& document, std::vector<Warning>& warnings) {
+  for (const pugi::xpath_node& found : document.select_nodes("//skin")) {
+    const pugi::xml_node skin = found.node();
     const pugi::xml_node input = skin.child("vertex_weights").find_child_by_attribute("input", "semantic", "WEIGHT");
-    const std::string_view reference = input.attribute("source").value();
-    const std::string id(reference.substr(reference.starts_with('#') ? 1 : 0));
+    const std::string id(collada_id(input.attribute("source")));
     const pugi::xml_node source = skin.find_child_by_attribute("source", "id", id.c_str());
     const std::size_t count = unusable_weights(source.child("float_array").child_value());
     if (count == 0) continue;
-    faults.push_back(fmt::format(
-        "skin '{}': {} bone weights below zero or not finite dropped; normalize the weights (Blender: Weights > "
-        "Normalize All) and export again",
-        printable_text(skin.parent().attribute("id").value(), 100), count));
+    warn(warnings, source_code::kSkin,
+         "skin '{}': {} bone weights below zero or not finite dropped; normalize the weights (Blender: Weights > "
+         "Normalize All) and export again",
+         printable_text(skin.parent().attribute("id").value(), 100), count);
   }
-  return faults;
 }
 
 }  // namespace coif

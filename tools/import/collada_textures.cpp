@@ -1,6 +1,7 @@
 #include "import/scene_surface.h"
 
 #include "base/text.h"
+#include "import/collada_document.h"
 
 #include <pugixml.hpp>
 
@@ -16,11 +17,7 @@
 namespace coif {
 namespace {
 
-/// The id that "#id" refers to.
-std::string id_in(const pugi::xml_attribute& reference) {
-  const std::string_view text = reference.value();
-  return std::string(text.substr(text.starts_with('#') ? 1 : 0));
-}
+std::string id_in(const pugi::xml_attribute& reference) { return std::string(collada_id(reference)); }
 
 std::optional<TextureWrap> wrap_in(const pugi::xml_node& sampler, const char* element) {
   const std::string_view word = sampler.child(element).child_value();
@@ -122,7 +119,7 @@ class ColladaTextures::Walk : public pugi::xml_tree_walker {
     out_.effect_of_.emplace(printable_text(name.empty() ? id : name), effect);
   }
 
-  /// Of what is instanced: a geometry, or a controller that deforms one.
+  /// The geometry that is instanced, itself or by a controller that deforms it.
   [[nodiscard]] std::string geometry_of(const pugi::xml_node& instance) const {
     std::string id = id_in(instance.attribute("url"));
     for (std::size_t step = 0; step <= sources_.size(); ++step) {
@@ -160,13 +157,9 @@ class ColladaTextures::Walk : public pugi::xml_tree_walker {
   std::vector<pugi::xml_node> bindings_;
 };
 
-ColladaTextures::ColladaTextures(std::string_view document) {
-  pugi::xml_document parsed;
-  const pugi::xml_parse_result result = parsed.load_buffer(document.data(), document.size());
-  if (result.status == pugi::status_out_of_memory) throw std::bad_alloc();
-  if (!result) return;
+ColladaTextures::ColladaTextures(pugi::xml_document& document) {
   Walk walk(*this);
-  parsed.traverse(walk);
+  document.traverse(walk);
   walk.bind();
 }
 

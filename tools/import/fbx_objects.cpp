@@ -53,7 +53,7 @@ double shape_weight(std::span<const double> full, std::size_t shape, double perc
   return std::max(0.0, (full[shape + 1] - percent) / (full[shape + 1] - own));
 }
 
-/// Of connections by `to`.
+/// What is connected to the object; `connections` are in the order of their `to`.
 std::span<const FbxConnection> connected_to(std::int64_t id, std::span<const FbxConnection> connections) {
   const auto found = std::ranges::equal_range(connections, id, {}, &FbxConnection::to);
   return {found.begin(), found.end()};

@@ -3,7 +3,7 @@
 #include "import/fbx_objects.h"
 #include "import/raw_mesh.h"
 #include "import/shown_meshes.h"
-#include "import/source_codes.h"
+#include "import/source_warnings.h"
 
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -119,11 +119,9 @@ void FbxShapeKeys::apply(const aiMesh& mesh, std::uint32_t node, RawMesh& out, s
     return;
   }
   if (unlike == nullptr || !told_.insert(unlike).second) return;
-  warnings.emplace_back(
-      source_code::kShapeKeys,
-      fmt::format(
-          "mesh '{}': shape keys are on and could not be read; apply them in the modelling tool and export again",
-          out.name));
+  warn(warnings, source_code::kShapeKeys,
+       "mesh '{}': shape keys are on and could not be read; apply them in the modelling tool and export again",
+       out.name);
 }
 
 }  // namespace coif

@@ -1,7 +1,7 @@
 #include "import/gltf_scene.h"
 
 #include "base/text.h"
-#include "import/source_codes.h"
+#include "import/source_warnings.h"
 
 #include <fmt/format.h>
 
@@ -104,11 +104,10 @@ GltfExtensions check_gltf_extensions(const json& document) {
   for (const std::string& name : names_in(member(document, "extensionsUsed"))) {
     if (is_read(name) || cure_of(name) != nullptr)
       continue;  // an image without another form is told of where it is missed
-    out.warnings.emplace_back(
-        source_code::kExtensions,
-        fmt::format("the extension '{}' is not read; where it changes shape, texture coordinates or images the hair "
-                    "differs: open it in Blender and export it again as .glb",
-                    name));
+    warn(out.warnings, source_code::kExtensions,
+         "the extension '{}' is not read; where it changes shape, texture coordinates or images the hair "
+         "differs: open it in Blender and export it again as .glb",
+         name);
   }
   return out;
 }

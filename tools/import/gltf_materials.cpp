@@ -2,7 +2,7 @@
 
 #include "base/text.h"
 #include "gltf/document.h"
-#include "import/source_codes.h"
+#include "import/source_warnings.h"
 
 #include <fmt/format.h>
 
@@ -93,16 +93,13 @@ class MaterialReader {
       if (const auto image = index_of(*source, images_.size())) return &images_[*image];
     }
     if (!member(extension(texture, "KHR_texture_basisu"), "source").is_null()) {
-      model_.warnings.emplace_back(
-          source_code::kImages,
-          fmt::format("material '{}': its image is in KTX2 alone, which is not read; npx @gltf-transform/cli "
-                      "ktxdecompress OLD.glb NEW.glb makes it a PNG",
-                      material));
+      warn(model_.warnings, source_code::kImages,
+           "material '{}': its image is in KTX2 alone, which is not read; npx @gltf-transform/cli "
+           "ktxdecompress OLD.glb NEW.glb makes it a PNG",
+           material);
     } else {
-      model_.warnings.emplace_back(
-          source_code::kImages,
-          fmt::format("material '{}': it has a texture without an image that can be read; assign one and export again",
-                      material));
+      warn(model_.warnings, source_code::kImages,
+           "material '{}': it has a texture without an image that can be read; assign one and export again", material);
     }
     return nullptr;
   }
@@ -112,11 +109,9 @@ class MaterialReader {
     if (!info.is_object()) return out;
     const auto texture = index_of(member(info, "index"), textures_.size());
     if (!texture) {
-      model_.warnings.emplace_back(
-          source_code::kImages,
-          fmt::format("material '{}': it refers to texture {} of {}; assign its image and export again", material,
-                      excerpt(member(info, "index").dump(-1, ' ', true, json::error_handler_t::replace), 20),
-                      textures_.size()));
+      warn(model_.warnings, source_code::kImages,
+           "material '{}': it refers to texture {} of {}; assign its image and export again", material,
+           excerpt(member(info, "index").dump(-1, ' ', true, json::error_handler_t::replace), 20), textures_.size());
       return out;
     }
     const json& samplers = list_of(member(document_, "samplers"));
@@ -165,7 +160,7 @@ class MaterialReader {
   }
 
   std::uint32_t reject(const std::string& name, const char* why) {
-    model_.warnings.emplace_back(source_code::kImages, fmt::format("embedded image '{}' left out: {}", name, why));
+    warn(model_.warnings, source_code::kImages, "embedded image '{}' left out: {}", name, why);
     return kNoIndex;
   }
 
@@ -185,9 +180,8 @@ class MaterialReader {
     out.image_from_uv.linear() = (turn * scale.asDiagonal()).cast<float>();
     out.image_from_uv.translation() = offset.cast<float>();
     if (!out.image_from_uv.matrix().allFinite()) {
-      model_.warnings.emplace_back(
-          source_code::kUvs,
-          fmt::format("material '{}': its texture transform is no number; none is applied", material));
+      warn(model_.warnings, source_code::kUvs, "material '{}': its texture transform is no number; none is applied",
+           material);
       out.image_from_uv.setIdentity();
     }
     return out;
@@ -203,12 +197,10 @@ class MaterialReader {
     if (!material.normal_texture.is_there() || !material.base_texture.is_there()) return;
     const GltfUvs own = uvs_of(info, material.name);
     if (own.set == base.set && own.image_from_uv.isApprox(base.image_from_uv, 1e-5f)) return;
-    model_.warnings.emplace_back(
-        source_code::kUvs,
-        fmt::format(
-            "material '{}': its normal map is laid out otherwise than its base colour and is left out; bake both "
-            "for one UV map",
-            material.name));
+    warn(model_.warnings, source_code::kUvs,
+         "material '{}': its normal map is laid out otherwise than its base colour and is left out; bake both "
+         "for one UV map",
+         material.name);
     material.normal_texture = {};
   }
 

@@ -7,7 +7,7 @@
 #include "gltf/primitive.h"
 #include "gltf/tree.h"
 #include "import/shown_meshes.h"
-#include "import/source_codes.h"
+#include "import/source_warnings.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -62,7 +62,8 @@ class MeshReader {
     }
     const auto found = std::ranges::find(names, wanted);
     if (found == names.end()) {
-      if (names.empty()) return "it has no variants; remove \"source.variant\" from the recipe";
+      if (names.empty())
+        return fmt::format("it has no variants, and '{}' is asked for; remove source.variant from the recipe", wanted);
       return fmt::format("it has no variant '{}'; there are '{}'", wanted, fmt::join(names, "', '"));
     }
     variant_ = std::uint32_t(found - names.begin());
@@ -72,7 +73,7 @@ class MeshReader {
   std::string read_node(const json& node, std::uint32_t n) {
     const auto mesh = index_of(member(node, "mesh"), meshes_.size());
     if (!mesh) {
-      warn(source_code::kRepaired, "node '{}': refers to an absent mesh", model_.nodes[n].name);
+      warn(model_.warnings, source_code::kRepaired, "node '{}': refers to an absent mesh", model_.nodes[n].name);
       return {};
     }
     auto instances = read_gltf_instances(document_, buffers_, node);
@@ -179,8 +180,8 @@ class MeshReader {
 
   void warn_of_lost_uvs(const GltfPrimitive& read, const GltfUvs& uvs, const RawMesh& raw) {
     if (uvs.set == 0 || !read.uvs.empty()) return;
-    warn(source_code::kUvs, "mesh '{}': its texture lies in UV set {}, which the mesh lacks; export that UV map too",
-         raw.name, uvs.set);
+    warn(model_.warnings, source_code::kUvs,
+         "mesh '{}': its texture lies in UV set {}, which the mesh lacks; export that UV map too", raw.name, uvs.set);
   }
 
   /// The variant's, where one is chosen and the primitive has one for it.
@@ -193,7 +194,7 @@ class MeshReader {
     }
     if (const auto index = index_of(*chosen, uvs_.size())) return *index;
     if (!chosen->is_null() && !std::exchange(told_of_material_, true))
-      warn(source_code::kMaterials, "a mesh refers to an absent material; a plain one is used");
+      warn(model_.warnings, source_code::kMaterials, "a mesh refers to an absent material; a plain one is used");
     if (!plain_) {
       plain_ = static_cast<std::uint32_t>(model_.materials.size());
       SourceMaterial& plain = model_.materials.emplace_back();
@@ -209,7 +210,7 @@ class MeshReader {
     if (named.is_null() || read.influences == 0) return {};
     const auto skin = index_of(named, skins.size());
     if (!skin) {
-      warn(source_code::kSkin, "mesh '{}': refers to an absent skin; it is taken as rigid", raw.name);
+      warn(model_.warnings, source_code::kSkin, "mesh '{}': refers to an absent skin; it is taken as rigid", raw.name);
       return {};
     }
     std::vector<std::uint32_t> bone_of_joint;
@@ -254,9 +255,9 @@ class MeshReader {
       raw.bones.push_back(bone);
     }
     const std::string label = fmt::format("mesh '{}'", raw.name);
-    warn_count(source_code::kSkin, absent, label, "bones dropped: they are no nodes of the scene", model_.warnings);
-    warn_count(source_code::kSkin, unusable, label, "bones dropped: their bind matrix is absent or not finite",
-               model_.warnings);
+    warn_count(model_.warnings, source_code::kSkin, absent, label, "bones dropped: they are no nodes of the scene");
+    warn_count(model_.warnings, source_code::kSkin, unusable, label,
+               "bones dropped: their bind matrix is absent or not finite");
     return {};
   }
 
@@ -269,11 +270,6 @@ class MeshReader {
       keep_mesh(raw, place_mesh(raw, carrier, model_.nodes, model_.warnings), model_.meshes, model_.warnings);
     }
     return {};
-  }
-
-  template <class... Args>
-  void warn(const char* code, fmt::format_string<Args...> text, Args&&... args) {
-    model_.warnings.emplace_back(code, fmt::format(text, std::forward<Args>(args)...));
   }
 
   const json& document_;

@@ -2,7 +2,7 @@
 
 #include "base/text.h"
 #include "gltf/tree.h"
-#include "import/source_codes.h"
+#include "import/source_warnings.h"
 
 #include <fmt/format.h>
 
@@ -37,8 +37,7 @@ GltfNodes read_gltf_nodes(const json& document, const Eigen::Affine3d& model_fro
     const std::uint32_t parent = entry.parent ? *entry.parent + first : first == 1 ? 0 : kNoIndex;
     SourceNode node{node_name(in_file[entry.in_file], entry.in_file), parent, entry.model_from_node};
     if (!entry.is_placed)
-      model.warnings.emplace_back(source_code::kSpace,
-                                  fmt::format("node '{}': transform is not finite; its parent's is used", node.name));
+      warn(model.warnings, source_code::kSpace, "node '{}': transform is not finite; its parent's is used", node.name);
     out.of_file[entry.in_file] = static_cast<std::uint32_t>(model.nodes.size());
     model.nodes.push_back(std::move(node));
     out.in_file.push_back(entry.in_file);

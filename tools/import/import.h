@@ -76,7 +76,4 @@ inline constexpr const char* kReduce = "export only the hair and the head, best 
 /// Source: Khronos, "COLLADA 1.4.1 Specification", chapter 5, <accessor>.
 [[nodiscard]] std::optional<std::string> overrun_array(std::string_view document);
 
-/// A sentence for each skin of a COLLADA document that has weights below zero or that are no numbers, which assimp 5.2 drops.
-[[nodiscard]] std::vector<std::string> faults_of_weights(std::string_view document);
-
 }  // namespace coif

@@ -1,7 +1,7 @@
 #include "import/scene_surface.h"
 
 #include "base/text.h"
-#include "import/source_codes.h"
+#include "import/source_warnings.h"
 
 #include <fmt/format.h>
 
@@ -157,11 +157,10 @@ void apply_obj_options(std::span<const std::string> libraries, SourceModel& mode
       material.opacity_texture = {};  // one image for both: its own alpha
     }
     if (is_own && base != nullptr && !(base->place == opacity->place)) {
-      model.warnings.emplace_back(
-          source_code::kUvs,
-          fmt::format("material '{}': map_d is placed otherwise than map_Kd (-s, -o), whose place is taken for "
-                      "both; give both the same options in the .mtl",
-                      material.name));
+      warn(model.warnings, source_code::kUvs,
+           "material '{}': map_d is placed otherwise than map_Kd (-s, -o), whose place is taken for "
+           "both; give both the same options in the .mtl",
+           material.name);
     }
   }
   for (SourceMesh& mesh : model.meshes) {

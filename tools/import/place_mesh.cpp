@@ -1,7 +1,7 @@
 #include "import/raw_mesh.h"
 
 #include "base/text.h"
-#include "import/source_codes.h"
+#include "import/source_warnings.h"
 
 #include <fmt/format.h>
 
@@ -76,14 +76,13 @@ std::vector<std::uint32_t> usable_triangles(const RawMesh& mesh, const PlacedVer
       triangles.insert(triangles.end(), corner, corner + 3);
     }
   }
-  warn_count(source_code::kRepaired, out_of_range, label, "triangles dropped: vertex index out of range", warnings);
+  warn_count(warnings, source_code::kRepaired, out_of_range, label, "triangles dropped: vertex index out of range");
   if (misplaced != 0) {
     const Eigen::Vector3f& at = placed.positions[first_misplaced];
-    warnings.emplace_back(
-        source_code::kRepaired,
-        fmt::format("{}: {} triangles dropped: vertex {} stands at ({:g}, {:g}, {:g}) m, and {:g} m is the "
-                    "farthest; move or delete it and export again",
-                    label, misplaced, first_misplaced, at.x(), at.y(), at.z(), kFarthestVertex));
+    warn(warnings, source_code::kRepaired,
+         "{}: {} triangles dropped: vertex {} stands at ({:g}, {:g}, {:g}) m, and {:g} m is the "
+         "farthest; move or delete it and export again",
+         label, misplaced, first_misplaced, at.x(), at.y(), at.z(), kFarthestVertex);
   }
   return triangles;
 }
@@ -122,11 +121,10 @@ void copy_uvs(const RawMesh& mesh, std::span<const std::uint32_t> kept, const st
     out.uvs.push_back(uv);
   }
   if (unusable != 0) {
-    warnings.emplace_back(
-        source_code::kUvs,
-        fmt::format("{}: {} UVs set to (0, 0): {}, and {:g} repeats are the most; unwrap it anew and export "
-                    "again",
-                    label, unusable, first, kFarthestUv));
+    warn(warnings, source_code::kUvs,
+         "{}: {} UVs set to (0, 0): {}, and {:g} repeats are the most; unwrap it anew and export "
+         "again",
+         label, unusable, first, kFarthestUv);
   }
 }
 
@@ -140,7 +138,7 @@ void copy_colors(const RawMesh& mesh, std::span<const std::uint32_t> kept, const
     unusable += color.allFinite() ? 0 : 1;
     out.colors.push_back(color.allFinite() ? Eigen::Vector4f(color.cwiseMax(0.0f)) : Eigen::Vector4f::Ones());
   }
-  warn_count(source_code::kRepaired, unusable, label, "vertex colours that are no numbers taken for white", warnings);
+  warn_count(warnings, source_code::kRepaired, unusable, label, "vertex colours that are no numbers taken for white");
   if (std::ranges::all_of(out.colors, [](const Eigen::Vector4f& color) { return color == Eigen::Vector4f::Ones(); }))
     out.colors.clear();
 }
@@ -171,7 +169,7 @@ void repair_normals(SourceMesh& mesh, const std::string& label, std::vector<Warn
     mesh.normals[v] = std::isnormal(length) ? Eigen::Vector3f(surface[v] / length) : Eigen::Vector3f::UnitY();
     ++repaired;
   }
-  warn_count(source_code::kRepaired, repaired, label, "unusable normals replaced", warnings);
+  warn_count(warnings, source_code::kRepaired, repaired, label, "unusable normals replaced");
 }
 
 }  // namespace
@@ -201,13 +199,12 @@ SourceMesh place_mesh(const RawMesh& mesh, std::uint32_t node, std::span<const S
 
 void keep_mesh(const RawMesh& raw, SourceMesh placed, std::vector<SourceMesh>& meshes, std::vector<Warning>& warnings) {
   if (raw.points_and_lines != 0) {
-    warnings.emplace_back(source_code::kLoose,
-                          fmt::format("mesh '{}': {} points or lines left out", placed.name, raw.points_and_lines));
+    warn(warnings, source_code::kLoose, "mesh '{}': {} points or lines left out", placed.name, raw.points_and_lines);
   }
   if (!placed.triangles.empty())
     meshes.push_back(std::move(placed));
   else if (raw.points_and_lines == 0)
-    warnings.emplace_back(source_code::kRepaired, fmt::format("mesh '{}' left out: it has no triangles", placed.name));
+    warn(warnings, source_code::kRepaired, "mesh '{}' left out: it has no triangles", placed.name);
 }
 
 }  // namespace coif

@@ -15,12 +15,6 @@
 
 namespace coif {
 
-/// "LABEL: 3 points or lines dropped", where there are any.
-inline void warn_count(const char* code, std::size_t count, const std::string& label, const char* what,
-                       std::vector<Warning>& warnings) {
-  if (count != 0) warnings.emplace_back(code, fmt::format("{}: {} {}", label, count, what));
-}
-
 struct RawBone {
   std::uint32_t node = 0;                                        ///< Into the model's nodes.
   Eigen::Affine3d bone_from_mesh = Eigen::Affine3d::Identity();  ///< Where the mesh stood when it was bound.

@@ -1,6 +1,6 @@
 #include "import/assimp_scene.h"
 #include "import/scene_surface.h"
-#include "import/source_codes.h"
+#include "import/source_warnings.h"
 
 #include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
@@ -116,8 +116,7 @@ class TextureTable {
     if (known != image_of_.end()) return known->second;
     std::uint32_t image = kNoIndex;
     if (texture.mHeight != 0 || texture.mWidth == 0 || texture.pcData == nullptr) {
-      model_.warnings.emplace_back(source_code::kImages,
-                                   fmt::format("embedded image '{}' left out: not PNG, JPEG or TGA", name));
+      warn(model_.warnings, source_code::kImages, "embedded image '{}' left out: not PNG, JPEG or TGA", name);
     } else {
       // For encoded images mWidth is the size in bytes.
       const auto* first = reinterpret_cast<const std::uint8_t*>(texture.pcData);

@@ -3,7 +3,7 @@
 
 #include "import/raw_mesh.h"
 #include "import/shown_meshes.h"
-#include "import/source_codes.h"
+#include "import/source_warnings.h"
 
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -25,10 +25,8 @@ void add_bones(const aiMesh& mesh, const SceneNodes& nodes, const std::string& l
     const auto found = nodes.joint_named.find(bone->mName.C_Str());
     const Eigen::Affine3d bone_from_mesh = affine_of(bone->mOffsetMatrix);
     if (found == nodes.joint_named.end() || !bone_from_mesh.matrix().allFinite()) {
-      warnings.emplace_back(
-          source_code::kSkin,
-          fmt::format("{}: bone '{}' dropped: {}", label, text_of(bone->mName),
-                      found == nodes.joint_named.end() ? "no node has its name" : "its bind matrix is not finite"));
+      warn(warnings, source_code::kSkin, "{}: bone '{}' dropped: {}", label, text_of(bone->mName),
+           found == nodes.joint_named.end() ? "no node has its name" : "its bind matrix is not finite");
       continue;
     }
     const auto number = static_cast<std::uint32_t>(out.bones.size());
@@ -49,12 +47,11 @@ void warn_of_sums(const RawMesh& mesh, const std::string& label, std::vector<War
   const auto is_off = [](double sum) { return sum > 0 && std::isfinite(sum) && std::abs(sum - 1) > kLeastError; };
   const auto first = std::ranges::find_if(sums, is_off);
   if (first == sums.end()) return;
-  warnings.emplace_back(
-      source_code::kSkin,
-      fmt::format("{}: the weights of {} vertices do not add up to 1 (of vertex {} to {:.4g}) and were scaled until "
-                  "they do; normalize the weights "
-                  "(Blender: Weights > Normalize All) and export again where bones should hold less",
-                  label, std::ranges::count_if(sums, is_off), first - sums.begin(), *first));
+  warn(warnings, source_code::kSkin,
+       "{}: the weights of {} vertices do not add up to 1 (of vertex {} to {:.4g}) and were scaled until "
+       "they do; normalize the weights "
+       "(Blender: Weights > Normalize All) and export again where bones should hold less",
+       label, std::ranges::count_if(sums, is_off), first - sums.begin(), *first);
 }
 
 void add_triangles(const aiMesh& mesh, RawMesh& out) {
@@ -83,9 +80,8 @@ std::vector<Eigen::Vector2f> uvs_of(const aiMesh& mesh, const TexturePlace& plac
   const unsigned set = mesh.HasTextureCoords(place.uv_set) ? place.uv_set : 0;
   if (!mesh.HasTextureCoords(set)) return uvs;
   if (set != place.uv_set) {
-    warnings.emplace_back(
-        source_code::kUvs,
-        fmt::format("{}: its texture names UV set {}, which the mesh lacks; the first is taken", label, place.uv_set));
+    warn(warnings, source_code::kUvs, "{}: its texture names UV set {}, which the mesh lacks; the first is taken",
+         label, place.uv_set);
   }
   for (const aiVector3D& given : std::span(mesh.mTextureCoords[set], mesh.mNumVertices)) {
     const Eigen::Vector2f placed = place({given.x, given.y});
@@ -104,8 +100,7 @@ RawMesh raw_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, c
   if (mesh.mMaterialIndex < scene.mNumMaterials)
     out.material = mesh.mMaterialIndex;
   else
-    warnings.emplace_back(source_code::kMaterials,
-                          fmt::format("{}: refers to an absent material; a plain one is used", label));
+    warn(warnings, source_code::kMaterials, "{}: refers to an absent material; a plain one is used", label);
   for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
     out.positions.push_back(vector(mesh.mVertices[v]));
     if (mesh.HasNormals()) out.normals.push_back(vector(mesh.mNormals[v]));
@@ -143,8 +138,7 @@ std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& n
     }
     for (const unsigned index : std::span(node.mMeshes, node.mNumMeshes)) {
       if (index >= scene.mNumMeshes) {
-        warnings.emplace_back(source_code::kRepaired,
-                              fmt::format("node '{}': refers to an absent mesh", nodes.nodes[n].name));
+        warn(warnings, source_code::kRepaired, "node '{}': refers to an absent mesh", nodes.nodes[n].name);
         continue;
       }
       const RawMesh raw = raw_mesh(scene, *scene.mMeshes[index], n, nodes, surface, shape_keys, warnings);

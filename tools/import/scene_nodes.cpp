@@ -1,5 +1,5 @@
 #include "import/assimp_scene.h"
-#include "import/source_codes.h"
+#include "import/source_warnings.h"
 
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -44,8 +44,7 @@ void append(SceneNodes& out, const Pending& pending, const Eigen::Affine3d& mode
   node.parent = pending.parent;
   node.model_from_node = above * affine_of(pending.pivots * pending.node->mTransformation);
   if (!node.model_from_node.matrix().allFinite()) {
-    warnings.emplace_back(source_code::kSpace,
-                          fmt::format("node '{}': transform is not finite; its parent's is used", node.name));
+    warn(warnings, source_code::kSpace, "node '{}': transform is not finite; its parent's is used", node.name);
     node.model_from_node = above;
   }
   out.nodes.push_back(std::move(node));
@@ -109,8 +108,7 @@ void name_joints(const aiScene& scene, SceneNodes& out, std::vector<Warning>& wa
   std::ranges::sort(undecided);
   undecided.erase(std::ranges::unique(undecided).begin(), undecided.end());
   for (const std::string& name : undecided) {
-    warnings.emplace_back(source_code::kSkin,
-                          fmt::format("several nodes are named '{}'; the first is taken for the bone", name));
+    warn(warnings, source_code::kSkin, "several nodes are named '{}'; the first is taken for the bone", name);
   }
 }
 

@@ -1,7 +1,7 @@
 #include "import/assimp_scene.h"
 
 #include "base/geometry.h"
-#include "import/source_codes.h"
+#include "import/source_warnings.h"
 
 #include <assimp/commonMetaData.h>
 #include <assimp/scene.h>
@@ -48,12 +48,11 @@ Eigen::Matrix3d y_up_from_fbx(const aiMetadata* metadata, std::vector<Warning>& 
   if (right && up && front) {
     Eigen::Matrix3d rows;
     rows << right->transpose(), up->transpose(), front->transpose();
-    if (rows.determinant() < -0.5)
-      warnings.emplace_back(source_code::kSpace, "left-handed axes in the file were mirrored");
+    if (rows.determinant() < -0.5) warn(warnings, source_code::kSpace, "left-handed axes in the file were mirrored");
     if (std::abs(rows.determinant()) > 0.5) return rows;
   }
   if (!up) return Eigen::Matrix3d::Identity();
-  warnings.emplace_back(source_code::kSpace, "the file's axes contradict each other; only its up axis is used");
+  warn(warnings, source_code::kSpace, "the file's axes contradict each other; only its up axis is used");
   return y_up_from(up->x() != 0 ? UpAxis::kX : up->z() != 0 ? UpAxis::kZ : UpAxis::kY);
 }
 
@@ -63,8 +62,7 @@ double fbx_metres_per_unit(const aiMetadata* metadata, SourceSpace& space, std::
   const std::optional<double> said = number(metadata, "UnitScaleFactor");
   const double centimetres = said.value_or(1.0);
   if (!(std::isfinite(centimetres) && centimetres > 0)) {
-    warnings.emplace_back(source_code::kSpace,
-                          fmt::format("UnitScaleFactor {} is not a length; centimetres are assumed", centimetres));
+    warn(warnings, source_code::kSpace, "UnitScaleFactor {} is not a length; centimetres are assumed", centimetres);
     space.unit_words = "an FBX without a unit is in centimetres";
     return kMetresPerCentimetre;
   }

@@ -2,7 +2,7 @@
 
 #include "base/srgb.h"
 #include "import/assimp_scene.h"
-#include "import/source_codes.h"
+#include "import/source_warnings.h"
 
 #include <assimp/material.h>
 #include <assimp/scene.h>
@@ -80,11 +80,10 @@ TexturePlace texture_place(const aiMaterial& material, const std::string& geomet
   if (!base && !opacity) return {};
   const TexturePlace place = stated_place(material, base ? *base : *opacity, geometry, surface);
   if (base && opacity && !(stated_place(material, *opacity, geometry, surface) == place)) {
-    warnings.emplace_back(
-        source_code::kUvs,
-        fmt::format("{}: its opacity texture has other texture coordinates than its base texture, whose are taken for "
-                    "both; give both the same UV map and mapping, and export again",
-                    label));
+    warn(warnings, source_code::kUvs,
+         "{}: its opacity texture has other texture coordinates than its base texture, whose are taken for "
+         "both; give both the same UV map and mapping, and export again",
+         label);
   }
   return place;
 }

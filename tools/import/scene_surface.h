@@ -16,6 +16,10 @@
 #include <tuple>
 #include <vector>
 
+namespace pugi {
+class xml_document;
+}
+
 struct aiMaterial;
 struct aiMesh;
 struct aiScene;
@@ -39,8 +43,7 @@ class ColladaTextures {
  public:
   enum class Use : std::uint8_t { kBase, kOpacity };
 
-  /// Knows of nothing where the document cannot be read.
-  explicit ColladaTextures(std::string_view document);
+  explicit ColladaTextures(pugi::xml_document& document);
   /// Which of the sets that assimp gives the mesh; none where the document does not bind one. A geometry goes by its id, a material by
   /// its name, or its id where it has none; both as printable text.
   [[nodiscard]] std::optional<unsigned> uv_set(const std::string& geometry, const std::string& material, Use use) const;

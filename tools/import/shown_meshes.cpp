@@ -1,7 +1,7 @@
 #include "import/shown_meshes.h"
 
 #include "base/text.h"
-#include "import/source_codes.h"
+#include "import/source_warnings.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -63,28 +63,26 @@ std::optional<LevelName> level_of(const SourceModel& model, const SourceMesh& me
 
 void warn_of_hidden(std::span<const std::string> nodes, std::vector<Warning>& warnings) {
   if (nodes.empty()) return;
-  warnings.emplace_back(
-      source_code::kHidden,
-      fmt::format("{} left out, since the file hides {}: {}; show {} and export again where {} hair",
-                  counted(nodes.size(), "mesh", "meshes"), nodes.size() == 1 ? "it" : "them", list_of_names(nodes),
-                  nodes.size() == 1 ? "it" : "them", nodes.size() == 1 ? "it is" : "they are"));
+  warn(warnings, source_code::kHidden,
+       "{} left out, since the file hides {}: {}; show {} and export again where {} hair",
+       counted(nodes.size(), "mesh", "meshes"), nodes.size() == 1 ? "it" : "them", list_of_names(nodes),
+       nodes.size() == 1 ? "it" : "them", nodes.size() == 1 ? "it is" : "they are");
 }
 
 void warn_of_coarser(std::span<const std::string> meshes, std::vector<Warning>& warnings) {
   if (meshes.empty()) return;
-  warnings.emplace_back(source_code::kCoarser,
-                        fmt::format("{} left out as coarser levels of detail of what is there in a finer one: {}; the "
-                                    "cook makes levels of its own",
-                                    counted(meshes.size(), "mesh", "meshes"), list_of_names(meshes)));
+  warn(warnings, source_code::kCoarser,
+       "{} left out as coarser levels of detail of what is there in a finer one: {}; the "
+       "cook makes levels of its own",
+       counted(meshes.size(), "mesh", "meshes"), list_of_names(meshes));
 }
 
 void warn_of_shape_keys(const std::string& mesh, std::span<const std::string> on, std::vector<Warning>& warnings) {
   if (on.empty()) return;
-  warnings.emplace_back(
-      source_code::kShapeKeys,
-      fmt::format("mesh '{}': shape keys are on ({}) and are part of the hair's shape; turn them off and export again "
-                  "where that is not meant",
-                  mesh, fmt::join(on, ", ")));
+  warn(warnings, source_code::kShapeKeys,
+       "mesh '{}': shape keys are on ({}) and are part of the hair's shape; turn them off and export again "
+       "where that is not meant",
+       mesh, fmt::join(on, ", "));
 }
 
 namespace {

@@ -1,5 +1,5 @@
 #include "import/raw_mesh.h"
-#include "import/source_codes.h"
+#include "import/source_warnings.h"
 
 #include <fmt/format.h>
 
@@ -21,8 +21,7 @@ SkinBinding::SkinBinding(const RawMesh& mesh, std::uint32_t mesh_node, std::span
   for (const RawBone& bone : mesh.bones) palette_[bone.node] = nodes[bone.node].model_from_node * bone.bone_from_mesh;
   std::vector<Weight> weights = collect_weights(mesh, label, warnings);
   if (weights.empty()) {
-    warnings.emplace_back(source_code::kSkin,
-                          fmt::format("{}: no usable bone weight; the mesh is taken as rigid", label));
+    warn(warnings, source_code::kSkin, "{}: no usable bone weight; the mesh is taken as rigid", label);
     return;
   }
   build_table(weights, mesh.positions.size(), mesh_node, label, warnings);
@@ -47,9 +46,9 @@ std::vector<SkinBinding::Weight> SkinBinding::collect_weights(const RawMesh& mes
       }
     }
   }
-  warn_count(source_code::kSkin, without_vertex, label, "bone weights of absent vertices dropped", warnings);
-  warn_count(source_code::kSkin, without_bone, label, "bone weights of absent bones dropped", warnings);
-  warn_count(source_code::kSkin, unusable, label, "bone weights below zero or not finite dropped", warnings);
+  warn_count(warnings, source_code::kSkin, without_vertex, label, "bone weights of absent vertices dropped");
+  warn_count(warnings, source_code::kSkin, without_bone, label, "bone weights of absent bones dropped");
+  warn_count(warnings, source_code::kSkin, unusable, label, "bone weights below zero or not finite dropped");
   return weights;
 }
 
@@ -75,7 +74,7 @@ void SkinBinding::build_table(std::vector<Weight>& weights, std::size_t vertex_c
     begin_.push_back(static_cast<std::uint32_t>(influences_.size()));
     first = last;
   }
-  warn_count(source_code::kSkin, without, label, "vertices without a bone weight follow the mesh's node", warnings);
+  warn_count(warnings, source_code::kSkin, without, label, "vertices without a bone weight follow the mesh's node");
 }
 
 // `weights` of one vertex, by node: merges the entries of one node, normalises, sorts the heaviest first.

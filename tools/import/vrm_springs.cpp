@@ -2,7 +2,7 @@
 
 #include "base/geometry.h"
 #include "gltf/document.h"
-#include "import/source_codes.h"
+#include "import/source_warnings.h"
 
 #include <fmt/format.h>
 
@@ -100,8 +100,7 @@ SpringSink::SpringSink(const std::vector<std::uint32_t>& source_of, const Eigen:
 
 SpringSink::~SpringSink() {
   if (ignored_ <= kSpelledOut) return;
-  model_.warnings.emplace_back(source_code::kSprings,
-                               fmt::format("spring bones: {} more faults of these kinds", ignored_ - kSpelledOut));
+  warn(model_.warnings, source_code::kSprings, "spring bones: {} more faults of these kinds", ignored_ - kSpelledOut);
 }
 
 std::optional<std::uint32_t> SpringSink::find_node(const nlohmann::json& index) const {
@@ -178,7 +177,7 @@ void SpringSink::add_spring(SourceSpring spring, const ColliderSet& colliders) {
 }
 
 void SpringSink::ignore(std::string sentence) {
-  if (++ignored_ <= kSpelledOut) model_.warnings.emplace_back(source_code::kSprings, std::move(sentence));
+  if (++ignored_ <= kSpelledOut) warn(model_.warnings, source_code::kSprings, "{}", sentence);
 }
 
 }  // namespace coif

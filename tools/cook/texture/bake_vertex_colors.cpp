@@ -15,11 +15,11 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 using Eigen::Vector4f;
 
-constexpr std::uint32_t kBandRows = 256;  ///< Of the image at a time: what limits memory.
+constexpr std::uint32_t kBandRows = 256;  ///< As many of the image at a time, which limits memory.
 constexpr float kReachTexels = 0.8f;      ///< Beyond its edges a triangle colours what filtering reads there.
-constexpr float kEdgeWeight = 1.0e-3f;    ///< Of such texels, where another triangle has them inside.
-constexpr float kSeenDifference = 0.06f;  ///< Of the square roots of linear numbers.
-constexpr double kManyDiffering = 0.02;   ///< Of the triangles.
+constexpr float kEdgeWeight = 1.0e-3f;    ///< Such texels count so much where another triangle has them inside.
+constexpr float kSeenDifference = 0.06f;  ///< Square roots of linear numbers differ by so much.
+constexpr double kManyDiffering = 0.02;   ///< So many of the triangles differ.
 constexpr double kMostTexelRows = 4;      ///< Repeats of the image that one triangle may span.
 
 /// One triangle in texels, with what interpolates in it.

@@ -201,11 +201,12 @@ std::uint32_t wrapped(double coordinate, std::uint32_t size) {
   return std::min(std::uint32_t(coordinate - std::floor(coordinate / size) * size), size - 1);
 }
 
+/// The texel behind the last that a part from `low` to `high` shows: one that ends where a texel begins shows nothing of that texel.
+double end_of_texels(double low, double high) { return std::max(std::ceil(high), std::floor(low) + 1); }
+
 void mark_row(double low, double high, std::uint32_t y, Image& used) {
   std::uint8_t* row = &used.texels[std::size_t(y) * used.width];
-  // A triangle that ends where a texel begins shows nothing of that texel.
-  const double end = std::max(std::ceil(high), std::floor(low) + 1);
-  const auto count = std::uint32_t(std::min<double>(end - std::floor(low), used.width));
+  const auto count = std::uint32_t(std::min<double>(end_of_texels(low, high) - std::floor(low), used.width));
   const std::uint32_t first = wrapped(std::floor(low), used.width);
   const std::uint32_t to_end = std::min(count, used.width - first);
   std::fill_n(row + first, to_end, std::uint8_t{255});
@@ -224,8 +225,7 @@ bool mark_triangle(const Corners& corners, Image& used) {
     std::ranges::fill(used.texels, std::uint8_t{255});
     return false;
   }
-  const double first = std::floor(y.low), end = std::max(std::ceil(y.high), first + 1);
-  for (double row = first; row < end; ++row) {
+  for (double row = std::floor(y.low), end = end_of_texels(y.low, y.high); row < end; ++row) {
     const Range columns = columns_in_row(corners, row);
     if (columns.low <= columns.high) mark_row(columns.low, columns.high, wrapped(row, used.height), used);
   }

@@ -1,8 +1,20 @@
 #pragma once
 
-// Codes of what readers of models and strands warn of; the table of issues (tools/validate) says what each means and what mends it.
+// What readers of models and strands warn of, and how they say it.
 
-namespace coif::source_code {
+#include "base/warning.h"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace coif {
+
+/// Codes; the table of issues (tools/validate) says what each means and what mends it.
+namespace source_code {
 
 inline constexpr const char* kRepaired = "S201";    ///< Triangles, vertices, normals, colours.
 inline constexpr const char* kLoose = "S211";       ///< Points and lines beside triangles.
@@ -20,4 +32,17 @@ inline constexpr const char* kSpace = "S222";       ///< Axes, units and transfo
 inline constexpr const char* kStrands = "S223";     ///< Strands and what is said of their points.
 inline constexpr const char* kBody = "S224";        ///< The body that strands grow on.
 
-}  // namespace coif::source_code
+}  // namespace source_code
+
+template <class... Args>
+void warn(std::vector<Warning>& warnings, const char* code, fmt::format_string<Args...> text, Args&&... args) {
+  warnings.emplace_back(code, fmt::format(text, std::forward<Args>(args)...));
+}
+
+/// "LABEL: 3 points or lines dropped", where there are any.
+inline void warn_count(std::vector<Warning>& warnings, const char* code, std::size_t count, const std::string& label,
+                       const char* what) {
+  if (count != 0) warn(warnings, code, "{}: {} {}", label, count, what);
+}
+
+}  // namespace coif
