@@ -145,15 +145,15 @@ TEST(WriteOutput, ClearsAwayWhatAKilledProcessLeftOfTheSameFile) {
   };
   constexpr auto kOld = std::chrono::hours(2), kNew = std::chrono::hours(0);
   make("bob.coif.4711.0123abcd.tmp", kOld);
-  make("bob.coif.4712.0123abcd.tmp", kNew);       // somebody may be writing it
-  make("long.coif.4711.0123abcd.tmp", kOld);      // another output's
-  make("bob.coif.notes.tmp", kOld);               // somebody's own
+  make("bob.coif.4712.0123abcd.tmp", kNew);   // somebody may be writing it
+  make("long.coif.4711.0123abcd.tmp", kOld);  // another output's
+  make("bob.coif.notes.tmp", kOld);           // somebody's own
   make("bob.coif.4711.0123abcd.tmp.tmp", kOld);
   ASSERT_TRUE(write_output(folder / "bob.coif", std::as_bytes(std::span("whole"))));
   std::set<std::string> left;
   for (const auto& entry : fs::directory_iterator(folder)) left.insert(entry.path().filename());
-  const std::set<std::string> expected{"bob.coif", "bob.coif.4712.0123abcd.tmp", "long.coif.4711.0123abcd.tmp", "bob.coif.notes.tmp",
-                                       "bob.coif.4711.0123abcd.tmp.tmp"};
+  const std::set<std::string> expected{"bob.coif", "bob.coif.4712.0123abcd.tmp", "long.coif.4711.0123abcd.tmp",
+                                       "bob.coif.notes.tmp", "bob.coif.4711.0123abcd.tmp.tmp"};
   EXPECT_EQ(left, expected);
   fs::remove_all(folder);
 }

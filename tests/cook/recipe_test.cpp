@@ -182,7 +182,8 @@ TEST(Recipe, BodyCollidersThatDoNotHoldTogetherAreRefused) {
 
 TEST(Recipe, LimitsReadBackAsPrintedAndSayWhatTheyLack) {
   const auto recipe = parse_recipe(R"({"dynamics": {"limits": [{"bones": "a*", "kind": "cone", "angle": 30},
-    {"bones": ["b", "c"], "kind": "spherical", "angle": 180, "yaw": 90, "axis": [0, 0, 1]}, {"bones": "d", "kind": "none"}]}})", "r.json");
+    {"bones": ["b", "c"], "kind": "spherical", "angle": 180, "yaw": 90, "axis": [0, 0, 1]}, {"bones": "d", "kind": "none"}]}})",
+                                   "r.json");
   ASSERT_TRUE(recipe) << recipe.error().message;
   const auto again = parse_recipe(print_recipe(*recipe), "r.json");
   ASSERT_TRUE(again) << again.error().message;
@@ -195,11 +196,14 @@ TEST(Recipe, LimitsReadBackAsPrintedAndSayWhatTheyLack) {
   EXPECT_NE(said(R"({"bones": "a", "kind": "ball", "angle": 3})").find("cone|hinge|spherical|none"), std::string::npos);
   EXPECT_NE(said(R"({"bones": "a", "kind": "cone"})").find("has no \"angle\""), std::string::npos);
   EXPECT_NE(said(R"({"bones": "a", "kind": "cone", "angle": 181})").find("from 0 to 180 degrees"), std::string::npos);
-  EXPECT_NE(said(R"({"bones": "a", "kind": "hinge", "angle": 1, "yaw": 1})").find("belongs to a spherical"), std::string::npos);
+  EXPECT_NE(said(R"({"bones": "a", "kind": "hinge", "angle": 1, "yaw": 1})").find("belongs to a spherical"),
+            std::string::npos);
   EXPECT_NE(said(R"({"bones": "a", "kind": "spherical", "angle": 1})").find("no \"yaw\""), std::string::npos);
   EXPECT_NE(said(R"({"bones": "a", "kind": "none", "angle": 1})").find("is none"), std::string::npos);
-  EXPECT_NE(said(R"({"bones": "a", "kind": "cone", "angle": 1, "axis": [0, 0, 0]})").find("a direction"), std::string::npos);
-  EXPECT_NE(said(R"({"bones": "a", "kind": "cone", "angle": 1, "roll": 1})").find("there are bones"), std::string::npos);
+  EXPECT_NE(said(R"({"bones": "a", "kind": "cone", "angle": 1, "axis": [0, 0, 0]})").find("a direction"),
+            std::string::npos);
+  EXPECT_NE(said(R"({"bones": "a", "kind": "cone", "angle": 1, "roll": 1})").find("there are bones"),
+            std::string::npos);
 }
 
 TEST(Recipe, LinksAreAWordOrPairsOfNames) {
@@ -218,7 +222,8 @@ TEST(Recipe, LinksAreAWordOrPairsOfNames) {
   EXPECT_EQ(pairs.pairs, (std::vector<std::array<std::string, 2>>{{"skirt_1", "skirt_2"}, {"a*", "b?"}}));
   const auto said = [](const std::string& links) { return message_of(R"({"dynamics": {"links": )" + links + "}}"); };
   EXPECT_EQ(said(R"("all")"),
-            "r.json: \"dynamics.links\" wants \"none\", \"shared_strips\" or a list of [\"bone of one chain\", \"bone of another\"],"
+            "r.json: \"dynamics.links\" wants \"none\", \"shared_strips\" or a list of [\"bone of one chain\", \"bone "
+            "of another\"],"
             " found \"all\"");
   EXPECT_EQ(said(R"([["a", "b"], ["a"]])"),
             "r.json: \"dynamics.links\" [1]: wants two names of bones, * and ? are wildcards, found [\"a\"]");

@@ -254,7 +254,8 @@ TEST(ChooseHair, ABodyOfWhichNothingIsKnownToBeHairIsNeverTaken) {
   const auto hair = select_hair(model, default_recipe(), unheard());
   ASSERT_FALSE(hair);
   EXPECT_EQ(hair.error().kind, ToolError::Kind::kBadInput);
-  EXPECT_NE(hair.error().message.find("{\"hair\": {\"meshes\": [\"Body\"]}}; there are: mesh 'Body' (material 'Skin')"), std::string::npos)
+  EXPECT_NE(hair.error().message.find("{\"hair\": {\"meshes\": [\"Body\"]}}; there are: mesh 'Body' (material 'Skin')"),
+            std::string::npos)
       << hair.error().message;
 }
 
@@ -274,7 +275,8 @@ SourceMesh shell(const std::string& name, float radius, bool whole) {
   for (std::uint32_t row = 0; row < kRows; ++row) {
     for (std::uint32_t c = 0; c < kColumns; ++c) {
       const std::uint32_t v = row * (kColumns + 1) + c;
-      mesh.triangles.insert(mesh.triangles.end(), {v, v + kColumns + 1, v + 1, v + 1, v + kColumns + 1, v + kColumns + 2});
+      mesh.triangles.insert(mesh.triangles.end(),
+                            {v, v + kColumns + 1, v + 1, v + 1, v + kColumns + 1, v + kColumns + 2});
     }
   }
   return mesh;

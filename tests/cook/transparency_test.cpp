@@ -51,7 +51,8 @@ TEST(Transparency, BlendedHairIsMeasuredToo) {
   EXPECT_DOUBLE_EQ(chosen.made.discard_threshold, default_recipe().discard_threshold);
   ASSERT_EQ(chosen.notes.size(), 1u);
   EXPECT_NE(chosen.notes[0].find("opaque threshold 0.7"), std::string::npos) << chosen.notes[0];
-  EXPECT_NE(chosen.notes[0].find("; 60 % of the hair's texels are opaque"), std::string::npos) << "three of the five that are not clear";
+  EXPECT_NE(chosen.notes[0].find("; 60 % of the hair's texels are opaque"), std::string::npos)
+      << "three of the five that are not clear";
 }
 
 TEST(Transparency, AMaskedMaterialKeepsItsCutoffAndBlendsNothing) {

@@ -70,13 +70,14 @@ void write_outcomes(const fs::path& folder) {
 std::string small_lines() {
   test::Bytes buffer;
   buffer.add_all<float>({0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0}).add_all<std::uint16_t>({0, 1, 1, 2, 2, 3});
-  return test::glb_of(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "scale": [1, 2, 1]}],
+  return test::glb_of(
+      R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "scale": [1, 2, 1]}],
     "meshes": [{"primitives": [{"mode": 1, "attributes": {"POSITION": 0}, "indices": 1}, {"mode": 3, "attributes": {"POSITION": 0}}]}],
     "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
                   {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}],
     "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
     "buffers": [{"byteLength": 60}]})",
-                      buffer.bytes);
+      buffer.bytes);
 }
 
 void write_fbx_objects(const fs::path& folder) {
@@ -97,10 +98,12 @@ void write_grooms(const fs::path& folder) {
   write(folder / "hair_file" / "points.hair", test::small_hair(3).bytes);
   write(folder / "tressfx" / "three.tfx", test::small_tfx_3().bytes);
   write(folder / "tressfx" / "four.tfx", test::small_tfx_4().bytes);
-  write(folder / "obj_lines" / "lines.obj", std::string("o hair\nv 0 0 0\nv 0 1 0\nv +1e0 2 0\ng tips\nl 1/1 2 \\\n 3\nl -2 -1\n"));
+  write(folder / "obj_lines" / "lines.obj",
+        std::string("o hair\nv 0 0 0\nv 0 1 0\nv +1e0 2 0\ng tips\nl 1/1 2 \\\n 3\nl -2 -1\n"));
   write(folder / "gltf_lines" / "lines.glb", small_lines());
   write(folder / "groom_stream" / "groom", encode_groom(*read_hair_file(test::small_hair().span())));
-  write(folder / "groom_stream" / "error", encode_groom(tl::unexpected(ToolError{ToolError::Kind::kBadInput, "x.hair: broken"})));
+  write(folder / "groom_stream" / "error",
+        encode_groom(tl::unexpected(ToolError{ToolError::Kind::kBadInput, "x.hair: broken"})));
 }
 
 }  // namespace

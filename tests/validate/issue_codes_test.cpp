@@ -1,5 +1,5 @@
-#include "cook/recipe/recipe.h"
 #include "validate/issue_codes.h"
+#include "cook/recipe/recipe.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -111,7 +111,8 @@ std::error_code write_into(int file, std::span<const std::byte> bytes, Durabilit
   return durability == Durability::kNow && ::fsync(file) != 0 ? last_error() : std::error_code{};
 }
 
-std::error_code write_new_file(const fs::path& path, int flags, std::span<const std::byte> bytes, Durability durability) {
+std::error_code write_new_file(const fs::path& path, int flags, std::span<const std::byte> bytes,
+                               Durability durability) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
   if (file < 0) return last_error();
   std::error_code why = write_into(file, bytes, durability);
@@ -203,7 +204,8 @@ std::string temporary_name(const std::string& name) {
 
 bool is_temporary_of(const std::string& file, const std::string& name) {
   constexpr std::string_view kEnd = ".tmp";
-  if (!file.starts_with(name + ".") || !file.ends_with(kEnd) || file.size() < name.size() + kEnd.size() + 3) return false;
+  if (!file.starts_with(name + ".") || !file.ends_with(kEnd) || file.size() < name.size() + kEnd.size() + 3)
+    return false;
   const std::string middle = file.substr(name.size() + 1, file.size() - name.size() - 1 - kEnd.size());
   const std::size_t dot = middle.find('.');
   return dot != std::string::npos && middle.size() - dot == 9 && middle.find_first_not_of("0123456789") == dot &&
@@ -243,13 +245,15 @@ std::error_code write_temporary(const fs::path& path, std::span<const std::byte>
 
 }  // namespace
 
-tl::expected<void, ToolError> write_output(const fs::path& output, std::span<const std::byte> bytes, Durability durability) {
+tl::expected<void, ToolError> write_output(const fs::path& output, std::span<const std::byte> bytes,
+                                           Durability durability) {
   std::error_code why;
   // Through a link, so that the link stays and its target is replaced.
   const fs::path target = fs::is_symlink(output, why) ? fs::weakly_canonical(output, why) : output;
   if (fs::exists(target, why) && !fs::is_regular_file(target, why)) {
     // Renaming over /dev/stdout or a pipe would replace the device.
-    if (const std::error_code failed = write_new_file(target, 0, bytes, Durability::kSoon)) return cannot_write(output, failed.message());
+    if (const std::error_code failed = write_new_file(target, 0, bytes, Durability::kSoon))
+      return cannot_write(output, failed.message());
     return {};
   }
   remove_old_temporaries(target);

@@ -48,8 +48,8 @@ bool is_obeyed(std::string_view character) {
 
 std::string numbers_text(std::span<const std::uint32_t> numbers, std::size_t most) {
   const std::size_t named = std::min(numbers.size(), most);
-  const std::string rest = numbers.size() > named ? fmt::format("{} more", numbers.size() - named)
-                                                  : fmt::format("{}", numbers[named - 1]);
+  const std::string rest =
+      numbers.size() > named ? fmt::format("{} more", numbers.size() - named) : fmt::format("{}", numbers[named - 1]);
   const std::size_t listed = numbers.size() > named ? named : named - 1;
   if (listed == 0) return rest;
   return fmt::format("{} and {}", fmt::join(numbers.first(listed), ", "), rest);
@@ -75,7 +75,8 @@ std::string printable_text(std::string_view text, std::size_t max_bytes) {
 }
 
 std::string printable_ascii(std::string text) {
-  std::ranges::replace_if(text, [](char c) { return c < ' ' || c > '~'; }, '?');
+  std::ranges::replace_if(
+      text, [](char c) { return c < ' ' || c > '~'; }, '?');
   return text;
 }
 

@@ -23,8 +23,8 @@ inline constexpr std::chrono::hours kStaleInCache{24};  ///< Older temporary fil
 
 /// Where a cook stands on this machine. What depends on it is kept relative to it.
 struct CookPlace {
-  std::filesystem::path source;            ///< The source file.
-  std::filesystem::path recipe_directory;  ///< CookSettings::recipe_directory.
+  std::filesystem::path source;                ///< The source file.
+  std::filesystem::path recipe_directory;      ///< CookSettings::recipe_directory.
   std::vector<std::filesystem::path> roots{};  ///< ImportSettings::roots.
 
   [[nodiscard]] std::filesystem::path source_directory() const;

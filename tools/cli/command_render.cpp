@@ -96,8 +96,7 @@ tl::expected<Body, ToolError> read_body(const RenderOptions& options, const Asse
   if (auto resized = settle_size(*model, choice->recipe, findings).model) *model = std::move(*resized);
   model = keep_body(std::move(*model), options.body_mesh, choice->recipe, is_source_of(asset, options.body));
   if (!model) return tl::unexpected(model.error());
-  if (model->meshes.empty())
-    messages.warning(options.body + ": has nothing but the hair; drawn as without --body");
+  if (model->meshes.empty()) messages.warning(options.body + ": has nothing but the hair; drawn as without --body");
   BodyTextures textures = read_body_textures(*model, findings);
   for (const std::string& warning : findings.warnings) messages.warning(options.body + ": " + warning);
   return Body{std::move(*model), std::move(textures), std::move(files)};

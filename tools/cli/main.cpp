@@ -67,7 +67,8 @@ bool is_standard_stream_named(const CLI::App& app) {
 tl::expected<Exit, ToolError> run_in_memory(const Command& command, const Messages& messages) try {
   return command.run(messages);
 } catch (const std::bad_alloc&) {
-  return tl::unexpected(ToolError{ToolError::Kind::kBadInput, named_files(*command.app) + ": not enough memory for this"});
+  return tl::unexpected(
+      ToolError{ToolError::Kind::kBadInput, named_files(*command.app) + ": not enough memory for this"});
 }
 
 Exit run(const Command& command) {

@@ -9,12 +9,9 @@
 namespace coif {
 namespace {
 
-constexpr Choice<ReportSubject> kSubjects[] = {{"accuracy", ReportSubject::kAccuracy},
-                                               {"stability", ReportSubject::kStability},
-                                               {"order", ReportSubject::kOrder},
-                                               {"shadows", ReportSubject::kShadows},
-                                               {"cost", ReportSubject::kCost},
-                                               {"cards", ReportSubject::kCards}};
+constexpr Choice<ReportSubject> kSubjects[] = {
+    {"accuracy", ReportSubject::kAccuracy}, {"stability", ReportSubject::kStability}, {"order", ReportSubject::kOrder},
+    {"shadows", ReportSubject::kShadows},   {"cost", ReportSubject::kCost},           {"cards", ReportSubject::kCards}};
 
 /// May stand several times, with one value or several between commas each time.
 CLI::Option* as_list(CLI::Option* option) {
@@ -57,10 +54,10 @@ void add_solvers(CLI::App& app, ReportOptions& options) {
     }
     options.accuracy.solvers = options.stability.solvers = options.cost.simulation.solvers = words;
   };
-  CLI::Option* option =
-      app.add_option_function<std::vector<std::string>>("--solver", parse,
-                                                    "Which methods, repeatable (default: all); for order the one that "
-                                                    "moves the hair (default: coif)");
+  CLI::Option* option = app.add_option_function<std::vector<std::string>>(
+      "--solver", parse,
+      "Which methods, repeatable (default: all); for order the one that "
+      "moves the hair (default: coif)");
   as_list(option->type_name("NAME"));
 }
 

@@ -65,8 +65,9 @@ const char* shape_word(SourceCollider::Shape shape) {
 std::size_t limited_joints(const SourceModel& model) {
   std::size_t count = 0;
   for (const SourceSpring& spring : model.springs) {
-    count += std::size_t(std::ranges::count_if(
-        spring.joints, [](const SourceSpringJoint& joint) { return joint.limit.kind != SourceLimit::Kind::kUnlimited; }));
+    count += std::size_t(std::ranges::count_if(spring.joints, [](const SourceSpringJoint& joint) {
+      return joint.limit.kind != SourceLimit::Kind::kUnlimited;
+    }));
   }
   return count;
 }

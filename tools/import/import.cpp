@@ -33,8 +33,8 @@ tl::expected<SourceModel, ToolError> import_checked(const fs::path& path, const 
                         path.extension().string(), supported_suffixes());
   }
   if (suffix->format == SourceFormat::kHair || suffix->format == SourceFormat::kTressFx) {
-    return file_failure(ToolError::Kind::kUnsupported, path, "{} holds strands, and a mesh is wanted here; export as .glb",
-                        format_name(suffix->format));
+    return file_failure(ToolError::Kind::kUnsupported, path,
+                        "{} holds strands, and a mesh is wanted here; export as .glb", format_name(suffix->format));
   }
   auto answer = read_in_child(path, settings, [&] { return encode_outcome(read_here(path, *suffix, settings)); });
   if (!answer) return tl::unexpected(answer.error());

@@ -49,7 +49,8 @@ constexpr auto transfer_collider = [](auto& archive, auto& collider) {
 };
 
 constexpr auto transfer_limit = [](auto& archive, auto& limit) {
-  return transfer_choice(archive, limit.kind, SourceLimit::Kind::kSpherical) && archive.raw(limit.angles, sizeof limit.angles) &&
+  return transfer_choice(archive, limit.kind, SourceLimit::Kind::kSpherical) &&
+         archive.raw(limit.angles, sizeof limit.angles) &&
          archive.raw(limit.rotation.coeffs().data(), 4 * sizeof(double));
 };
 
@@ -87,7 +88,9 @@ constexpr auto transfer_model = [](auto& archive, auto& model) {
 
 }  // namespace
 
-std::vector<std::uint8_t> encode_outcome(const ImportOutcome& outcome) { return encode_framed(kMagic, outcome, transfer_model); }
+std::vector<std::uint8_t> encode_outcome(const ImportOutcome& outcome) {
+  return encode_framed(kMagic, outcome, transfer_model);
+}
 
 bool decode_outcome(std::span<const std::uint8_t> bytes, ImportOutcome& outcome) {
   return decode_framed(kMagic, bytes, outcome, transfer_model, find_model_fault);

@@ -99,7 +99,8 @@ class PoseReader {
       if (is_new) {
         auto moves = ClipNode::from(tree_.node(index));
         if (!moves) {
-          return fault("node '{}' has a place that is not made of finite numbers; {}", tree_.label(index), kExportAgain);
+          return fault("node '{}' has a place that is not made of finite numbers; {}", tree_.label(index),
+                       kExportAgain);
         }
         clip_->nodes_.push_back({parent, std::move(*moves)});
       }

@@ -76,7 +76,7 @@ struct SourceMaterial {
   /// What is known of single strands, of cards that were made from them: red a number of the strand, 0..1; green how far in front of
   /// others it is; blue and alpha how it runs, as TextureRole::kStrandAxis has it. Embedded or none; no file format has it.
   SourceTexture strand_texture;
-  float normal_strength = 1;    ///< What the map's slopes are multiplied with, 0..kMostNormalStrength.
+  float normal_strength = 1;  ///< What the map's slopes are multiplied with, 0..kMostNormalStrength.
   SourceTexture
       opacity_texture;  ///< Another image, whose numbers are the alpha instead of the base texture's; or none.
   TextureChannel opacity_channel = TextureChannel::kAuto;

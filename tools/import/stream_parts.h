@@ -61,7 +61,9 @@ bool transfer_choice(ByteDecoder& archive, Choice& choice, Choice last) {
 
 inline bool transfer_axis(ByteEncoder& archive, const char& axis) { return archive.plain(axis); }
 
-inline bool transfer_axis(ByteDecoder& archive, char& axis) { return archive.plain(axis) && axis >= 'x' && axis <= 'z'; }
+inline bool transfer_axis(ByteDecoder& archive, char& axis) {
+  return archive.plain(axis) && axis >= 'x' && axis <= 'z';
+}
 
 inline constexpr auto transfer_space = [](auto& archive, auto& space) {
   return archive.plain(space.metres_per_unit) && transfer_choice(archive, space.unit, Statement::kUnsaid) &&
@@ -71,7 +73,8 @@ inline constexpr auto transfer_space = [](auto& archive, auto& space) {
 
 /// What was read, or the error, behind a word by which a stray write into the pipe is not taken for either.
 template <class Value, class Transfer>
-[[nodiscard]] std::vector<std::uint8_t> encode_framed(std::uint32_t magic, const tl::expected<Value, ToolError>& outcome,
+[[nodiscard]] std::vector<std::uint8_t> encode_framed(std::uint32_t magic,
+                                                      const tl::expected<Value, ToolError>& outcome,
                                                       Transfer transfer) {
   ByteEncoder encoder;
   encoder.plain(magic);
@@ -87,8 +90,9 @@ template <class Value, class Transfer>
 
 /// False, with `outcome` untouched, unless the bytes are exactly one outcome in whose value `find_fault` finds none.
 template <class Value, class Transfer>
-[[nodiscard]] bool decode_framed(std::uint32_t magic, std::span<const std::uint8_t> bytes, tl::expected<Value, ToolError>& outcome,
-                                 Transfer transfer, std::string (*find_fault)(const Value&)) {
+[[nodiscard]] bool decode_framed(std::uint32_t magic, std::span<const std::uint8_t> bytes,
+                                 tl::expected<Value, ToolError>& outcome, Transfer transfer,
+                                 std::string (*find_fault)(const Value&)) {
   ByteDecoder decoder(bytes);
   std::uint32_t begin = 0;
   bool has_value = false;

@@ -25,9 +25,9 @@ struct LeftOut {
 
 /// What passes have to say: the one place that all of them write to, each list in the order in which they ran.
 struct Findings {
-  std::vector<std::string> notes;     ///< What was chosen, and why.
-  std::vector<Warning> warnings;      ///< What the artist may not have meant.
-  std::vector<LeftOut> left_out;      ///< What of the source is not in the asset, and why.
+  std::vector<std::string> notes;  ///< What was chosen, and why.
+  std::vector<Warning> warnings;   ///< What the artist may not have meant.
+  std::vector<LeftOut> left_out;   ///< What of the source is not in the asset, and why.
 
   void note(std::string text) { notes.push_back(std::move(text)); }
   void warn(const char* code, std::string text) { warnings.emplace_back(code, std::move(text)); }

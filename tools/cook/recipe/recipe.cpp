@@ -74,7 +74,8 @@ json chosen_word(const json& document, const char* section, const char* key, con
 tl::expected<json, std::string> find_preset(const json& document, const std::string& said, Recipe& recipe) {
   const json chosen = chosen_word(document, "look", "preset", said);
   if (chosen.is_null()) return json::object();
-  if (auto outcome = read_section("look", {{"preset", chosen}}, recipe); !outcome) return tl::unexpected(outcome.error());
+  if (auto outcome = read_section("look", {{"preset", chosen}}, recipe); !outcome)
+    return tl::unexpected(outcome.error());
   for (const RecipePreset& preset : recipe_presets()) {
     if (recipe.look_preset == preset.name) return json::parse(preset.keys);
   }

@@ -54,9 +54,9 @@ struct Recipe : HairStyle {
   std::uint32_t cards_triangles = 0;
   std::uint32_t cards_texels = 0;
   std::uint32_t cards_rounds = 0;
-  double cards_strand_width = 0;  ///< Metres; 0: from how many strands there are.
-  double cards_caps = 0;          ///< Share of triangles and texels.
-  std::string cards_body;         ///< Path beside the recipe; "": none.
+  double cards_strand_width = 0;                    ///< Metres; 0: from how many strands there are.
+  double cards_caps = 0;                            ///< Share of triangles and texels.
+  std::string cards_body;                           ///< Path beside the recipe; "": none.
   std::optional<std::uint32_t> cards_follow_hairs;  ///< None: as the file says.
   double cards_follow_radius = 0;                   ///< Metres; 0: from how far apart the strands are.
   // chains, where the file has no bones
@@ -72,7 +72,7 @@ struct Recipe : HairStyle {
   double patch_widest = 0;         ///< Metres; 0: from the head's size.
   double patch_weld_distance = 0;
   std::vector<std::string> acknowledged_warnings;  ///< Codes of the table of issues.
-  std::vector<PatchOverride> patch_overrides;  ///< Where two say different things of a patch, the later one holds.
+  std::vector<PatchOverride> patch_overrides;      ///< Where two say different things of a patch, the later one holds.
   // strands
   std::string strand_root;  ///< "auto", "low_u", "high_u", "low_v" or "high_v".
   // dynamics
@@ -87,10 +87,10 @@ struct Recipe : HairStyle {
   double gravity_scale = 0;
   double authoring_rate = 0;
   std::optional<NumberOrCurve> damping_ratio;  ///< None: as `liveliness` says.
-  std::string conditioning;       ///< "auto" or "off".
-  std::optional<double> torsion;  ///< 1/s; none: chosen for each chain.
-  double angle_limit = 0;         ///< Degrees.
-  std::vector<RecipeBoneLimit> limits;  ///< Where two are of one bone, the later one holds.
+  std::string conditioning;                    ///< "auto" or "off".
+  std::optional<double> torsion;               ///< 1/s; none: chosen for each chain.
+  double angle_limit = 0;                      ///< Degrees.
+  std::vector<RecipeBoneLimit> limits;         ///< Where two are of one bone, the later one holds.
   RecipeLinks links;
   double link_stretch = 0;  ///< Of the distance at rest.
   double link_shrink = 0;
@@ -100,7 +100,7 @@ struct Recipe : HairStyle {
   double budget_error_mm = 0;
   double budget_max_error = 0;     ///< Percent of the chain's length.
   double budget_worst_second = 0;  ///< Percent of the chain's length.
-  double budget_cost = 0;  ///< Nominal nanoseconds per head and frame.
+  double budget_cost = 0;          ///< Nominal nanoseconds per head and frame.
   double slowest_rate = 0;
   double fastest_rate = 0;
   // head
@@ -108,7 +108,7 @@ struct Recipe : HairStyle {
   std::optional<std::array<double, 3>> head_center;  ///< Model space, metres.
   std::optional<std::array<double, 3>> head_radii;
   // body
-  bool body_from_file = false;                      ///< The file's spring colliders that are not on the head.
+  bool body_from_file = false;  ///< The file's spring colliders that are not on the head.
   std::vector<RecipeBodyCollider> body_colliders;
   // levels of detail
   std::uint32_t lod_levels = 0;
@@ -120,9 +120,9 @@ struct Recipe : HairStyle {
   std::string order_method;  ///< "auto", "head", "single" or "views".
   std::uint32_t order_max = 0;
   std::uint32_t order_max_bytes = 0;
-  double order_min_gain = 0;  ///< dB.
+  double order_min_gain = 0;    ///< dB.
   double order_cut_budget = 0;  ///< Share of the triangles.
-  std::string order_solver;   ///< "coif", "cascade", "passive" or "thesis".
+  std::string order_solver;     ///< "coif", "cascade", "passive" or "thesis".
   // textures
   RecipeTexture base_color_texture;  ///< None: the source's.
   RecipeTexture opacity_texture;     ///< None: the source's.

@@ -30,9 +30,9 @@ struct RecipeKey {
   const char* default_json;
   double low;  ///< Smallest and largest number allowed, where the value has numbers.
   double high;
-  const char* choices;  ///< Words allowed, separated by '|'; null: any text.
-  const char* unit;     ///< "" where there is none.
-  const char* meaning;  ///< What the artist sees, one line.
+  const char* choices;    ///< Words allowed, separated by '|'; null: any text.
+  const char* unit;       ///< "" where there is none.
+  const char* meaning;    ///< What the artist sees, one line.
   const char* also = "";  ///< What more it may be, a clause that follows; no part of canonical_recipe().
 
   /// The value is the path of a file, a text or, in an object, the member "file", empty for none. Only a recipe on the disk may say

@@ -89,7 +89,9 @@ class SkeletonBuilder {
 
  private:
   /// Where the recipe heeds spring bones: artists let hair swing from its first joint.
-  [[nodiscard]] bool swings(std::uint32_t node) const { return recipe_.dynamics_source != "curves" && is_spring_[node]; }
+  [[nodiscard]] bool swings(std::uint32_t node) const {
+    return recipe_.dynamics_source != "curves" && is_spring_[node];
+  }
 
   [[nodiscard]] bool is_scalp(std::uint32_t node, std::uint32_t parent_bone) const {
     if (recipe_.scalp == "pattern") return matches_any(source_.nodes[node].name, recipe_.scalp_bones);

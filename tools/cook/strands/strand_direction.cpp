@@ -24,7 +24,7 @@ constexpr float kPainted = 0.1f;       ///< Ends whose colours differ by this mu
 constexpr float kHabit = 0.25f;        ///< What it counts where others have their roots where nothing is painted.
 constexpr double kBeside = 0.15;       ///< Patches nearer than this share of the head's radius are beside each other.
 constexpr float kUnsure = 0.2f;        ///< Of a belief: told in the report.
-constexpr double kBackwards = 0.5;  ///< Share of the mean strand along -Z.
+constexpr double kBackwards = 0.5;     ///< Share of the mean strand along -Z.
 
 struct PatchStrands {
   float preference = 0;  ///< texture_preference().
@@ -206,10 +206,12 @@ StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head
   }
   field.along_u = (along_u != 0 ? along_u > 0 : common == 0) && !mesh.uvs.empty();
   std::ranges::sort(field.unsure);
-  const std::string unsure = field.unsure.empty() ? "" : ": " + numbers_text(field.unsure) + " of 'coif cook --list patches'";
+  const std::string unsure =
+      field.unsure.empty() ? "" : ": " + numbers_text(field.unsure) + " of 'coif cook --list patches'";
   const std::string given = known > 0 ? fmt::format("{} known, ", known) : "";
-  findings.note(fmt::format("roots: {}{} of {} patches by their own ends, the others by texture and neighbours; {} unsure{}",
-                            given, sure, views.size() - known, field.unsure.size(), unsure));
+  findings.note(
+      fmt::format("roots: {}{} of {} patches by their own ends, the others by texture and neighbours; {} unsure{}",
+                  given, sure, views.size() - known, field.unsure.size(), unsure));
   warn_of_up_axis(mesh, field, findings);
   return field;
 }

@@ -19,7 +19,7 @@ struct SurfaceLook {
   bool lacks_image = false;        ///< The material names one that cannot be had, so that its factor says little.
   const Image* normals = nullptr;  ///< A normal or bump map; null: none.
   NormalMapUse normal_use;
-  const Image* strands = nullptr;  ///< SourceMaterial::strand_texture; null: none.
+  const Image* strands = nullptr;                                      ///< SourceMaterial::strand_texture; null: none.
   TextureWrap wrap[2] = {TextureWrap::kRepeat, TextureWrap::kRepeat};  ///< Along U and V.
   Eigen::Vector4f factor = Eigen::Vector4f::Ones();
   AlphaUse alpha_use = AlphaUse::kUnknown;
@@ -79,8 +79,8 @@ struct BaseColor {
   std::optional<Image> strand_ids;           ///< As `strands`, of which the recipe knows red alone.
   std::optional<Image> root_to_tip;          ///< One channel, in the coordinates of `image`: how far along a strand.
   std::vector<std::filesystem::path> files;  ///< Image files beside the source that were read.
-  std::vector<std::filesystem::path> recipe_files;   ///< Image files of the recipe that were read.
-  std::vector<TextureQuestion> questions;            ///< How they were found; none for an image of the recipe.
+  std::vector<std::filesystem::path> recipe_files;  ///< Image files of the recipe that were read.
+  std::vector<TextureQuestion> questions;           ///< How they were found; none for an image of the recipe.
 };
 
 /// Finds the hair's base colour: the recipe's image, else what its materials say. Surfaces with different images or
