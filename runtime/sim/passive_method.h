@@ -40,9 +40,9 @@ struct PassiveMethod {
 };
 
 /// Bytes that a step needs for each bone besides its state, whatever the instruction set.
-inline constexpr std::size_t kPassiveScratch = 145 * sizeof(Lanes);
+inline constexpr std::size_t kPassiveScratch = 147 * sizeof(Lanes);
 inline constexpr std::size_t kCharacterScratch = kPassiveScratch + 6 * sizeof(Lanes);  ///< The same on a character.
-/// Rows of so many bones find them on the stack, at most 50 kB; longer ones in the crowd's memory.
+/// Rows of so many bones find them on the stack, at most 75 kB; longer ones in the crowd's memory.
 inline constexpr std::uint32_t kPassiveBonesOnStack = 8;
 
 }  // namespace coif

@@ -57,6 +57,7 @@ struct Meeting {
   V<D> share;    ///< Share of the bone's length from its start to the place of contact.
   V<D> lift;     ///< Metres by which that place has to be lifted from where it freely went; 0: they do not meet.
   V<D> leave;    ///< m/s at which it leaves again at the end of the step.
+  V<D> when;     ///< Share of the step after which they meet.
 };
 
 /// Its distance from the collider falls evenly faster or slower throughout the step. The bone loses the speed at which it comes; it
@@ -91,6 +92,7 @@ COIF_RARE void meet_within(D d, const PlacedCollider& collider, const MeetingBon
   const auto keep = [&](V<D> value, V<D>& to) { to = hn::IfThenElse(lifts, value, to); };
   keep(hn::Add(share0, hn::Mul(hn::Sub(share1, share0), part)), meeting.share);
   keep(lift, meeting.lift);
+  keep(met, meeting.when);
   keep(hn::IfThenElseZero(leaves, hn::Mul(gain, left)), meeting.leave);
 }
 
@@ -137,7 +139,7 @@ HWY_INLINE bool find_meeting(D d, const RowStep& row, std::size_t lane, std::siz
     if (HWY_LIKELY(hn::AllFalse(d, here))) continue;
     if (hn::AllFalse(d, hn::Gt(meeting.lift, zero))) {
       copy(d, way.direction[1], meeting.normal);
-      meeting.share = meeting.leave = zero;
+      meeting.share = meeting.leave = meeting.when = zero;
     }
     Deepest<D> now;
     find_gap(d, colliders[i], way.start[1], way.direction[1], way.length, way.hit_radius, now);

@@ -24,15 +24,18 @@ namespace HWY_NAMESPACE {
 template <class D>
 class PassiveChain {
  public:
-  PassiveChain(D d, const PassiveMethod& method, const RowStep& row, std::size_t lane, PassiveBone<D>* bones)
+  /// `part`: of a step that is split, or null.
+  PassiveChain(D d, const PassiveNumbers<D>& method, const RowStep& row, std::size_t lane, PassiveBone<D>* bones,
+               const PassivePart<D>* part = nullptr)
       : d_(d),
         row_(row),
+        part_(part),
         coefficients_(static_cast<const PassiveCoefficients*>(row.coefficients)),
         state_(static_cast<PassiveState*>(row.state)),
         bones_(bones),
         lane_(lane),
         count_(bones_from(row, lane)),
-        method_(d, method),
+        method_(method),
         turn_(load(d, row.move->from_head, lane)),
         motion_(hn::Zero(d)),
         fastest2_(hn::Zero(d)),
@@ -42,25 +45,45 @@ class PassiveChain {
         gained_(hn::Zero(d)),
         unsure_(hn::Zero(d)) {
     look_at_head();
+    if (HWY_UNLIKELY(part != nullptr)) {
+      watched_ = was_watched_ = hn::And(watched_, part->acts);
+      own_ = part->is_shorter;
+      has_own_numbers_ = true;
+    }
     for (std::size_t i = 0; i < count_; ++i) collides_ = collides_ || (row.bones[i].features & kRowCollides) != 0;
   }
 
-  HWY_INLINE void run() {
+  /// Takes the step. False where it has to be split before, and nothing has changed: split() says how.
+  HWY_INLINE bool run() {
     if (collides_) {
       const auto blow = hn::Gt(load(d_, state_[0].contact, lane_), hn::Set(d_, 1.5f));
       if (HWY_UNLIKELY(!hn::AllFalse(d_, blow))) start_after_blow(blow);
     }
     turn_bones();
-    if (collides_) meet_colliders();
+    if (collides_ && !meet_colliders()) return false;
     for (std::size_t i = 0; i < count_; ++i) settle(i);
-    for (std::size_t i = count_; i-- > 0;) gather_momentum(i);
-    for (std::size_t i = 0; i < count_; ++i) keep_links(i);
+    fit_velocities();
+    if (HWY_UNLIKELY(hits_)) let_go_after_blow();
     if (keeps_book_) balance();
     calm_what_is_wild();
-    store(d_, hn::Add(load(d_, *row_.motion, lane_), motion_), *row_.motion, lane_);
+    keep(hn::Add(load(d_, *row_.motion, lane_), motion_), *row_.motion);
+    return true;
   }
 
+  /// After which share of the step bones first come to a collider, in the lanes of `where`.
+  [[nodiscard]] const PassiveSplit<D>& split() const { return split_; }
+
  private:
+  /// Into the state of the lanes that the step is about.
+  HWY_INLINE void keep(V<D> value, Lanes& to) const {
+    if (HWY_UNLIKELY(part_ != nullptr)) value = hn::IfThenElse(part_->acts, value, load(d_, to, lane_));
+    store(d_, value, to, lane_);
+  }
+  HWY_INLINE void keep(const V3<D>& value, Lanes3& to) const {
+    keep(value.x, to.x);
+    keep(value.y, to.y);
+    keep(value.z, to.z);
+  }
   [[nodiscard]] HWY_INLINE bool is_first(std::size_t i) const { return row_.bones[i].parent < 0; }
   [[nodiscard]] HWY_INLINE PassiveBone<D>& parent_of(std::size_t i) const { return bones_[row_.bones[i].parent]; }
 
@@ -94,18 +117,18 @@ class PassiveChain {
 
   [[nodiscard]] HWY_INLINE V<D> inertia_of(const PassiveCoefficients& c) const {
     auto inertia = load(d_, c.inertia, lane_);
-    if (HWY_UNLIKELY(starts_fresh_)) {
+    if (HWY_UNLIKELY(has_own_numbers_)) {
       const auto by_velocity = hn::Mul(load(d_, c.friction, lane_), method_.late);
       const auto fresh = hn::Mul(hn::Add(method_.mean, by_velocity), method_.lagged_per_way);
-      inertia = hn::IfThenElse(fresh_, fresh, inertia);
+      inertia = hn::IfThenElse(own_, fresh, inertia);
     }
     return inertia;
   }
   [[nodiscard]] HWY_INLINE V<D> firmness_of(const PassiveCoefficients& c) const {
     auto firm = load(d_, c.firm, lane_);
-    if (HWY_UNLIKELY(starts_fresh_)) {
+    if (HWY_UNLIKELY(has_own_numbers_)) {
       const auto by_velocity = hn::Mul(load(d_, c.damping, lane_), hn::Mul(method_.late, method_.lagged_per_way));
-      firm = hn::IfThenElse(fresh_, hn::Add(load(d_, c.stiffness, lane_), by_velocity), firm);
+      firm = hn::IfThenElse(own_, hn::Add(load(d_, c.stiffness, lane_), by_velocity), firm);
     }
     return firm;
   }
@@ -129,13 +152,20 @@ class PassiveChain {
   void meet(std::size_t i, hn::Mask<D> asked, hn::Mask<D>& touching);
   HWY_INLINE const V3<D>& place_tail(std::size_t i);
   [[nodiscard]] HWY_INLINE hn::Mask<D> lay_on(std::size_t i) const;
-  HWY_INLINE void meet_colliders();
+  HWY_INLINE bool meet_colliders();
+  [[nodiscard]] bool may_split() const;
+  [[nodiscard]] bool finds_split(hn::Mask<D> hit);
   void hold_at_contacts(hn::Mask<D> touching);
   HWY_INLINE void find_hold(std::size_t i, const Symmetric3<D>& inverse, V<D> opening);
   HWY_INLINE void hand_up_hold(const PassiveHold<D>& hold, PassiveLinks<D>& links);
   HWY_INLINE void push_back(const V3<D>& of_start, PassiveBone<D>& bone, V<D>& pull);
   HWY_INLINE PassivePace<D> pace_of(std::size_t i, V<D> length);
   HWY_INLINE void settle(std::size_t i);
+  HWY_INLINE V<D> contact_of(std::size_t i) const;
+  HWY_INLINE void fit_velocities();
+  void let_go_after_blow();
+  bool finds_pulling();
+  void undo_links();
   HWY_INLINE void gather_momentum(std::size_t i);
   HWY_INLINE void keep_links(std::size_t i);
   HWY_INLINE void calm_what_is_wild();
@@ -162,6 +192,7 @@ class PassiveChain {
 
   const D d_;
   const RowStep& row_;
+  const PassivePart<D>* const part_;
   const PassiveCoefficients* const coefficients_;
   PassiveState* const state_;
   PassiveBone<D>* const bones_;
@@ -182,8 +213,12 @@ class PassiveChain {
   V<D> gained_, unsure_;  ///< What bending and all other forces gave in between, and how much of that is unsure.
   V<D> farthest2_;                          ///< Square of the last round's largest turn.
   bool is_moved_ = false;                   ///< Bones may be elsewhere than their free motion led.
-  bool collides_ = false, touches_ = false, holds_contacts_ = false, hits_ = false, starts_fresh_ = false;
-  hn::Mask<D> fresh_;                       ///< If starts_fresh_: where there was a blow in the last step.
+  bool collides_ = false, touches_ = false, holds_contacts_ = false, hits_ = false, has_own_numbers_ = false;
+  bool goes_on_ = false;
+  hn::Mask<D>
+      after_blow_;  ///< If goes_on_: where a part of the step began with a blow, and the next step begins so, too.
+  PassiveSplit<D> split_;
+  hn::Mask<D> own_;                         ///< If has_own_numbers_: where the method's are not those of a whole step.
   hn::Mask<D> hit_;                         ///< If hits_: where there is one in this.
   std::size_t joint_of_ = ~std::size_t{0};  ///< The bone that hangs from joint_.
   Carrier<D> joint_;

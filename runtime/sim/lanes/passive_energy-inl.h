@@ -141,7 +141,7 @@ HWY_INLINE void PassiveChain<D>::enter_way(std::size_t i, const Carrier<D>& from
   const auto is_rigid = hn::Eq(mass, hn::Zero(d_)), was_put = hn::Lt(was_bent, hn::Zero(d_));
   watched_ = hn::And(watched_, hn::Or(is_rigid, hn::Not(was_put)));
   const auto is_known = hn::And(was_watched_, hn::Not(is_rigid));
-  store(d_, hn::IfThenElse(is_known, bent, hn::Set(d_, kNotBent)), state.bent, lane_);
+  keep(hn::IfThenElse(is_known, bent, hn::Set(d_, kNotBent)), state.bent);
   auto stiffness = hn::Mul(load(d_, c.stiffness, lane_), load(d_, constants.carried, lane_));
   stiffness = hn::IfThenZeroElse(is_rigid, stiffness);
   gained_ = hn::Add(gained_, hn::Mul(stiffness, hn::Sub(bent, was_bent)));
@@ -151,7 +151,7 @@ HWY_INLINE void PassiveChain<D>::enter_way(std::size_t i, const Carrier<D>& from
   const V3<D> wind = sub(d_, air_of(d_, row_, lane_, bone), add(d_, steadily_, cross(d_, turning_, place)));
   const auto friction = load(d_, c.friction, lane_);
   force = add_scaled(d_, force, wind, friction);
-  force = sub_scaled(d_, force, gone, hn::Mul(friction, hn::Set(d_, kAskedOfFriction / row_.dt)));
+  force = sub_scaled(d_, force, gone, hn::Mul(friction, hn::Mul(hn::Set(d_, kAskedOfFriction), method_.per_dt)));
   gained_ = hn::Sub(gained_, hn::Mul(mass, dot(d_, force, gone)));
   const auto weight =
       hn::Mul(hn::Mul(mass, length), hn::Add(hn::Add(hn::Abs(force.x), hn::Abs(force.y)), hn::Abs(force.z)));

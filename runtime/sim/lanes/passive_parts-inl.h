@@ -28,6 +28,9 @@ inline constexpr float kFirmContact = 1000.0f;
 /// Share of a joint's stiffness that it has against folding by more than a right angle (MODEL.md, "Folds").
 inline constexpr float kFoldStiffness = 0.01f;
 
+/// A step is split at so many blows at most.
+inline constexpr int kMostSplits = 3;
+
 /// Radians a step: the method can follow what turns slower against the head.
 inline constexpr float kMostTurn = 0.7f;
 
@@ -112,6 +115,16 @@ struct PassiveNumbers {
         lagged_per_way(hn::Set(d, float(method.lagged_per_way))),
         early(hn::Set(d, float(method.early))),
         late(hn::Set(d, float(method.late))) {}
+
+  /// In these lanes the step is this share of itself.
+  void shorten(D d, hn::Mask<D> where, V<D> share) {
+    const auto per_share = hn::Div(hn::Set(d, 1.0f), share);
+    const auto multiply = [&](V<D> by, V<D>& number) { number = hn::IfThenElse(where, hn::Mul(number, by), number); };
+    for (V<D>* const number : {&dt, &early, &late}) multiply(share, *number);
+    multiply(per_share, per_dt);
+    multiply(hn::Mul(share, share), lag);
+    multiply(hn::Mul(per_share, per_share), lagged_per_way);
+  }
 
   /// Of a particle that made this way; the other three from before the step.
   HWY_INLINE PassivePace<D> pace(D d, const V3<D>& way, const V3<D>& velocity, const V3<D>& acceleration,
@@ -225,11 +238,15 @@ struct PassiveTouch {
   V<D> share;    ///< Share of the bone's length from its start to the place of contact; 0: it touches nothing.
   V<D> lift;     ///< Metres by which that place has to be lifted from where the bone freely is.
   V<D> leave;    ///< m/s at which it is left again at the end of the step.
+  V<D> push;     ///< kg m/s that the collider gave when velocities were made to fit.
+  V<D> when;     ///< Share of the step after which the bone came there; 2: it did not.
 
   HWY_INLINE void clear(D d) {
     const auto zero = hn::Zero(d);
     normal = {zero, zero, zero};
     share = lift = leave = zero;
+    when = hn::Set(d, 2.0f);
+    push = zero;
   }
   HWY_INLINE void set(D d, hn::Mask<D> where, const V3<D>& out, V<D> place, V<D> way) {
     set_where(d, where, out, normal);
@@ -238,6 +255,21 @@ struct PassiveTouch {
     lift = hn::IfThenElse(where, way, lift);
   }
   [[nodiscard]] HWY_INLINE hn::Mask<D> holds(D d) const { return hn::Gt(share, hn::Zero(d)); }
+};
+
+/// Where a step is split, and after which share of what is left of it.
+template <class D>
+struct PassiveSplit {
+  hn::Mask<D> where;
+  V<D> share;
+};
+
+/// A part of a step that is split.
+template <class D>
+struct PassivePart {
+  hn::Mask<D> acts;        ///< Others keep their state.
+  hn::Mask<D> is_shorter;  ///< Than the whole step.
+  bool may_split;          ///< Once more.
 };
 
 /// What keeps velocities from leading into the collider that the bone touches: a push of -yields (wanted + lever v) along the normal, where

@@ -1,6 +1,7 @@
 // The step of the passive model in runtime/docs/MODEL.md for one chain: after passive_solve-inl.h and passive_contact-inl.h what limits and
 // contacts make of it, and velocities that stretch nothing. Compiled once per instruction set.
 
+#include "cut_move-inl.h"
 #include "moving_contact-inl.h"
 #include "palette-inl.h"
 #include "passive_contact-inl.h"
@@ -110,24 +111,22 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   if (HWY_UNLIKELY(!hn::AllFalse(d_, held))) {
     give_way(d_, held, sub(d_, end_velocity, pace.velocity), acceleration, lagged);
   }
-  store(d_, now.direction, state.direction, lane_);
-  store(d_, without_trace(d_, acceleration), state.acceleration, lane_);
-  store(d_, without_trace(d_, lagged), state.lagged, lane_);
-  if (collides_) {
-    const auto lies = hn::AndNot(hn::Gt(bone.touch.leave, hn::Zero(d_)), bone.touch.holds(d_));
-    auto contact = hn::IfThenElseZero(lies, hn::Set(d_, 1.0f));
-    if (HWY_UNLIKELY(hits_) && i == 0) {
-      contact = hn::Add(contact, hn::IfThenElseZero(hit_, hn::Set(d_, 2.0f)));
-    }
-    store(d_, contact, state.contact, lane_);
-  }
+  keep(now.direction, state.direction);
+  keep(without_trace(d_, acceleration), state.acceleration);
+  keep(without_trace(d_, lagged), state.lagged);
+  if (collides_) keep(contact_of(i), state.contact);
 
   const Bent<D> bent = bend(d_, from.frame, rest, by_parent, in_head);
   const V3<D> swing = scale(d_, cross(d_, now.direction, now.velocity), load(d_, constants.per_length, lane_));
   const auto spin = spin_of_arc(d_, arm, now.direction, from.angular_velocity, swing, bent.per_fold);
   if (row_.palette != nullptr) {
-    store_matrix(d_, bent.frame, load(d_, constants.joint, lane_), from.position, row_.palette + lane_, i,
-                 lanes_of_bone(row_, i, lane_));
+    const V3<D> joint = load(d_, constants.joint, lane_);
+    const std::size_t lanes = lanes_of_bone(row_, i, lane_);
+    if (HWY_LIKELY(part_ == nullptr)) {
+      store_matrix(d_, bent.frame, joint, from.position, row_.palette + lane_, i, lanes);
+    } else {
+      store_matrix_where(d_, part_->acts, bent.frame, joint, from.position, row_.palette + lane_, i, lanes);
+    }
   }
   bone.shift = scale(d_, sub(d_, now.direction, direction), length);
   if (!is_first(i)) bone.shift = add(d_, bone.shift, parent_of(i).shift);
@@ -144,7 +143,7 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   if (keeps_book_) {
     enter_way(i, from, arm, now.direction);
   } else {
-    store(d_, hn::Set(d_, kNotBent), state.bent, lane_);
+    keep(hn::Set(d_, kNotBent), state.bent);
   }
   copy(d_, bent.frame, bone.tail.frame);
 }
@@ -154,6 +153,7 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
 template <class D>
 HWY_INLINE void PassiveChain<D>::gather_momentum(std::size_t i) {
   PassiveBone<D>& bone = bones_[i];
+  if (HWY_UNLIKELY(hits_)) copy(d_, bone.tail.velocity, bone.free);
   const auto length = load(d_, row_.constants[i].length, lane_);
   const V3<D> wind = sub(d_, bone.tail.velocity, air_of(d_, row_, lane_, bone));
   bone.links.force = add(d_, bone.links.force,
@@ -164,7 +164,7 @@ HWY_INLINE void PassiveChain<D>::gather_momentum(std::size_t i) {
   bone.links.yields = hn::Div(hn::Set(d_, 1.0f), dot(d_, bone.direction, bone.links.by_pull));
   if (HWY_UNLIKELY(ends(i))) bone.links.let_go(hn::Not(has_bone(d_, row_, i, lane_)));
   const auto tension = hn::Neg(dot(d_, bone.links.force, bone.direction));
-  store(d_, hn::Max(tension, hn::Zero(d_)), state_[i].tension, lane_);
+  keep(hn::Max(tension, hn::Zero(d_)), state_[i].tension);
   const auto opening = dot(d_, bone.direction, sub(d_, bone.tail.velocity, bone.links.start_velocity));
   bone.links.pull = hn::Mul(hn::Add(opening, dot(d_, bone.direction, bone.links.by_push)), bone.links.yields);
   if (HWY_UNLIKELY(touches_)) find_hold(i, inverse, opening);
@@ -193,7 +193,7 @@ HWY_INLINE void PassiveChain<D>::keep_links(std::size_t i) {
   bone.links.change = sub_scaled(d_, bone.links.by_push, bone.links.by_pull, pull);
   bone.tail.velocity = add(d_, bone.tail.velocity, bone.links.change);
   const V3<D> relative = across(d_, sub(d_, bone.tail.velocity, bone.links.start_velocity), bone.direction);
-  store(d_, without_trace(d_, relative), state_[i].velocity, lane_);
+  keep(without_trace(d_, relative), state_[i].velocity);
   const auto per_length = load(d_, row_.constants[i].per_length, lane_);
   const V3<D> turning = sub(d_, scale(d_, relative, per_length), with_head(bone.direction));
   if (keeps_book_) enter_motion(i, turning);
@@ -203,6 +203,24 @@ HWY_INLINE void PassiveChain<D>::keep_links(std::size_t i) {
   if ((row_.bones[i].features & (kRowHasChildren | kRowEnds)) == kRowHasChildren) return;
   const V3<D> velocity = sub(d_, bone.tail.velocity, load(d_, row_.move->velocity, lane_));
   motion_ = hn::Add(motion_, of_last_bones(d_, row_, i, lane_, dot(d_, velocity, velocity)));
+}
+
+/// Velocities that stretch nothing and lead into no collider, from those found.
+template <class D>
+HWY_INLINE void PassiveChain<D>::fit_velocities() {
+  for (std::size_t i = count_; i-- > 0;) gather_momentum(i);
+  for (std::size_t i = 0; i < count_; ++i) keep_links(i);
+}
+
+/// The same without the contacts that would have to pull after a blow elsewhere: those lets_go in hold_at_contacts() may miss, whose bones have
+/// little time to move.
+template <class D>
+COIF_RARE void PassiveChain<D>::let_go_after_blow() {
+  for (int round = 0; round < kMostReleases && finds_pulling(); ++round) {
+    undo_links();
+    motion_ = fastest2_ = has_ = hn::Zero(d_);
+    fit_velocities();
+  }
 }
 
 /// All bones of these lanes keep this share of their motion against the head, which stretches none.
@@ -232,16 +250,64 @@ HWY_INLINE void PassiveChain<D>::forget_accelerations(std::size_t i, hn::Mask<D>
 template <class D>
 HWY_INLINE void PassiveChain<D>::calm_what_is_wild() {
   const auto limit = hn::Set(d_, kMostTurn / row_.dt);
-  const auto is_wild = hn::Gt(fastest2_, hn::Mul(limit, limit));
+  auto is_wild = hn::Gt(fastest2_, hn::Mul(limit, limit));
+  if (HWY_UNLIKELY(part_ != nullptr)) is_wild = hn::And(is_wild, part_->acts);
   if (HWY_LIKELY(hn::AllFalse(d_, is_wild))) return;
   slow_down(is_wild, hn::Div(limit, hn::Sqrt(fastest2_)));
   for (std::size_t i = 0; i < count_; ++i) forget_accelerations(i, is_wild);
 }
 
+/// What a step in parts goes on with.
+template <class D>
+struct PassiveWay {
+  const D d;
+  const PassiveNumbers<D>& method;
+  const RowStep& row;
+  const std::size_t lane;
+  PassiveBone<D>* const bones;
+
+  /// In the lanes of `acts` that part of the step, in others nothing. False where it is to be split, and was not taken.
+  bool take(hn::Mask<D> acts, V<D> from, V<D> to, bool may_split, PassiveSplit<D>& split) const {
+    const auto one = hn::Set(d, 1.0f), zero = hn::Zero(d);
+    const PassivePart<D> part{acts, hn::Or(hn::Gt(from, zero), hn::Lt(to, one)), may_split};
+    PassiveNumbers<D> numbers = method;
+    numbers.shorten(d, part.is_shorter, hn::Sub(to, from));
+    MoveLanes move = *row.move;
+    cut_move(d, from, to, hn::Set(d, row.dt), lane, move);
+    RowStep step = row;
+    step.move = &move;
+    PassiveChain<D> chain(d, numbers, step, lane, bones, &part);
+    if (chain.run()) return true;
+    split = chain.split();
+    return false;
+  }
+};
+
+/// The step in parts, since bones come to colliders in the midst of it: until then in the lanes of `split`, and on from there. After
+/// kMostSplits of them a lane takes the rest at once.
+template <class D>
+COIF_RARE void step_in_parts(const PassiveWay<D>& way, PassiveSplit<D> split) {
+  const D d = way.d;
+  const auto one = hn::Set(d, 1.0f);
+  auto from = hn::Zero(d);
+  auto acts = hn::Eq(one, one);
+  for (int splits = 1;; ++splits) {
+    const auto met = hn::Add(from, hn::Mul(hn::Sub(one, from), split.share));
+    const auto to = hn::IfThenElse(split.where, met, one);
+    way.take(acts, from, to, false, split);
+    acts = split.where;
+    from = hn::IfThenElseZero(acts, to);
+    if (way.take(acts, from, one, splits < kMostSplits, split)) return;
+  }
+}
+
 template <class D>
 HWY_NOINLINE void step_passive_with(D d, const RowStep& row, PassiveBone<D>* bones) {
-  const PassiveMethod method{double(row.dt)};
-  for (std::size_t lane = 0; lane < row.lanes; lane += hn::Lanes(d)) PassiveChain<D>(d, method, row, lane, bones).run();
+  const PassiveNumbers<D> method(d, PassiveMethod{double(row.dt)});
+  for (std::size_t lane = 0; lane < row.lanes; lane += hn::Lanes(d)) {
+    PassiveChain<D> chain(d, method, row, lane, bones);
+    if (HWY_UNLIKELY(!chain.run())) step_in_parts(PassiveWay<D>{d, method, row, lane, bones}, chain.split());
+  }
 }
 
 template <class D>

@@ -15,6 +15,8 @@ namespace {
 constexpr double kUsualError = 0.007;  ///< Where the recipe asks for nothing, this is wanted and nothing less refused.
 /// In slower frames nobody knows what the head does: there the error grows with their square, and up to this much is let be.
 constexpr double kUsualRate = 60, kMostUsualError = 0.02;
+/// Nor is more than four steps a frame of the usual rate taken for less than that.
+constexpr double kDearSteps = 4 * kUsualRate;
 constexpr double kWorthwhile = 0.9;  ///< Of an error that is too large: dearer settings leave no more of it.
 constexpr std::uint32_t kParts[] = {1, 2, 3, 4, 6, 8, 12, 16};
 
@@ -35,15 +37,16 @@ struct Budget {
   double worst_second = 0;
   double cost = 0;
 
-  /// The RMS error that may be had at this rate.
-  [[nodiscard]] double error_at(std::uint32_t rate) const {
+  /// The RMS error that may be had at this rate of frames.
+  [[nodiscard]] double error_at(std::uint32_t rate, std::uint32_t substep_rate) const {
+    if (is_usual && substep_rate >= kDearSteps) return kMostUsualError;
     const double longer = std::max(1.0, kUsualRate / rate);
     return is_usual ? std::min(error * longer * longer, kMostUsualError) : error;
   }
   /// How many times what it may be the worst of the errors is.
-  [[nodiscard]] double excess(const MeasuredRate& measured, std::uint32_t rate) const {
+  [[nodiscard]] double excess(const MeasuredRate& measured, std::uint32_t rate, std::uint32_t substep_rate) const {
     const auto share = [](double reached, double asked) { return asked > 0 ? reached / asked : 0.0; };
-    return std::max({share(double(measured.quality.rms_error), error_at(rate)),
+    return std::max({share(double(measured.quality.rms_error), error_at(rate, substep_rate)),
                      share(double(measured.quality.max_error), max_error), share(measured.worst_second, worst_second)});
   }
 };
@@ -81,7 +84,8 @@ TriedRate try_rate(TuningBench& bench, std::span<const std::uint32_t> rates, std
   trial.tuning.substep_rate = float(substep_rate);
   trial.tuning.slowest_rate = float(rates.front());
   trial.tuning.fastest_rate = float(rates.back());
-  trial.tuning.asked_error = float(budget.is_usual && budget.cost > 0 ? 0 : budget.error_at(rates.front()));
+  trial.tuning.asked_error =
+      float(budget.is_usual && budget.cost > 0 ? 0 : budget.error_at(rates.front(), substep_rate));
   trial.tuning.asked_cost = float(budget.cost);
   for (const std::uint32_t rate : rates) {
     const MeasuredRate& row = bench.at(rate, (substep_rate + rate - 1) / rate);
@@ -89,7 +93,7 @@ TriedRate try_rate(TuningBench& bench, std::span<const std::uint32_t> rates, std
     trial.tuning.cost = std::max(trial.tuning.cost, row.quality.cost);
     trial.max_error = std::max(trial.max_error, double(row.quality.max_error));
     trial.worst_second = std::max(trial.worst_second, row.worst_second);
-    const double excess = budget.excess(row, rate);
+    const double excess = budget.excess(row, rate, substep_rate);
     if (excess >= trial.excess) trial.worst_motion = row.quality.worst_motion;
     trial.excess = std::max(trial.excess, excess);
     trial.mean_excess += std::max(excess, 1.0) / double(rates.size());

@@ -29,7 +29,7 @@ ReferenceSettings reference_settings(std::span<const std::uint32_t> rates) {
   ReferenceSettings settings;
   settings.sample_times = frame_times(rates, kSeconds);
   settings.steps_per_second = kCoarsestSteps;
-  settings.most_steps_per_second = 5760;
+  settings.most_steps_per_second = 23040;
   settings.wanted_self_difference_pct = 0.1;  // a seventh of the smallest error that is usually asked for
   return settings;
 }
