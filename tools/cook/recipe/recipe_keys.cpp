@@ -157,7 +157,7 @@ const RecipeKey kCookKeys[] = {
    "share of the pull to the modelled pose that turns with the bone before; the rest turns with the head"},
 
   {"budget", "error", &R::budget_error, "0", 0, 100, nullptr, "% of length",
-   "largest RMS error of the hair's tips against the exact motion; sub-steps are chosen to keep it, exit code 4 where none do; 0: 0.7 at 60 frames a second and more, up to 2 at fewer, if it can be had"},
+   "largest RMS error of the hair's tips against the exact motion; sub-steps are chosen to keep it, exit code 4 where none do; 0: 0.7 at 60 frames a second and more, up to 2 at fewer or where it takes more than 240 steps a second, if it can be had"},
   {"budget", "error_mm", &R::budget_error_mm, "0", 0, 1000, nullptr, "mm",
    "the same as a length; with both, both are kept"},
   {"budget", "max_error", &R::budget_max_error, "0", 0, 100, nullptr, "% of length",
