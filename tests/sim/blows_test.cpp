@@ -117,4 +117,29 @@ TEST(Blows, HeadsHairArrivesAtUnlikeTimes) {
   EXPECT_GE(arrivals.size(), 8u);
 }
 
+/// A bone that stands off a ball, and whose start rounding or a blow has put a little below the surface, stays as it is.
+TEST(Blows, ABoneThatLeadsOutOfTheBallItStartsAtIsNotTurned) {
+  for (const ChainModel model : {ChainModel::kCascade, ChainModel::kPassive}) {
+    for (const float depth : {0.0f, 1e-7f, 1e-5f, 5e-5f}) {
+      for (const float rise : {0.1f, 0.3f, 1.0f}) {
+        TestRig rig;
+        rig.model = model;
+        TestBone bone{.joint = {0, 0.1f - depth, 0}, .length = 0.06f};
+        bone.rest_direction = {std::cos(rise), std::sin(rise), 0};
+        bone.stiffness = 1e4f;
+        bone.damping = 50;
+        rig.add_strand(2, bone);
+        TestRig bald = rig;
+        rig.add_sphere({0, 0, 0}, 0.1f);
+        TestHair test(rig), free(bald);
+        for (int frame = 0; frame < 10; ++frame) {
+          ASSERT_EQ(test.hair.step({}), Status::kOk);
+          ASSERT_EQ(free.hair.step({}), Status::kOk);
+          ASSERT_LT(largest_distance(test.ends(), free.ends()), 1e-4f) << depth << ", " << rise << ", frame " << frame;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace coif::blows_test

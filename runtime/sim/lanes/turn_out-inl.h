@@ -165,7 +165,9 @@ HWY_INLINE hn::Mask<D> clear_of_sphere(D d, hn::Mask<D> takes_part, hn::Mask<D> 
   const V3<D> offset = add_scaled(d, from, bone.direction, deepest);
   const auto least = hn::Mul(hn::Set(d, 1e-6f), radius);
   const auto has_side = hn::Gt(from2, hn::Mul(least, least));  // from the centre every direction is as good
-  const auto inside = hn::And(hn::And(takes_part, has_side), hn::Lt(dot(d, offset, offset), radius2));
+  // Where only its start is in there, the bone leads out already.
+  const auto leads_in = hn::And(has_side, hn::Gt(deepest, zero));
+  const auto inside = hn::And(hn::And(takes_part, leads_in), hn::Lt(dot(d, offset, offset), radius2));
   const auto touches = hn::Or(crossed, inside);
   if (hn::AllFalse(d, touches)) return touches;
 
