@@ -83,6 +83,22 @@ TEST(ChunkTable, NeedsAndPlacesAreSound) {
   EXPECT_FALSE(is_draw_data(chunk_id("ZEBR")) || is_needed_chunk(chunk_id("ZEBR")));
 }
 
+/// What a terminal can print is from the blank to the tilde.
+TEST(ChunkTable, NamesShowAllThatCanBePrintedAndNothingElse) {
+  for (std::uint32_t byte = 0; byte < 256; ++byte) {
+    const char shown = byte >= 0x20 && byte <= 0x7E ? char(byte) : '?';
+    EXPECT_EQ(chunk_name(byte << 24 | 0x434241), std::string("ABC") + shown) << byte;
+  }
+}
+
+TEST(ChunkTable, ToolsAloneReadWhatItDoesNotKnow) {
+  for (const ChunkLayout& layout : kChunkLayouts) {
+    EXPECT_EQ(chunk_use(layout.id), layout.use) << chunk_name(layout.id);
+    EXPECT_EQ(is_draw_data(layout.id), layout.use == ChunkUse::kDrawData) << chunk_name(layout.id);
+  }
+  EXPECT_EQ(chunk_use(chunk_id("ZEBR")), ChunkUse::kTools);
+}
+
 TEST(ChunkTable, EveryGroupHasChunksAndEveryWordIsAGroup) {
   std::set<std::string> words;
 #define COIF_WORDS(constant, id, Record, count, name, alignment, use, needs, groups, contents)       \

@@ -222,7 +222,8 @@ def main():
     print(f"{len(suites)} suites, {sum(suite.seconds for suite in suites):.0f} s", flush=True)
     sample, untouched = given.work / "build/sample", given.work / "sample"
     shutil.rmtree(untouched, ignore_errors=True)
-    shutil.copytree(sample, untouched)
+    if sample.exists():  # not without the tools
+        shutil.copytree(sample, untouched)
     survivors, tried, noticed = [], [], []
     chosen = choose(drawn, given.count) if not given.only else [m for m in drawn if m.number in given.only]
     for m in chosen:

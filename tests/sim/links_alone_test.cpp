@@ -1,0 +1,108 @@
+// What links do to single bones: on a character, at rest, and against something that is in their way.
+
+#include "sim/linked_sheet.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace coif::links_alone_test {
+namespace {
+
+using links_test::at_rate;
+using links_test::kModels;
+using links_test::worst_excess;
+
+bool same_bits(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec3)) == 0;
+}
+
+StepSettings weightless() {
+  StepSettings settings = at_rate(60);
+  settings.environment.gravity = {};
+  return settings;
+}
+
+/// Two strands that hang side by side, each bone linked to its neighbour.
+TestRig pair(ChainModel model, float gap, int bones, float stretch, float shrink) {
+  TestRig rig;
+  rig.model = model;
+  for (const float side : {0.0f, gap}) {
+    rig.add_strand(
+        bones, {.joint = {side, 0, 0}, .length = 0.125f, .stiffness = 60, .damping = 8, .torsion = kShortestArc});
+  }
+  const auto count = std::uint32_t(bones);
+  for (std::uint32_t depth = 0; depth < count; ++depth) rig.link(1 + count + depth, 1 + depth, stretch, shrink);
+  return rig;
+}
+
+/// Neither the longest nor the shortest length is beyond them.
+TEST(LinksAlone, OfTheVeryLengthThatTheyHaveDoNothing) {
+  for (const ChainModel model : kModels) {
+    for (const float longest : {0.0f, 0.1f}) {
+      for (const float shortest : {0.0f, 0.5f}) {
+        const TestRig rig = pair(model, 0.25f, 2, longest, shortest);
+        TestHair linked(rig, {.links = &kLinks}), free(rig);
+        for (int frame = 0; frame < 20; ++frame) {
+          ASSERT_EQ(linked.hair.step(weightless()), Status::kOk);
+          ASSERT_EQ(free.hair.step(weightless()), Status::kOk);
+        }
+        EXPECT_TRUE(same_bits(linked.ends(), free.ends())) << longest << ' ' << shortest;
+        EXPECT_TRUE(same_bits(linked.ends(), rig.rest_ends())) << "nothing moves it";
+      }
+    }
+  }
+}
+
+TEST(LinksAlone, LeaveBonesWhereAnAnimationHoldsThem) {
+  for (const ChainModel model : kModels) {
+    const TestRig rig = pair(model, 0.05f, 2, 0.1f, 0.5f);
+    const HairDesc desc{.solver = &kCharacterSolver, .follows_poses = true};
+    HairDesc linked = desc;
+    linked.links = &kCharacterLinks;
+    TestHair test(rig, linked), animated(rig, desc);
+    const float weights[] = {0.0f, 1.0f};
+    for (int frame = 0; frame < 60; ++frame) {
+      std::vector<Quat> pose(rig.bones.size());
+      for (std::size_t bone = 1; bone <= 2; ++bone) {
+        pose[bone] = turned_about({0.6f, 0, 0.8f}, -0.4 * std::sin(frame * 0.1));
+      }
+      for (TestHair* const each : {&test, &animated}) {
+        ASSERT_EQ(each->hair.set_pose(0, pose, weights), Status::kOk);
+        ASSERT_EQ(each->hair.step(at_rate(60)), Status::kOk);
+      }
+      for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_LT(distance(test.ends()[i], animated.ends()[i]), 1e-6f) << "of bone " << i << " in frame " << frame;
+      }
+      EXPECT_LT(worst_excess(rig, test.ends()), 1e-4) << "the other strand comes to it";
+    }
+    EXPECT_GT(distance(test.ends()[3], animated.ends()[3]), 1e-3f) << "or links had nothing to do";
+  }
+}
+
+/// A bar between two strands that is thicker than their links are long.
+TEST(LinksAlone, PullNothingIntoWhatMoves) {
+  for (const ChainModel model : kModels) {
+    const TestRig rig = pair(model, 0.09f, 2, 0.05f, 0.5f);
+    TestHair test(rig, {.solver = &kCharacterSolver, .links = &kCharacterLinks, .moving_colliders = 2});
+    double torn = 0;
+    for (int frame = 0; frame < 90; ++frame) {
+      MovingCollider bar{.shape = ColliderShape::kCapsule, .axis = {0, 0, 1}};
+      bar.center[0] = 0.045 + 0.01 * std::sin(frame * 0.3);
+      bar.center[1] = -0.18 - 0.001 * frame;
+      bar.center[2] = -0.5;
+      bar.radius = 0.06f;
+      ASSERT_EQ(test.hair.set_colliders(0, {&bar, 1}), Status::kOk);
+      ASSERT_EQ(test.hair.step(at_rate(60)), Status::kOk);
+      for (const Vec3& end : test.ends()) {
+        const double away = std::hypot(double(end.x) - bar.center[0], double(end.y) - bar.center[1]);
+        EXPECT_GT(away, 0.06 * (1 - 2e-4)) << frame;
+      }
+      torn = std::max(torn, worst_excess(rig, test.ends()));
+    }
+    EXPECT_GT(torn, 0.02) << "or nothing stood in the way";
+  }
+}
+
+}  // namespace
+}  // namespace coif::links_alone_test
