@@ -103,9 +103,11 @@ HWY_INLINE void keep_in_limit(D d, V<D> cosine, const V3<D>& by_parent, const Ta
   const auto size2 = dot(d, inwards, inwards);
   V3<D> velocity = across(d, now.velocity, limited);
   const auto leaving = dot(d, sub(d, velocity, target.velocity), inwards);
-  const auto stops = hn::And(hn::Gt(size2, hn::Set(d, 1e-6f)), hn::Lt(leaving, zero));
+  const auto has_side = hn::Gt(size2, hn::Set(d, 1e-6f)), stops = hn::And(has_side, hn::Lt(leaving, zero));
   const auto taken = hn::Div(leaving, hn::IfThenElse(stops, size2, one));
   velocity = choose<D>(stops, sub_scaled(d, velocity, inwards, taken), velocity);
+  // So narrow a limit leaves no way inwards: the bone is locked to its default position.
+  velocity = choose<D>(has_side, velocity, target.velocity);
   now.direction = choose<D>(is_over, limited, now.direction);
   now.velocity = choose<D>(is_over, velocity, now.velocity);
 }
