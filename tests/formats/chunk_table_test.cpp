@@ -32,10 +32,10 @@ std::string record_word(const std::string& type) {
 /// "| `BONE` | BoneRecord | 48 |", in the file's order.
 std::vector<std::string> rows_of_the_list() {
   std::vector<std::string> rows, draw_data;
-#define COIF_LINE(constant, id, Record, ...)                                      \
-  (is_draw_data(chunk::constant) ? draw_data : rows)                              \
-      .push_back(std::string("| `") + id + "` | " + record_word(#Record) + " | " + \
-                 std::to_string(sizeof(Record)) + " |");
+#define COIF_LINE(constant, id, Record, ...)                                                                        \
+  (is_draw_data(chunk::constant) ? draw_data : rows)                                                                \
+      .push_back(std::string("| `") + id + "` | " + record_word(#Record) + " | " + std::to_string(sizeof(Record)) + \
+                 " |");
   COIF_CHUNKS(COIF_LINE)
 #undef COIF_LINE
   rows.insert(rows.end(), draw_data.begin(), draw_data.end());
@@ -101,13 +101,13 @@ TEST(ChunkTable, ToolsAloneReadWhatItDoesNotKnow) {
 
 TEST(ChunkTable, EveryGroupHasChunksAndEveryWordIsAGroup) {
   std::set<std::string> words;
-#define COIF_WORDS(constant, id, Record, count, name, alignment, use, needs, groups, contents)       \
-  {                                                                                                  \
-    std::istringstream list(groups);                                                                 \
-    for (std::string word; list >> word;) EXPECT_TRUE(is_in_group(chunk::constant, word)) << word;   \
-    std::istringstream again(groups);                                                                \
-    for (std::string word; again >> word;) words.insert(word);                                       \
-    EXPECT_STREQ(chunk_contents(chunk::constant), contents);                                         \
+#define COIF_WORDS(constant, id, Record, count, name, alignment, use, needs, groups, contents)     \
+  {                                                                                                \
+    std::istringstream list(groups);                                                               \
+    for (std::string word; list >> word;) EXPECT_TRUE(is_in_group(chunk::constant, word)) << word; \
+    std::istringstream again(groups);                                                              \
+    for (std::string word; again >> word;) words.insert(word);                                     \
+    EXPECT_STREQ(chunk_contents(chunk::constant), contents);                                       \
   }
   COIF_CHUNKS(COIF_WORDS)
 #undef COIF_WORDS

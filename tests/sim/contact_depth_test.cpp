@@ -19,8 +19,13 @@ struct Round {
 
 std::vector<Round> round_shapes() {
   return {{"sphere", [](TestRig& rig) { rig.add_sphere({}, kRadius); }},
-          {"ellipsoid", [](TestRig& rig) { rig.add_ellipsoid({}, {kRadius, kRadius, kRadius}); }},
-          {"capsule", [](TestRig& rig) { rig.add_capsule({0, 0, -1}, {0, 0, 1}, kRadius); }}};
+          {"ellipsoid",
+           [](TestRig& rig) {
+             rig.add_ellipsoid({}, {kRadius, kRadius, kRadius});
+           }},
+          {"capsule", [](TestRig& rig) {
+             rig.add_capsule({0, 0, -1}, {0, 0, 1}, kRadius);
+           }}};
 }
 
 struct Depths {

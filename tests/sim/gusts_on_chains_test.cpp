@@ -20,11 +20,8 @@ Gusts short_gusts() { return {.amplitude = 3, .length = 0.4f, .speed = 2, .direc
 TestRig mast(ChainModel model, int bare) {
   TestRig rig;
   rig.model = model;
-  const TestBone bone{.joint = {0.05f, 0.1f, -0.1f},
-                      .rest_direction = {0, 0, -1},
-                      .length = 0.2f,
-                      .stiffness = 200,
-                      .damping = 20};
+  const TestBone bone{
+      .joint = {0.05f, 0.1f, -0.1f}, .rest_direction = {0, 0, -1}, .length = 0.2f, .stiffness = 200, .damping = 20};
   TestBone last{.parent = rig.add_strand(bare, bone), .length = 0.1f, .friction = 30, .stiffness = 100};
   rig.add(last);
   return rig;

@@ -28,8 +28,8 @@ TestRig pair(ChainModel model, float gap, int bones, float stretch, float shrink
   TestRig rig;
   rig.model = model;
   for (const float side : {0.0f, gap}) {
-    rig.add_strand(
-        bones, {.joint = {side, 0, 0}, .length = 0.125f, .stiffness = 60, .damping = 8, .torsion = kShortestArc});
+    rig.add_strand(bones,
+                   {.joint = {side, 0, 0}, .length = 0.125f, .stiffness = 60, .damping = 8, .torsion = kShortestArc});
   }
   const auto count = std::uint32_t(bones);
   for (std::uint32_t depth = 0; depth < count; ++depth) rig.link(1 + count + depth, 1 + depth, stretch, shrink);
@@ -90,8 +90,7 @@ MovingCollider bar_between(double x, double y) {
 TEST(LinksAlone, PullNothingIntoWhatMoves) {
   for (const ChainModel model : kModels) {
     const TestRig rig = pair(model, 0.09f, 2, 0.05f, 0.5f);
-    const HairDesc desc{
-        .instances = 3, .solver = &kCharacterSolver, .links = &kCharacterLinks, .moving_colliders = 1};
+    const HairDesc desc{.instances = 3, .solver = &kCharacterSolver, .links = &kCharacterLinks, .moving_colliders = 1};
     TestHair test(rig, desc);
     double torn = 0;
     for (int frame = 0; frame < 90; ++frame) {

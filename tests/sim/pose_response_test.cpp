@@ -105,9 +105,14 @@ TEST(PoseResponse, OfSoftSpringsIsExactToTheLastDigits) {
     const auto from = [&](Motion start, Drive drive) { return integrated(stiffness, damping, kDt, start, drive); };
     const Motion by_offset = from({1, 0}, {}), by_velocity = from({0, 1}, {});
     const Motion by_load = from({}, {.load = 1}), by_bend = from({}, {.bend = 1});
-    const long double truth[] = {by_offset.offset,         by_velocity.offset / kDt,        by_load.offset / (kDt * kDt),
-                                 by_bend.offset,           by_offset.velocity * kDt,        by_velocity.velocity,
-                                 by_bend.velocity * kDt,   by_load.velocity / by_load.offset * kDt};
+    const long double truth[] = {by_offset.offset,
+                                 by_velocity.offset / kDt,
+                                 by_load.offset / (kDt * kDt),
+                                 by_bend.offset,
+                                 by_offset.velocity * kDt,
+                                 by_velocity.velocity,
+                                 by_bend.velocity * kDt,
+                                 by_load.velocity / by_load.offset * kDt};
     for (std::size_t i = 0; i < r.size(); ++i) EXPECT_NEAR(r[i], double(truth[i]), 5e-10) << "factor " << i;
   }
 }

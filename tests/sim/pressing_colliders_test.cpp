@@ -77,7 +77,12 @@ struct Wall {
 std::vector<Wall> walls() {
   MovingCollider plane{.shape = ColliderShape::kPlane, .center = {0.1, 0.2, -0.16}, .axis = {0, 0, 2}};
   const auto behind_plane = [](const Vec3& p) { return -0.16f - p.z; };
-  return {{"a plane of the asset", [](TestRig& rig) { rig.add_plane({0.1f, 0.2f, -0.16f}, {0, 0, 1}); }, {}, behind_plane},
+  return {{"a plane of the asset",
+           [](TestRig& rig) {
+             rig.add_plane({0.1f, 0.2f, -0.16f}, {0, 0, 1});
+           },
+           {},
+           behind_plane},
           {"a plane of the game", [](TestRig&) {}, {plane}, behind_plane},
           {"a ball that keeps hair inside",
            [](TestRig& rig) {

@@ -94,7 +94,7 @@ HWY_INLINE BoneMotion<D> keep_length(D d, const V3<D>& free, const V3<D>& veloci
 /// its default position does.
 template <class D>
 HWY_INLINE void keep_in_limit(D d, V<D> cosine, const V3<D>& by_parent, const Target<D>& target, BoneMotion<D>& now) {
-  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+  const auto zero = hn::Zero(d);
   const V3<D> axis = direction_or(d, target.arm, by_parent);
   const auto is_over = hn::Lt(dot(d, now.direction, axis), cosine);
   if (HWY_LIKELY(hn::AllFalse(d, is_over))) return;
@@ -104,7 +104,7 @@ HWY_INLINE void keep_in_limit(D d, V<D> cosine, const V3<D>& by_parent, const Ta
   V3<D> velocity = across(d, now.velocity, limited);
   const auto leaving = dot(d, sub(d, velocity, target.velocity), inwards);
   const auto has_side = hn::Gt(size2, hn::Set(d, 1e-6f)), stops = hn::And(has_side, hn::Lt(leaving, zero));
-  const auto taken = hn::Div(leaving, hn::IfThenElse(stops, size2, one));
+  const auto taken = hn::Div(leaving, size2);  // not a number without a side: not chosen
   velocity = choose<D>(stops, sub_scaled(d, velocity, inwards, taken), velocity);
   // So narrow a limit leaves no way inwards: the bone is locked to its default position.
   velocity = choose<D>(has_side, velocity, target.velocity);
