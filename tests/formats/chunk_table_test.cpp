@@ -61,6 +61,27 @@ TEST(ChunkTable, SpecificationDescribesEveryChunkAndWhatLacksWithoutIt) {
   }
 }
 
+/// Numbers that files may rely on are written in two places.
+TEST(ChunkTable, SpecificationHasTheLimitsOfTheReader) {
+  const std::string page = text_of("formats/SPECIFICATION.md");
+  const auto says = [&](const std::string& before, std::uint32_t number, const std::string& after) {
+    EXPECT_NE(page.find(before + std::to_string(number) + after), std::string::npos) << before << number << after;
+  };
+  says("chunk count, at most ", kMaxChunks, " ");
+  says("| 1 to ", kMaxBones, " bones");
+  says("| ColliderRecord | 80 | at most ", kMaxColliders, ": what hair stays out of");
+  says("| ColliderRecord | 80 | at most ", kMaxBodyColliders, ": body colliders");
+  says("| LodRecord | 16 | at most ", kMaxLods, " levels of detail");
+  says("holds the others, at most ", kMaxOrders - 1, ", each");
+  says("At no place more than ", kMaxOpenBones, " bones of a chain are open");
+  EXPECT_EQ(kNoAngleLimit, float(3.14159274)) << "half a turn";
+  EXPECT_NE(page.find("| 2 hinge | d.x = 0, and at most the angle from +Y | 0..3.14159274, 0 |"), std::string::npos);
+  EXPECT_TRUE(kMostTilt == 0.35f && kLeastRoughness == 0.02f && kMostRoughness == 1 && kMostGlow == 8);
+  for (const char* const text : {"`tilt` is within 0.35 radians", "with shading 2 at least 0.02", "`glow` is 0..8"}) {
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+  }
+}
+
 TEST(ChunkTable, FuzzersKnowEveryChunk) {
   const std::string words = text_of("tests/fuzz/dictionaries/asset.dict");
   for (const ChunkLayout& layout : kChunkLayouts) {
