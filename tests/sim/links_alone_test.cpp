@@ -112,5 +112,40 @@ TEST(LinksAlone, PullNothingIntoWhatMoves) {
   }
 }
 
+/// How far the child's end is from where its parent's frame has it, after ten seconds in which wind presses the parent against its
+/// link and nothing acts on the child; metres, of bones of 10 cm.
+float child_beside_its_rest(ChainModel model, double fps) {
+  TestRig rig;
+  rig.model = model;
+  const std::uint32_t parent =
+      rig.add({.length = 0.1f, .friction = 20, .stiffness = 20, .damping = 4, .torsion = kShortestArc});
+  const Vec3 to{0.6f, -0.48f, 0.64f};
+  rig.add(
+      {.parent = parent, .rest_direction = to, .length = 0.1f, .stiffness = 40, .damping = 4, .torsion = kShortestArc});
+  const std::uint32_t anchor =
+      rig.add({.joint = {-0.05f, 0, 0}, .length = 0.1f, .stiffness = 1e7f, .damping = 1e4f, .torsion = kShortestArc});
+  rig.link(parent, anchor, 0.05f);
+  TestHair test(rig, {.links = &kLinks});
+  StepSettings settings = at_rate(fps);
+  settings.environment.gravity = {};
+  settings.environment.wind = {0.4f, 0, 0.3f};
+  for (int frame = 0; frame < int(10 * fps); ++frame) EXPECT_EQ(test.hair.step(settings), Status::kOk);
+  const auto ends = test.ends();
+  EXPECT_LT(worst_excess(rig, ends), 1e-4);
+  EXPECT_GT(ends[0].z, 0.015f) << "the wind bends it";
+  const Mat34& frame = test.hair.palette(0)[parent];
+  const Vec3 from = transformed(frame, {}), along = transformed(frame, to);
+  return distance(ends[1], {ends[0].x + 0.1f * (along.x - from.x), ends[0].y + 0.1f * (along.y - from.y),
+                            ends[0].z + 0.1f * (along.z - from.z)});
+}
+
+/// Of order one in time, as contacts (MODEL.md, "Links").
+TEST(LinksAlone, HoldABoneSoStillThatItsChildRests) {
+  EXPECT_LT(child_beside_its_rest(ChainModel::kCascade, 60), 1e-3f);
+  EXPECT_LT(child_beside_its_rest(ChainModel::kCascade, 240), 2.5e-4f);
+  EXPECT_LT(child_beside_its_rest(ChainModel::kPassive, 60), 1.5e-2f);
+  EXPECT_LT(child_beside_its_rest(ChainModel::kPassive, 240), 4e-3f);
+}
+
 }  // namespace
 }  // namespace coif::links_alone_test
