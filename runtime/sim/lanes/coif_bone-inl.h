@@ -96,7 +96,8 @@ template <class D>
 HWY_INLINE void keep_in_limit(D d, V<D> cosine, const V3<D>& by_parent, const Target<D>& target, BoneMotion<D>& now) {
   const auto zero = hn::Zero(d);
   const V3<D> axis = direction_or(d, target.arm, by_parent);
-  const auto is_over = hn::Lt(dot(d, now.direction, axis), cosine);
+  // A cosine that rounds to one tells no small angles apart: such a bone is always turned back.
+  const auto is_over = hn::Or(hn::Lt(dot(d, now.direction, axis), cosine), hn::Ge(cosine, hn::Set(d, 1.0f)));
   if (HWY_LIKELY(hn::AllFalse(d, is_over))) return;
   const V3<D> limited = tilted(d, now.direction, axis, cosine, Vec3{0.0f, 1.0f, 0.0f});
   const V3<D> inwards = across(d, axis, limited);
