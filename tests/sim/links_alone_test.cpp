@@ -112,6 +112,63 @@ TEST(LinksAlone, PullNothingIntoWhatMoves) {
   }
 }
 
+/// A ball on the straight way between the two; one of the bones is held, whichever the link names first.
+TEST(LinksAlone, GoRoundWhatStandsBetweenABoneAndOneThatIsHeld) {
+  for (const ChainModel model : kModels) {
+    for (const bool first_is_held : {false, true}) {
+      TestRig rig;
+      rig.model = model;
+      const TestBone held{.length = 0.1f, .stiffness = 20, .damping = 8, .torsion = kShortestArc};
+      TestBone free = held;
+      free.joint = {0.09f, 0, 0};
+      rig.add(held);
+      rig.add(free);
+      rig.links.push_back(first_is_held ? LinkRecord{1, 2, 0, 0.07f} : LinkRecord{2, 1, 0, 0.07f});
+      TestHair test(
+          rig, {.solver = &kCharacterSolver, .links = &kCharacterLinks, .moving_colliders = 1, .follows_poses = true});
+      const float weights[] = {0.0f, 1.0f};
+      MovingCollider ball{.center = {0.045, -0.1, 0}};
+      ball.radius = 0.03f;
+      for (int frame = 0; frame < 30; ++frame) {
+        ASSERT_EQ(test.hair.set_pose(0, std::vector<Quat>(3), weights), Status::kOk);
+        ASSERT_EQ(test.hair.set_colliders(0, {&ball, 1}), Status::kOk);
+        ASSERT_EQ(test.hair.step(weightless()), Status::kOk);
+        const auto ends = test.ends();
+        EXPECT_LT(distance(ends[0], {0, -0.1f, 0}), 1e-6f) << "held";
+        EXPECT_LT(worst_excess(rig, ends), 1e-4) << first_is_held << " in frame " << frame;
+        EXPECT_GT(std::hypot(ends[1].x - 0.045f, ends[1].y + 0.1f, ends[1].z), 0.03f * (1 - 1e-4f));
+      }
+    }
+  }
+}
+
+/// Links that are shorter than the strands hang apart: two that are alike yield alike, and one that is heavy yields less.
+TEST(LinksAlone, TurnBothBonesByTheirMasses) {
+  for (const ChainModel model : kModels) {
+    for (const int more : {0, 2}) {  // bones that hang on the first strand besides
+      TestRig rig;
+      rig.model = model;
+      const TestBone bone{
+          .joint = {-0.05f, 0, 0}, .length = 0.1f, .stiffness = 5, .damping = 4, .torsion = kShortestArc};
+      rig.add_strand(1 + more, bone);
+      TestBone other = bone;
+      other.joint.x = 0.05f;
+      const std::uint32_t second = rig.add(other);
+      rig.links.push_back({second, 1, 0, 0.06f});
+      TestHair test(rig, {.links = &kLinks});
+      ASSERT_EQ(test.hair.step(weightless()), Status::kOk);
+      const float first_way = test.ends()[0].x + 0.05f, second_way = 0.05f - test.ends()[second - 1].x;
+      EXPECT_NEAR(first_way + second_way, 0.04f, 1e-3f);
+      if (more == 0) {
+        EXPECT_NEAR(first_way, second_way, 1e-5f);
+      } else {
+        EXPECT_LT(first_way, 0.6f * second_way);
+        EXPECT_GT(first_way, 0.05f * second_way);
+      }
+    }
+  }
+}
+
 /// How far the child's end is from where its parent's frame has it, after ten seconds in which wind presses the parent against its
 /// link and nothing acts on the child; metres, of bones of 10 cm.
 float child_beside_its_rest(ChainModel model, double fps) {
