@@ -80,6 +80,29 @@ TEST(LinksAlone, LeaveBonesWhereAnAnimationHoldsThem) {
   }
 }
 
+/// Two bones that are both held further apart than their link is long: the link is longer, and neither moves.
+TEST(LinksAlone, MoveNoneOfTwoBonesThatAreHeld) {
+  for (const ChainModel model : kModels) {
+    const TestRig rig = pair(model, 0.05f, 2, 0.1f, 0.5f);
+    TestHair test(rig, {.solver = &kCharacterSolver, .links = &kCharacterLinks, .follows_poses = true});
+    const float held[] = {0.0f, 0.0f};
+    std::vector<Quat> pose(rig.bones.size());
+    pose[1] = turned_about({0, 0, 1}, -0.3);
+    pose[3] = turned_about({0, 0, 1}, 0.3);
+    const Vec3 expected[] = {rotated(pose[1], {0, -0.125f, 0}), rotated(pose[1], {0, -0.25f, 0})};
+    for (int frame = 0; frame < 5; ++frame) {
+      ASSERT_EQ(test.hair.set_pose(0, pose, held), Status::kOk);
+      ASSERT_EQ(test.hair.step(at_rate(60)), Status::kOk);
+      const auto ends = test.ends();
+      EXPECT_GT(worst_excess(rig, ends), 0.1);
+      for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_LT(distance(ends[i], expected[i]), 1e-6f) << frame;
+        EXPECT_LT(distance(ends[i + 2], {0.05f - expected[i].x, expected[i].y, 0}), 1e-6f) << frame;
+      }
+    }
+  }
+}
+
 /// A bar between two strands that is thicker than their links are long; each head has its own.
 MovingCollider bar_between(double x, double y) {
   MovingCollider bar{.shape = ColliderShape::kCapsule, .center = {x, y, -0.5}, .axis = {0, 0, 1}};
