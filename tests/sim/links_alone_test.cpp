@@ -103,6 +103,29 @@ TEST(LinksAlone, MoveNoneOfTwoBonesThatAreHeld) {
   }
 }
 
+/// The other end is held out of reach: further away than a bone and its link are long, or so near that the bone is too short for it.
+TEST(LinksAlone, PointStraightWhereTheyCannotReach) {
+  for (const ChainModel model : kModels) {
+    for (const float away : {0.153f, 0.16f, 0.3f, 0.02f, 0.05f}) {
+      TestRig rig;
+      rig.model = model;
+      const TestBone bone{.length = 0.1f, .stiffness = 20, .damping = 8, .torsion = kShortestArc};
+      rig.add(bone);
+      TestBone other = bone;
+      other.joint = {0.8f * away, -0.1f, 0.6f * away};
+      rig.add(other);
+      const bool is_far = away > 0.1f;
+      rig.links.push_back({2, 1, is_far ? 0.0f : 0.1f + 1.06f * away, is_far ? 0.05f : 1.0f});
+      TestHair test(rig, {.solver = &kCharacterSolver, .links = &kCharacterLinks, .follows_poses = true});
+      const float weights[] = {0.0f, 1.0f};
+      ASSERT_EQ(test.hair.set_pose(0, std::vector<Quat>(3), weights), Status::kOk);
+      for (int frame = 0; frame < 5; ++frame) ASSERT_EQ(test.hair.step(weightless()), Status::kOk);
+      const float along = is_far ? away - 0.1f : away + 0.1f;
+      EXPECT_LT(distance(test.ends()[1], {0.8f * along, -0.1f, 0.6f * along}), 1e-4f) << away;
+    }
+  }
+}
+
 /// A bar between two strands that is thicker than their links are long; each head has its own.
 MovingCollider bar_between(double x, double y) {
   MovingCollider bar{.shape = ColliderShape::kCapsule, .center = {x, y, -0.5}, .axis = {0, 0, 1}};

@@ -75,7 +75,8 @@ HWY_INLINE BoneMotion<D> keep_length(D d, const V3<D>& free, const V3<D>& veloci
   V3<D> kept = add_scaled(d, free, mean, reach);
   // Unit but for rounding, for which one step of Newton's method does; unless a free end many lengths away left only that.
   const auto size2 = dot(d, kept, kept);
-  const auto is_unit = hn::And(has_mean, hn::Lt(hn::Abs(hn::Sub(size2, one)), hn::Set(d, 1e-3f)));
+  const auto off_unit = hn::Abs(hn::Sub(size2, one));
+  const auto is_unit = hn::And(has_mean, hn::Lt(off_unit, hn::Set(d, 1e-3f)));
   V3<D> way = scale(d, mean, reach);
   kept = scale(d, kept, hn::Sub(hn::Set(d, 1.5f), hn::Mul(hn::Set(d, 0.5f), size2)));
   if (HWY_UNLIKELY(!hn::AllTrue(d, is_unit))) {
