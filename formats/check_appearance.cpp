@@ -72,7 +72,8 @@ LoadStatus check_chunk(const TextureChunk& chunk) {
     roles_seen |= 1u << unsigned(t.role);
     if (!dimensions_fit(t)) return fail(LoadCode::kNotFinite);
     if (t.bytes != all_mip_bytes(t)) return fail(LoadCode::kChunkSize, all_mip_bytes(t), t.bytes);
-    if (t.offset > chunk.texel_bytes || t.bytes > chunk.texel_bytes - t.offset || t.offset % 16 != 0) {
+    const std::uint64_t room = t.offset < chunk.texel_bytes ? chunk.texel_bytes - t.offset : 0;
+    if (t.bytes > room || t.offset % 16 != 0) {
       return fail(LoadCode::kReference, chunk.texel_bytes, t.offset);
     }
   }

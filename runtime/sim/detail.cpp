@@ -28,9 +28,8 @@ Status Hair::set_detail(std::uint32_t instance, const Detail& detail) {
   const bool refines = detail.level < own.level;
   own.level = std::uint8_t(detail.level);
   own.asked_power = std::uint8_t(power_of(detail.interval));
-  take_up_interval(*crowd_, instance);  // once as it was, once as it will be: either may be idle
+  take_up_interval(*crowd_, instance);  // as it was; if it is idle from now on, the next step takes it up
   own.simulated = detail.simulated;
-  take_up_interval(*crowd_, instance);
   // Bones that were rigid have to find their own rest.
   if (own.asleep && (appears || refines)) wake(*crowd_, instance);
   sort_in(*crowd_, instance);

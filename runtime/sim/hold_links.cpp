@@ -22,7 +22,7 @@ constexpr struct {
 } kAround[] = {{1, 0},  {0.70710678f, 0.70710678f},  {0.70710678f, -0.70710678f},  {0, 1},
                {0, -1}, {-0.70710678f, 0.70710678f}, {-0.70710678f, -0.70710678f}, {-1, 0}};
 
-float within_one(float x) { return x > 1.0f ? 1.0f : x < -1.0f ? -1.0f : x; }
+float within_one(float x) { return std::fabs(x) < 1.0f ? x : std::copysign(1.0f, x); }
 
 /// A link of one length is between its margins.
 float inner_shortest(const ChainLink& link) {
@@ -207,7 +207,8 @@ void LinkedHead::aim(HeldBone& bone, const Vec3& place, float wanted, float cosi
   const Vec3 axis = way * (1.0f / distance);
   const float sides = bone.length * bone.length + distance * distance - wanted * wanted;
   const float cosine = within_one(sides / (2 * bone.length * distance)), sine = std::sqrt(1.0f - cosine * cosine);
-  const Vec3 side = unit_or(across(bone.direction, axis), any_perpendicular(axis)), other = cross(axis, side);
+  const Vec3 side = unit_or(across(bone.direction, axis), any_perpendicular(axis));
+  const Vec3 other = cross(axis, side);
   turn_to(bone, unit_or(axis * cosine + (side * cosine_around + other * sine_around) * sine, axis));
   bone.is_forced = true;
 }

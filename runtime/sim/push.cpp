@@ -43,7 +43,8 @@ bool feel(const Impulse& impulse, const HeadLanes& heads, std::uint32_t i, FeltI
   felt.center = {float(way[0]), float(way[1]), float(way[2])};
   felt.axis = impulse.axis * per_scale;
   const float size2 = dot(felt.axis, felt.axis);
-  felt.per_axis2 = size2 > 1e-18f ? 1.0f / size2 : 0.0f;
+  const bool has_length = size2 > 1e-18f;
+  felt.per_axis2 = has_length ? 1.0f / size2 : 0.0f;
   felt.radius = impulse.radius * per_scale;
   felt.speed = impulse.speed * per_scale;
   felt.velocity = impulse.velocity * per_scale;

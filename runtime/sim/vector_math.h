@@ -24,7 +24,8 @@ constexpr Vec3 across(const Vec3& v, const Vec3& direction) { return v - directi
 /// `v` made unit; `fallback` where it has no direction or a length that is not finite. As direction_or() of the lanes does it.
 inline Vec3 unit_or(const Vec3& v, const Vec3& fallback) {
   const float size2 = dot(v, v);
-  return size2 > 1e-18f && size2 < 1e38f ? v * (1.0f / std::sqrt(size2)) : fallback;
+  const bool has_direction = size2 > 1e-18f && size2 < 1e38f;
+  return has_direction ? v * (1.0f / std::sqrt(size2)) : fallback;
 }
 
 /// A unit vector at a right angle to the unit vector `v`.
@@ -84,7 +85,8 @@ inline Quat rotation_by(const Vec3& v) {
   const float angle = length(v);
   // sin(x/2)/x: below a milliradian its series is exact in single precision.
   const plain::SineCosine half = plain::sine_cosine(0.5 * double(angle));
-  const float scale = angle > 1e-3f ? float(half.sine) / angle : 0.5f - angle * angle * (1.0f / 48.0f);
+  const bool is_large = angle > 1e-3f;
+  const float scale = is_large ? float(half.sine) / angle : 0.5f - angle * angle * (1.0f / 48.0f);
   return {v.x * scale, v.y * scale, v.z * scale, float(half.cosine)};
 }
 

@@ -208,6 +208,26 @@ TEST(OpenColliders, NeitherEndOfATaperedCapsuleIsInsideTheOther) {
       << "too short to have a direction";
 }
 
+/// Within 1e-4 of the size, which is a metre, the parent's length and how far away it is.
+TEST(OpenBones, StartWhereTheirParentsEnd) {
+  for (const float far : {0.0f, 30.0f, -2000.0f}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto off_by = [&](float share) {
+        return refusal([&](AssetContents& a) {
+          BoneRecord &parent = a.bones[2], &bone = a.bones[3];
+          for (int k = 0; k < 3; ++k) {
+            parent.joint[k] += far;
+            bone.joint[k] = parent.joint[k] + parent.rest_direction[k] * parent.length;
+          }
+          bone.joint[axis] += share * (1 + parent.length + std::fabs(bone.joint[axis]));
+        });
+      };
+      for (const float within : {0.0f, 0.97e-4f, -0.97e-4f}) EXPECT_EQ(off_by(within), LoadCode::kOk) << far;
+      for (const float beyond : {1.05e-4f, -1.05e-4f, 1.0f}) EXPECT_NE(off_by(beyond), LoadCode::kOk) << far;
+    }
+  }
+}
+
 TEST(OpenColliders, RefusesReservedFieldsInUse) {
   EXPECT_EQ(refusal([](auto& a) { a.colliders[1].reserved = 1; }), LoadCode::kReserved);
   EXPECT_EQ(refusal([](auto& a) { a.skeleton.flags = kSkeletonFacesBackwards << 1; }), LoadCode::kReserved);

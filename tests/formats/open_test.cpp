@@ -261,21 +261,6 @@ TEST(Open, RefusesBrokenAppearance) {
   EXPECT_EQ(refusal([](auto& a) { a.texels.clear(); }), LoadCode::kReference);
 }
 
-TEST(LoadStatus, NamesChunkRecordAndNumbers) {
-  AssetContents contents = small_asset();
-  contents.indices[4] = 9;
-  char text[200];
-  const std::size_t length = describe(open_written(contents), text, sizeof text);
-  EXPECT_EQ(std::string(text, length),
-            "chunk INDX, record 4: index points outside the array it refers to (size 9, index 9)");
-}
-
-TEST(LoadStatus, DescriptionFitsTheBufferGiven) {
-  char text[8] = "1234567";
-  EXPECT_EQ(describe(LoadStatus{LoadCode::kHash, 0, 0, 1, 2}, text, sizeof text), 7u);
-  EXPECT_STREQ(text, "the byt");
-}
-
 std::uint64_t hash_of(std::string_view text, std::uint64_t seed = 0) {
   return xxh64(std::as_bytes(std::span(text.data(), text.size())), seed);
 }

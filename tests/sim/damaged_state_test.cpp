@@ -2,9 +2,7 @@
 
 #include "models/playback.h"
 #include "models/test_rig.h"
-#include "sim/mixer.h"
-
-#include <coif/hair.h>
+#include "sim/saved_bytes.h"
 
 #include <gtest/gtest.h>
 
@@ -18,25 +16,9 @@
 
 namespace coif::damaged_state_test {
 
-using Bytes = std::vector<std::byte>;
+using Bytes = SavedState;
 
-constexpr std::size_t kVersionAt = 8, kHashAt = 24, kContentAt = 32;
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-
-Bytes saved(const Hair& hair) {
-  Bytes bytes(hair.saved_bytes());
-  EXPECT_EQ(hair.save(bytes), Status::kOk);
-  return bytes;
-}
-
-void hash_anew(Bytes& bytes) {
-  std::uint32_t version = 0;
-  std::memcpy(&version, &bytes[kVersionAt], sizeof version);
-  Mixer mixer(version);
-  mixer.add(std::span<const std::byte>(bytes).subspan(kContentAt));
-  const std::uint64_t hash = mixer.hash();
-  std::memcpy(&bytes[kHashAt], &hash, sizeof hash);
-}
 
 /// Everything that moves in a crowd: bones that twist and such that fork, colliders of the game and of a body, poses, gusts.
 TestRig rig() {

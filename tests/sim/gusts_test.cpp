@@ -112,6 +112,42 @@ TEST(GustField, WavesRunUpAndDown) {
   EXPECT_NEAR(least, -std::sin(0.3), 0.01);
 }
 
+/// coif/air.h: the waves are sines, to 1e-4 of the amplitude.
+TEST(GustField, IsTheSumOfItsWaves) {
+  const Gusts gusts = strong();
+  const GustWaves waves = waves_of(gusts);
+  for (int k = 0; k < 500; ++k) {
+    const double place[3] = {0.31 * k, -0.07 * k, 0.013 * k}, way = 0.11 * k;
+    double sum[3] = {};
+    for (std::uint32_t i = 0; i < kGustWaves; ++i) {
+      double turns = waves.begin[i] - waves.turns_per_way[i] * way;
+      for (int axis = 0; axis < 3; ++axis) turns += waves.turns[i][axis] * place[axis];
+      const double sine = std::sin(2 * 3.14159265358979 * turns);
+      sum[0] += double(waves.air[i].x) * sine, sum[1] += double(waves.air[i].y) * sine,
+          sum[2] += double(waves.air[i].z) * sine;
+    }
+    const Vec3 air = gust_at(gusts, way, place);
+    EXPECT_NEAR(air.x, sum[0], 1e-4 * double(gusts.amplitude)) << k;
+    EXPECT_NEAR(air.y, sum[1], 1e-4 * double(gusts.amplitude)) << k;
+    EXPECT_NEAR(air.z, sum[2], 1e-4 * double(gusts.amplitude)) << k;
+  }
+}
+
+TEST(GustField, PartTurnsAreWhatRemainsUpToWhereDoublesHaveNoParts) {
+  constexpr double kMost = 1e15;
+  for (const double whole : {0.0, 1.0, -1.0, 12345.0, -1e9}) {
+    for (const double part : {0.0, 0.25, -0.25, 0.4375, -0.4375}) EXPECT_EQ(part_turn(whole + part), float(part));
+  }
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_EQ(part_turn(sign * (kMost - 0.25)), float(sign * -0.25));
+    for (const double turns : {kMost, kMost + 0.25, 1.05 * kMost + 0.25, 1e300}) {
+      EXPECT_EQ(part_turn(sign * turns), 0.0f) << turns;
+    }
+  }
+  const double nowhere[3] = {1e300, 0, 0};
+  EXPECT_EQ(length(gust_at(strong(), 0, nowhere)), 0.0f);
+}
+
 TEST(GustField, OtherSeedsAreOtherGusts) {
   const double place[3] = {1, 2, 3};
   Gusts one = strong(), other = strong();

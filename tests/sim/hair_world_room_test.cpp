@@ -117,7 +117,8 @@ TEST(HairWorldRoom, NamesOfWhatHasLeftNameNothing) {
   ASSERT_EQ(town.world.add_head(next_asset, {}, next), Status::kOk);
   EXPECT_EQ(next.index, head.index);
   EXPECT_TRUE(town.world.has(next));
-  for (const WorldHead old : {head, WorldHead{}, WorldHead{7, 1}}) {
+  // The second of the two that the world has no room for is the first behind its last one.
+  for (const WorldHead old : {head, WorldHead{}, WorldHead{7, 1}, WorldHead{1, 1}}) {
     EXPECT_FALSE(town.world.has(old));
     EXPECT_FALSE(town.world.is_asleep(old));
     EXPECT_TRUE(town.world.palette(old).empty());
@@ -127,9 +128,11 @@ TEST(HairWorldRoom, NamesOfWhatHasLeftNameNothing) {
     EXPECT_EQ(town.world.reset(old, {}), Status::kBadIndex);
     EXPECT_EQ(town.world.remove_head(old), Status::kBadIndex);
   }
-  EXPECT_FALSE(town.world.has(asset));
-  EXPECT_EQ(town.world.add_head(asset, {}, head), Status::kBadIndex);
-  EXPECT_EQ(town.world.remove_asset(asset), Status::kBadIndex);
+  for (const WorldAsset old : {asset, WorldAsset{}, WorldAsset{7, 1}, WorldAsset{1, 1}}) {
+    EXPECT_FALSE(town.world.has(old));
+    EXPECT_EQ(town.world.add_head(old, {}, head), Status::kBadIndex);
+    EXPECT_EQ(town.world.remove_asset(old), Status::kBadIndex);
+  }
 }
 
 TEST(HairWorldRoom, BadArgumentsChangeNothing) {

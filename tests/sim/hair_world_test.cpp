@@ -129,6 +129,28 @@ TEST(HairWorld, SoItHasWhereAChainMovesBeforeItsFirstStep) {
   EXPECT_EQ(town.strangers(), 0);
 }
 
+/// A head that sleeps and is put where it stands has to be seen to again, in a world as in a crowd.
+TEST(HairWorld, ResetAndTeleportWakeAHeadThatStandsThereAlready) {
+  const auto kinds = opened({nine_bone_rig().contents()});
+  Town town(kinds, {.assets = 1, .heads = 1});
+  ASSERT_EQ(town.come(0), Status::kOk);
+  ASSERT_EQ(town.move_in(0, {}), Status::kOk);
+  const WorldHead head = town.residents[0].head;
+  Hair& twin = town.residents[0].twin->hair;
+  for (const bool resets : {false, true}) {
+    for (int frame = 0; frame < 900 && !town.world.is_asleep(head); ++frame) town.step({});
+    ASSERT_TRUE(town.world.is_asleep(head) && twin.is_asleep(0));
+    ASSERT_EQ(town.world.set_head(head, {}), Status::kOk);
+    ASSERT_EQ(twin.set_head(0, {}), Status::kOk);
+    EXPECT_TRUE(town.world.is_asleep(head) && twin.is_asleep(0)) << "nothing new";
+    ASSERT_EQ(resets ? town.world.reset(head, {}) : town.world.teleport(head, {}), Status::kOk);
+    ASSERT_EQ(resets ? twin.reset(0, {}) : twin.teleport(0, {}), Status::kOk);
+    EXPECT_FALSE(town.world.is_asleep(head) || twin.is_asleep(0)) << resets;
+    town.step({});
+    EXPECT_EQ(town.strangers(), 0);
+  }
+}
+
 TEST(HairWorld, SoItHasInALongLife) { live(kCoifSolver, InstructionSet::kBest, 600, 8); }
 
 }  // namespace coif::hair_world_test

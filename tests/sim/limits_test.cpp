@@ -193,6 +193,56 @@ TEST(Limits, AgainstItsStopABoneMovesAsItsFrameDoes) {
   });
 }
 
+/// DynamicsRecord::angle_limit. Pressed against it, the bone stands still, and what hangs on it hangs as from any bone that stands.
+TEST(Limits, OfAnAngleHoweverNarrowHoldTheBoneStill) {
+  for (const ChainModel model : kModels) {
+    const auto hung = [model](float angle, int frames) {  // where the child's end is, seen from its start
+      TestRig rig;
+      rig.model = model;
+      const std::uint32_t held = rig.add({.length = 0.1f, .stiffness = 1, .damping = 0, .angle_limit = angle});
+      rig.add({.parent = held, .length = 0.1f, .stiffness = 100, .damping = 5, .torsion = kShortestArc});
+      TestHair test(rig);
+      StepSettings settings = at_rate(60);
+      settings.environment.gravity = {30, 0, 0};
+      for (int frame = 0; frame < frames; ++frame) EXPECT_EQ(test.hair.step(settings), Status::kOk);
+      const auto ends = test.ends();
+      EXPECT_LT(std::fabs(ends[0].x), 0.1f * angle + 1e-5f);
+      return Vec3{ends[1].x - ends[0].x, ends[1].y - ends[0].y, ends[1].z - ends[0].z};
+    };
+    for (const int frames : {20, 60}) {
+      const Vec3 expected = hung(0.005f, frames);
+      for (const float angle : {0.0f, 1e-4f, 9e-4f, 1.03e-3f}) {
+        EXPECT_LT(distance(hung(angle, frames), expected), 5e-4f) << angle << " in " << frames;
+      }
+    }
+  }
+}
+
+/// Locked by a limit of any kind, or held rigid, a bone stands in its parent's frame; what hangs on it cannot tell which.
+TEST(Limits, OfAngleZeroAreTheSameLockWhateverTheirKind) {
+  for (const ChainModel model : kModels) {
+    const auto ends_with = [model](LimitKind kind) {
+      TestRig rig;
+      rig.model = model;
+      const std::uint32_t held = rig.add({.length = 0.1f, .stiffness = 1, .damping = 0, .torsion = kShortestArc});
+      rig.add({.parent = held, .length = 0.1f, .stiffness = 100, .damping = 5, .torsion = kShortestArc});
+      rig.limit(held, kind, 0, 0, turned_about({1, 0, 0}, kPi));
+      TestHair test(rig);
+      StepSettings settings = at_rate(60);
+      std::vector<Vec3> all;
+      for (int frame = 0; frame < 90; ++frame) {  // pulled to one side after the other
+        settings.environment.gravity = {30 * std::cos(0.1f * float(frame)), 0, 30 * std::sin(0.1f * float(frame))};
+        EXPECT_EQ(test.hair.step(settings), Status::kOk);
+        EXPECT_LT(distance(test.ends()[0], {0, -0.1f, 0}), 1e-6f);
+        all.push_back(test.ends()[1]);
+      }
+      return all;
+    };
+    const auto cone = ends_with(LimitKind::kCone);
+    for (const LimitKind kind : kKinds) EXPECT_LT(largest_distance(ends_with(kind), cone), 1e-4f) << named(model, kind);
+  }
+}
+
 TEST(Limits, TheNearestAllowedDirectionIsContinuousAndStaysWhereItIs) {
   // A stiff bone is at its default direction: led around in small steps by the lean of a pull that is wide of the limit.
   for (const LimitKind kind : kKinds) {

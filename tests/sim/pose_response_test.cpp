@@ -80,11 +80,40 @@ void expect_integrates(const Oscillator& o, double dt) {
   }
 }
 
+/// The factors of one answer, as comparable numbers without unit.
+std::array<double, 8> unitless(const PoseResponse& r, double dt) {
+  return {r.offset_from_offset,      r.offset_from_velocity / dt, r.offset_from_load / (dt * dt),
+          r.offset_from_bend,        r.velocity_from_offset * dt, r.velocity_from_velocity,
+          r.velocity_from_bend * dt, r.velocity_per_offset * dt};
+}
+
 TEST(PoseResponse, IsWhatTheEquationIntegratesTo) {
   for (const Oscillator& o : oscillators()) {
     for (const double dt : {1e-6, 1e-4, 1.0 / 240, 1.0 / 60, 1.0 / 15, 0.1}) {
       if (o.stiffness * dt * dt < 1e3) expect_integrates(o, dt);
     }
+  }
+}
+
+/// Where springs are soft for the step, the answers are a series: exact as far as its terms go.
+TEST(PoseResponse, OfSoftSpringsIsExactToTheLastDigits) {
+  constexpr double kDt = 0.01;
+  for (const double share : {0.0, 0.2, 0.5, 1.0}) {
+    const double most = 0.005, damping = share * most / kDt, stiffness = (1 - share) * most / (kDt * kDt);
+    SCOPED_TRACE(testing::Message() << "stiffness " << stiffness << ", damping " << damping);
+    const auto r = unitless(pose_response(stiffness, damping, kDt), kDt);
+    const auto from = [&](Motion start, Drive drive) { return integrated(stiffness, damping, kDt, start, drive); };
+    const Motion by_offset = from({1, 0}, {}), by_velocity = from({0, 1}, {});
+    const Motion by_load = from({}, {.load = 1}), by_bend = from({}, {.bend = 1});
+    const long double truth[] = {by_offset.offset,
+                                 by_velocity.offset / kDt,
+                                 by_load.offset / (kDt * kDt),
+                                 by_bend.offset,
+                                 by_offset.velocity * kDt,
+                                 by_velocity.velocity,
+                                 by_bend.velocity * kDt,
+                                 by_load.velocity / by_load.offset * kDt};
+    for (std::size_t i = 0; i < r.size(); ++i) EXPECT_NEAR(r[i], double(truth[i]), 5e-10) << "factor " << i;
   }
 }
 
@@ -109,13 +138,6 @@ TEST(PoseResponse, TwoHalfStepsOfTheFreeOscillatorAreOneStep) {
       EXPECT_NEAR(twice(0, 1)[1], whole.velocity_from_velocity, 1e-6);
     }
   }
-}
-
-/// The factors of one answer, as comparable numbers without unit.
-std::array<double, 8> unitless(const PoseResponse& r, double dt) {
-  return {r.offset_from_offset,      r.offset_from_velocity / dt, r.offset_from_load / (dt * dt),
-          r.offset_from_bend,        r.velocity_from_offset * dt, r.velocity_from_velocity,
-          r.velocity_from_bend * dt, r.velocity_per_offset * dt};
 }
 
 TEST(PoseResponse, NoFormulaHandsOverToAnotherWithAJump) {

@@ -91,6 +91,25 @@ TEST(Impulse, ACapsuleEndsAtBothOfItsEnds) {
   }
 }
 
+TEST(Impulse, BeyondItsEndsACapsuleIsABall) {
+  for (const Solver* const solver : kSolvers) {
+    for (const float beyond : {1.02f, 1.08f, 2.0f}) {  // where the strand is along the axis
+      TestHair ball(loose(), {.solver = solver}), far_end(loose(), {.solver = solver}),
+          near_end(loose(), {.solver = solver});
+      const float away = 0.5f * (beyond - 1);
+      const double x = -double(away);
+      const auto of_ball = speeds_after(ball, {.center = {x, -0.2, 0.1}, .radius = 1, .speed = 4});
+      const auto of_far =
+          speeds_after(far_end, {.center = {x - 0.5, -0.2, 0.1}, .axis = {0.5f, 0, 0}, .radius = 1, .speed = 4});
+      const auto of_near =
+          speeds_after(near_end, {.center = {x, -0.2, 0.1}, .axis = {-0.5f, 0, 0}, .radius = 1, .speed = 4});
+      EXPECT_LT(largest_distance(of_ball, of_far), 1e-3f) << beyond;
+      EXPECT_LT(largest_distance(of_ball, of_near), 1e-3f) << beyond;
+      EXPECT_GT(length_of(of_ball[1]), 0.5f);
+    }
+  }
+}
+
 /// A hand that stands still in the world holds what it is around, though the head turns under it and takes the joints along.
 TEST(Impulse, AStrokeHoldsHairOfAHeadThatTurns) {
   TestRig rig;

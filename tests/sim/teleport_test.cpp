@@ -136,6 +136,31 @@ TEST(Teleport, AMillionMetresAwayEverythingGoesOn) {
   EXPECT_LT(largest_distance(there.ends(), here.ends()), 1e-5f);
 }
 
+/// A tenth of a light year: further is no way that a float can tell, and the hair is put to rest there.
+TEST(Teleport, KeepsTheShapeUpToTheFarthestWay) {
+  constexpr double kFarthest = 1e15;
+  const double beyond = std::nextafter(kFarthest, 2 * kFarthest);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double way : {kFarthest, -kFarthest, beyond, -beyond}) {
+      TestHair test(rig()), near(rig());
+      HeadPose pose;
+      for (TestHair* const each : {&test, &near}) {
+        ASSERT_EQ(each->hair.reset(0, pose), Status::kOk);
+        ASSERT_EQ(each->hair.push(0, {.radius = 1, .speed = 3}), Status::kOk);
+        for (int frame = 0; frame < 10; ++frame) ASSERT_EQ(each->hair.step(weightless()), Status::kOk);
+      }
+      pose.position[axis] = way;
+      ASSERT_EQ(test.hair.set_head(0, pose), Status::kOk);
+      pose.position[axis] = 100;
+      ASSERT_EQ(near.hair.set_head(0, pose), Status::kOk);
+      for (TestHair* const each : {&test, &near}) ASSERT_EQ(each->hair.step(weightless()), Status::kOk);
+      ASSERT_GT(largest_distance(near.ends(), rig().rest_ends()), 1e-2f);
+      const bool is_way = std::fabs(way) <= kFarthest;
+      EXPECT_LT(largest_distance(test.ends(), is_way ? near.ends() : rig().rest_ends()), 1e-4f) << way;
+    }
+  }
+}
+
 TEST(Teleport, BelievedAMillionMetresInAStepStaysFiniteAndUnstretched) {
   StepSettings believes;
   believes.teleport_distance = believes.teleport_angle = kInfinity;

@@ -54,6 +54,33 @@ TEST(ToldColliders, BadOnesChangeNothing) {
   EXPECT_EQ(Hair::memory_need(test.asset, {.solver = &kCharacterSolver, .moving_colliders = 17}).bytes, 0u);
 }
 
+/// From nothing to a thousand kilometres, whichever length it is.
+TEST(ToldColliders, MayBeAsLargeAsTheLargestAndNoLarger) {
+  Character test;
+  const auto takes = [&](ColliderShape shape, const auto& length_of, float metres) {
+    MovingCollider one{.shape = shape};
+    one.half_extents = {1, 1, 1};
+    one.radius = one.end_radius = 1;
+    length_of(one) = metres;
+    return test.hair.set_colliders(0, std::vector{one}) == Status::kOk;
+  };
+  const auto ends_at_the_largest = [&](ColliderShape shape, const auto& length_of) {
+    const float largest = 1e6f;
+    EXPECT_TRUE(takes(shape, length_of, largest)) << int(shape);
+    EXPECT_FALSE(takes(shape, length_of, std::nextafter(largest, 2 * largest))) << int(shape);
+    EXPECT_EQ(takes(shape, length_of, 0), shape != ColliderShape::kEllipsoid && shape != ColliderShape::kPlane);
+  };
+  ends_at_the_largest(ColliderShape::kSphere, [](MovingCollider& c) -> float& { return c.radius; });
+  ends_at_the_largest(ColliderShape::kTaperedCapsule, [](MovingCollider& c) -> float& { return c.end_radius; });
+  ends_at_the_largest(ColliderShape::kCapsule, [](MovingCollider& c) -> float& { return c.axis.y; });
+  ends_at_the_largest(ColliderShape::kPlane, [](MovingCollider& c) -> float& { return c.axis.y; });
+  for (const ColliderShape shape : {ColliderShape::kBox, ColliderShape::kEllipsoid}) {
+    ends_at_the_largest(shape, [](MovingCollider& c) -> float& { return c.half_extents.x; });
+    ends_at_the_largest(shape, [](MovingCollider& c) -> float& { return c.half_extents.y; });
+    ends_at_the_largest(shape, [](MovingCollider& c) -> float& { return c.half_extents.z; });
+  }
+}
+
 TEST(ToldColliders, WakeHairThatTheyReachAndNoOther) {
   Character test;
   const auto sleeps = [&] {

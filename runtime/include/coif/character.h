@@ -11,7 +11,7 @@ namespace coif {
 inline constexpr std::uint32_t kMaxMovingColliders =
     16;  ///< That a game gives one head at once; an asset's own come on top.
 
-/// Something of the game that hair stays out of. World space, metres.
+/// Something of the game that hair stays out of. World space, metres; no length is more than 1e6.
 struct MovingCollider {
   ColliderShape shape = ColliderShape::kSphere;
   /// At the end of the coming step: the centre of a sphere, ellipsoid or box, one end of a capsule's segment, a point on a plane.

@@ -75,7 +75,8 @@ HWY_INLINE BoneMotion<D> keep_length(D d, const V3<D>& free, const V3<D>& veloci
   V3<D> kept = add_scaled(d, free, mean, reach);
   // Unit but for rounding, for which one step of Newton's method does; unless a free end many lengths away left only that.
   const auto size2 = dot(d, kept, kept);
-  const auto is_unit = hn::And(has_mean, hn::Lt(hn::Abs(hn::Sub(size2, one)), hn::Set(d, 1e-3f)));
+  const auto off_unit = hn::Abs(hn::Sub(size2, one));
+  const auto is_unit = hn::And(has_mean, hn::Lt(off_unit, hn::Set(d, 1e-3f)));
   V3<D> way = scale(d, mean, reach);
   kept = scale(d, kept, hn::Sub(hn::Set(d, 1.5f), hn::Mul(hn::Set(d, 0.5f), size2)));
   if (HWY_UNLIKELY(!hn::AllTrue(d, is_unit))) {
@@ -94,18 +95,21 @@ HWY_INLINE BoneMotion<D> keep_length(D d, const V3<D>& free, const V3<D>& veloci
 /// its default position does.
 template <class D>
 HWY_INLINE void keep_in_limit(D d, V<D> cosine, const V3<D>& by_parent, const Target<D>& target, BoneMotion<D>& now) {
-  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+  const auto zero = hn::Zero(d);
   const V3<D> axis = direction_or(d, target.arm, by_parent);
-  const auto is_over = hn::Lt(dot(d, now.direction, axis), cosine);
+  // A cosine that rounds to one tells no small angles apart: such a bone is always turned back.
+  const auto is_over = hn::Or(hn::Lt(dot(d, now.direction, axis), cosine), hn::Ge(cosine, hn::Set(d, 1.0f)));
   if (HWY_LIKELY(hn::AllFalse(d, is_over))) return;
   const V3<D> limited = tilted(d, now.direction, axis, cosine, Vec3{0.0f, 1.0f, 0.0f});
   const V3<D> inwards = across(d, axis, limited);
   const auto size2 = dot(d, inwards, inwards);
   V3<D> velocity = across(d, now.velocity, limited);
   const auto leaving = dot(d, sub(d, velocity, target.velocity), inwards);
-  const auto stops = hn::And(hn::Gt(size2, hn::Set(d, 1e-6f)), hn::Lt(leaving, zero));
-  const auto taken = hn::Div(leaving, hn::IfThenElse(stops, size2, one));
+  const auto has_side = hn::Gt(size2, hn::Set(d, 1e-6f)), stops = hn::And(has_side, hn::Lt(leaving, zero));
+  const auto taken = hn::Div(leaving, size2);  // not a number without a side: not chosen
   velocity = choose<D>(stops, sub_scaled(d, velocity, inwards, taken), velocity);
+  // So narrow a limit leaves no way inwards: the bone is locked to its default position.
+  velocity = choose<D>(has_side, velocity, target.velocity);
   now.direction = choose<D>(is_over, limited, now.direction);
   now.velocity = choose<D>(is_over, velocity, now.velocity);
 }

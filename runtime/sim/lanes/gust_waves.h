@@ -37,7 +37,7 @@ struct GustLanes {
   Lanes strength;           ///< What the gusts' air is for the hair: exposure by scale.
 };
 
-/// What remains of `turns` without whole ones: -1/2..1/2; 0 where nothing would remain of a number so large.
+/// What remains of `turns` without whole ones: -1/2..1/2; 0 from 1e15 turns on, where doubles have hardly any parts left.
 [[nodiscard]] float part_turn(double turns);
 
 /// Of gusts that set_gusts() takes; `amplitude` and all.
