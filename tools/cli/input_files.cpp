@@ -102,6 +102,7 @@ ImportSettings import_settings(const Recipe& recipe, std::vector<fs::path> roots
   settings.roots = std::move(roots);
   if (recipe.metres_per_unit > 0) settings.metres_per_unit = recipe.metres_per_unit;
   settings.variant = recipe.source_variant;
+  settings.meshes = recipe.hair_meshes;
   if (recipe.up_axis == "x") settings.up_axis = UpAxis::kX;
   if (recipe.up_axis == "y") settings.up_axis = UpAxis::kY;
   if (recipe.up_axis == "z") settings.up_axis = UpAxis::kZ;

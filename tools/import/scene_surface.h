@@ -89,8 +89,8 @@ void read_wrap(const aiMaterial& material, unsigned type, SourceTexture& texture
 [[nodiscard]] std::vector<Eigen::Vector4f> vertex_colors(const aiMesh& mesh);
 
 /// What assimp 5.2 drops or misreads of an OBJ's material libraries: options of map_Kd and map_d (-s and -o, of which it drops the
-/// numbers, and takes the path for one where there are two; -imfchan). Moves the coordinates of the meshes; `libraries` are paths of
-/// files that were opened.
+/// numbers, and takes the path for one where there are two; -imfchan), and d and Tr, of which it hands on no colour's alpha. Moves the
+/// coordinates of the meshes; `libraries` are plain_library_text() of files that were opened.
 void apply_obj_options(std::span<const std::string> libraries, SourceModel& model);
 
 }  // namespace coif

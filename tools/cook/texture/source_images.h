@@ -2,6 +2,7 @@
 
 // What the names of image files say, and how paths are spelt in models.
 
+#include "base/side_file.h"
 #include "cook/recipe/findings.h"
 #include "cook/texture/image.h"
 #include "import/source_model.h"
@@ -14,18 +15,6 @@
 #include <vector>
 
 namespace coif {
-
-/// ASCII letters only; other bytes stay.
-[[nodiscard]] std::string lower_case(std::string text);
-
-/// Backslashes become slashes.
-[[nodiscard]] std::string with_slashes(std::string path);
-
-/// "%20" becomes a space; what is no two hexadecimal digits stays.
-[[nodiscard]] std::string percent_decoded(const std::string& text);
-
-/// What follows the last slash.
-[[nodiscard]] std::string last_name(const std::string& path);
 
 /// Ends in the suffix of a format that the cooker reads, in letters of either case.
 [[nodiscard]] bool is_image_name(const std::string& file);

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -96,39 +95,40 @@ ObjTexture read_statement(const std::string& statement) {
       (void)words.take();  // the word that each of the other options has
     }
   }
-  texture.path = printable_text(words.rest());
+  texture.path = printable_text(utf8_of(words.rest()));
   return texture;
 }
 
-struct ObjTextures {
-  std::map<std::string, ObjTexture> base, opacity;  ///< By the material's name.
+/// What a library says of a material beside what assimp makes of it.
+struct ObjMaterial {
+  std::optional<ObjTexture> base, opacity;
+  std::optional<float> dissolve, transparency;  ///< "d" and "Tr".
 };
+using ObjMaterials = std::map<std::string, ObjMaterial>;  // by name
 
-void read_library(const std::string& path, ObjTextures& textures) {
-  std::ifstream file(path);
-  std::string material, statement;
-  for (std::string line; std::getline(file, line);) {
+void read_library(const std::string& text, ObjMaterials& materials) {
+  std::istringstream lines(text);
+  ObjMaterial* material = nullptr;
+  std::string statement;
+  for (std::string line; std::getline(lines, line);) {
     if (line.size() > kLongestLine) continue;
-    while (!line.empty() && (line.back() == '\r' || line.back() == ' ' || line.back() == '\t')) line.pop_back();
     std::istringstream words(line);
     std::string keyword;
     words >> keyword >> std::ws;
     statement.clear();
     std::getline(words, statement);
-    if (keyword == "newmtl") material = printable_text(statement);
-    if (keyword == "map_Kd" || keyword == "map_kd") textures.base.insert_or_assign(material, read_statement(statement));
-    if (keyword == "map_d") textures.opacity.insert_or_assign(material, read_statement(statement));
+    if (keyword == "newmtl") material = &materials[printable_text(statement)];
+    if (material == nullptr) continue;
+    if (keyword == "map_Kd") material->base = read_statement(statement);
+    if (keyword == "map_d") material->opacity = read_statement(statement);
+    if (keyword == "d") material->dissolve = written_number(statement);
+    if (keyword == "Tr") material->transparency = written_number(statement);
   }
 }
 
 void take_over(const ObjTexture& said, SourceTexture& texture) {
   if (!said.path.empty()) texture.path = said.path;
   texture.wrap[0] = texture.wrap[1] = said.wrap;
-}
-
-const ObjTexture* said_of(const std::map<std::string, ObjTexture>& textures, const std::string& material) {
-  const auto found = textures.find(material);
-  return found == textures.end() ? nullptr : &found->second;
 }
 
 /// V of a model grows downwards, that of the place upwards.
@@ -140,33 +140,65 @@ void move_uvs(const TexturePlace& place, SourceMesh& mesh) {
   }
 }
 
+/// How opaque a material is as a whole: what its texture's alpha is multiplied with. A material that is not there at all is none that
+/// anybody made for hair: exporters write "d 0" or "Tr 1" beside a texture whose alpha is meant, and some write Tr for d.
+void take_over_dissolve(const ObjMaterial& said, SourceMaterial& material, std::vector<Warning>& warnings) {
+  constexpr float kSeen = 1e-3f;
+  if (!said.dissolve && !said.transparency) return;
+  const float alpha = said.dissolve ? *said.dissolve : 1 - *said.transparency;
+  if (alpha >= 1) return;
+  if (alpha > kSeen) {
+    material.base_color.w() = alpha;
+    material.alpha_use = AlphaUse::kBlend;
+    return;
+  }
+  warn(warnings, source_code::kClear,
+       "material '{}': its .mtl says that it is wholly transparent ({}), and nothing would be seen; it is taken for "
+       "opaque but for the alpha of its textures; set its opacity to 1 and export again",
+       material.name, said.dissolve ? "d 0" : "Tr 1");
+}
+
+void take_over_textures(const ObjMaterial& said, SourceMaterial& material, std::vector<Warning>& warnings) {
+  if (said.base) take_over(*said.base, material.base_texture);
+  if (!said.opacity) return;
+  if (said.base && said.base->path == said.opacity->path) {
+    material.opacity_texture = {};  // one image for both: its own alpha
+    return;
+  }
+  take_over(*said.opacity, material.opacity_texture);
+  material.opacity_channel = said.opacity->channel;
+  if (!said.base || said.base->place == said.opacity->place) return;
+  warn(warnings, source_code::kUvs,
+       "material '{}': map_d is placed otherwise than map_Kd (-s, -o), whose place is taken for "
+       "both; give both the same options in the .mtl",
+       material.name);
+}
+
+TexturePlace place_of(const ObjMaterial& said) {
+  return said.base ? said.base->place : said.opacity ? said.opacity->place : TexturePlace{};
+}
+
 }  // namespace
 
 void apply_obj_options(std::span<const std::string> libraries, SourceModel& model) {
-  ObjTextures textures;
-  for (const std::string& library : libraries) read_library(library, textures);
+  ObjMaterials materials;
+  for (const std::string& library : libraries) read_library(library, materials);
   for (SourceMaterial& material : model.materials) {
-    const ObjTexture *const base = said_of(textures.base, material.name), *const opacity =
-                                                                              said_of(textures.opacity, material.name);
-    if (base != nullptr) take_over(*base, material.base_texture);
-    const bool is_own = opacity != nullptr && (base == nullptr || base->path != opacity->path);
-    if (is_own) {
-      take_over(*opacity, material.opacity_texture);
-      material.opacity_channel = opacity->channel;
-    } else if (opacity != nullptr) {
-      material.opacity_texture = {};  // one image for both: its own alpha
-    }
-    if (is_own && base != nullptr && !(base->place == opacity->place)) {
-      warn(model.warnings, source_code::kUvs,
-           "material '{}': map_d is placed otherwise than map_Kd (-s, -o), whose place is taken for "
-           "both; give both the same options in the .mtl",
-           material.name);
+    const auto said = materials.find(material.name);
+    if (said == materials.end()) continue;
+    take_over_textures(said->second, material, model.warnings);
+    take_over_dissolve(said->second, material, model.warnings);
+    for (const auto* const texture : {&said->second.base, &said->second.opacity}) {
+      if (*texture && !(*texture)->path.empty()) model.named_images.push_back((*texture)->path);
     }
   }
+  std::ranges::sort(model.named_images);
+  model.named_images.erase(std::unique(model.named_images.begin(), model.named_images.end()),
+                           model.named_images.end());
   for (SourceMesh& mesh : model.meshes) {
-    const std::string name = material_name(model, mesh);
-    const ObjTexture *const base = said_of(textures.base, name), *const opacity = said_of(textures.opacity, name);
-    const TexturePlace place = base != nullptr ? base->place : opacity != nullptr ? opacity->place : TexturePlace{};
+    const auto said = materials.find(material_name(model, mesh));
+    if (said == materials.end()) continue;
+    const TexturePlace place = place_of(said->second);
     if (!(place == TexturePlace{})) move_uvs(place, mesh);
   }
 }
