@@ -379,7 +379,7 @@ SourceModel two_meshes(std::uint32_t rows, std::uint32_t other_rows, const Eigen
   for (const std::uint32_t node : nodes) {
     const bool is_other = node == nodes[1];
     SourceMesh mesh = make_strip({.root = is_other ? other_root : Eigen::Vector3f(0, 0, 0),
-                                  .along = {0, is_other ? -1.0f / float(other_rows) : -1.0f / float(rows), 0},
+                                  .along = {0, -1, 0},
                                   .rows = is_other ? other_rows : rows});
     mesh.name = model.nodes[node].name;
     mesh.node = node;

@@ -122,4 +122,13 @@ TEST_F(ObjLibraries, SayHowOpaqueAMaterialIs) {
   }
 }
 
+TEST_F(ObjLibraries, WhoseBlackHidesATextureAreTakenForWhite) {
+  folder_.write("m.mtl", "newmtl hair\nKd 0 0 0\nmap_Kd hair.png\n");
+  const SourceModel model = read("mtllib m.mtl");
+  EXPECT_EQ(hair(model).base_color, Eigen::Vector4f::Ones());
+  EXPECT_TRUE(warns(model, "Kd 0 0 0")) << test::warnings_of(model);
+  folder_.write("m.mtl", "newmtl hair\nKd 0 0 0\n");
+  EXPECT_EQ(hair(read("mtllib m.mtl")).base_color.x(), 0) << "black hair";
+}
+
 }  // namespace coif::obj_libraries_test

@@ -63,6 +63,10 @@ tl::expected<Exit, FailedCook> run_options(const CookOptions& options, const Mes
   auto choice =
       choose_recipe(options.sources.empty() ? "" : options.source(), options.recipe, messages, {options.preset, ""});
   if (!choice) return tl::unexpected(failed_by_recipe(choice.error()));
+  if (options.limits.requires_sandbox) {
+    if (auto fenced = check_named_files(*choice, options.roots); !fenced)
+      return tl::unexpected(failed_by_recipe(fenced.error()));
+  }
   choose_body(options.body, *choice);
   if (auto known = acknowledge(options, *choice); !known) return tl::unexpected(failed_by_recipe(known.error()));
   if (options.print_recipe) {

@@ -65,7 +65,24 @@ tl::expected<RecipeChoice, ToolError> choose_recipe(const fs::path& source, cons
     return RecipeChoice{std::move(*recipe), source.parent_path(), {}};
   }
   messages.note(fmt::format("{}: used, as it lies beside the source; --recipe names another", beside.string()));
-  return read_choice(beside, beginning);
+  auto choice = read_choice(beside, beginning);
+  if (choice) choice->is_found = true;
+  return choice;
+}
+
+tl::expected<void, ToolError> check_named_files(const RecipeChoice& choice, std::span<const fs::path> roots) {
+  if (!choice.is_found) return {};
+  const std::vector<fs::path> folders = folders_of_source(choice.file, roots);
+  for (const std::string& name : files_named_by(choice.recipe)) {
+    const fs::path path = choice.directory / name;
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(path, error)) || lies_in(path, folders)) continue;
+    return file_failure(ToolError::Kind::kBadInput, choice.file,
+                        "names '{}', which lies outside of its folder, and --require-sandbox trusts no recipe that nobody "
+                        "named; allow its folder with --root, or name the recipe with --recipe",
+                        printable_text(name, 100));
+  }
+  return {};
 }
 
 std::vector<fs::path> files_of(const RecipeChoice& choice) {

@@ -158,6 +158,16 @@ void take_over_dissolve(const ObjMaterial& said, SourceMaterial& material, std::
        material.name, said.dissolve ? "d 0" : "Tr 1");
 }
 
+/// The colour is what a texture is multiplied with; exporters that mean the texture alone write black beside it.
+void take_over_color(const ObjMaterial& said, SourceMaterial& material, std::vector<Warning>& warnings) {
+  if (!said.base || !material.base_color.head<3>().isZero(0)) return;
+  material.base_color.head<3>().setOnes();
+  warn(warnings, source_code::kClear,
+       "material '{}': its .mtl says that it is black (Kd 0 0 0), and nothing would be seen of '{}'; the texture is taken as "
+       "it is; set the diffuse colour to white and export again",
+       material.name, said.base->path);
+}
+
 void take_over_textures(const ObjMaterial& said, SourceMaterial& material, std::vector<Warning>& warnings) {
   if (said.base) take_over(*said.base, material.base_texture);
   if (!said.opacity) return;
@@ -188,6 +198,7 @@ void apply_obj_options(std::span<const std::string> libraries, SourceModel& mode
     if (said == materials.end()) continue;
     take_over_textures(said->second, material, model.warnings);
     take_over_dissolve(said->second, material, model.warnings);
+    take_over_color(said->second, material, model.warnings);
     for (const auto* const texture : {&said->second.base, &said->second.opacity}) {
       if (*texture && !(*texture)->path.empty()) model.named_images.push_back((*texture)->path);
     }

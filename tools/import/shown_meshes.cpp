@@ -32,10 +32,10 @@ void warn_of_coarser(std::span<const std::string> meshes, std::span<const std::s
                      std::vector<Warning>& warnings) {
   if (meshes.empty()) return;
   warn(warnings, source_code::kCoarser,
-       "{} left out as coarser levels of detail of {}: {}; the cook makes levels of its own; name another in the recipe's "
-       "\"hair.meshes\" where that is meant",
+       "{} left out as coarser levels of detail of {}: {}; the cook makes levels of its own{}",
        counted(meshes.size(), "mesh", "meshes"), finest.empty() ? "what is there in a finer one" : list_of_names(finest),
-       list_of_names(meshes));
+       list_of_names(meshes),
+       finest.empty() ? "" : "; name another in the recipe's \"hair.meshes\" where that is meant");
 }
 
 void warn_of_shape_keys(const std::string& mesh, std::span<const std::string> on, std::vector<Warning>& warnings) {

@@ -18,7 +18,7 @@ namespace coif {
 void warn_of_hidden(std::span<const std::string> nodes, std::vector<Warning>& warnings);
 
 /// A warning that names meshes, or nodes with one, that are left out as coarser levels of detail; none where there are none.
-/// `finest`: what is kept of them, where that is known.
+/// `finest`: what is kept of them, where the caller may choose; else empty.
 void warn_of_coarser(std::span<const std::string> meshes, std::span<const std::string> finest,
                      std::vector<Warning>& warnings);
 
