@@ -122,6 +122,16 @@ TEST_F(ObjLibraries, SayHowOpaqueAMaterialIs) {
   }
 }
 
+TEST_F(ObjLibraries, SayWhatIsNotRead) {
+  folder_.write("m.mtl", "newmtl hair\nmap_Kd hair.png\nmap_Tr clear.png\n");
+  EXPECT_TRUE(warns(read("mtllib m.mtl"), "map_Tr 'clear.png' is not read"));
+  folder_.write("m.mtl", "newmtl hair\nKd 0 0 0\nmap_Ke glow.png\n");
+  const SourceModel model = read("mtllib m.mtl");
+  EXPECT_EQ(hair(model).base_texture.path, "glow.png");
+  EXPECT_EQ(hair(model).base_color, Eigen::Vector4f::Ones());
+  EXPECT_TRUE(warns(model, "only its light has a texture, 'glow.png'")) << test::warnings_of(model);
+}
+
 TEST_F(ObjLibraries, WhoseBlackHidesATextureAreTakenForWhite) {
   folder_.write("m.mtl", "newmtl hair\nKd 0 0 0\nmap_Kd hair.png\n");
   const SourceModel model = read("mtllib m.mtl");

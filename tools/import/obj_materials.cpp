@@ -103,6 +103,7 @@ ObjTexture read_statement(const std::string& statement) {
 struct ObjMaterial {
   std::optional<ObjTexture> base, opacity;
   std::optional<float> dissolve, transparency;  ///< "d" and "Tr".
+  std::string transparency_map;                 ///< "map_Tr", which is no part of the format; "": none.
 };
 using ObjMaterials = std::map<std::string, ObjMaterial>;  // by name
 
@@ -122,6 +123,7 @@ void read_library(const std::string& text, ObjMaterials& materials) {
     if (keyword == "map_Kd") material->base = read_statement(statement);
     if (keyword == "map_d") material->opacity = read_statement(statement);
     if (keyword == "d") material->dissolve = written_number(statement);
+    if (keyword == "map_Tr") material->transparency_map = read_statement(statement).path;
     if (keyword == "Tr") material->transparency = written_number(statement);
   }
 }
@@ -170,6 +172,12 @@ void take_over_color(const ObjMaterial& said, SourceMaterial& material, std::vec
 
 void take_over_textures(const ObjMaterial& said, SourceMaterial& material, std::vector<Warning>& warnings) {
   if (said.base) take_over(*said.base, material.base_texture);
+  if (!said.transparency_map.empty() && !said.opacity) {
+    warn(warnings, source_code::kImages,
+         "material '{}': map_Tr '{}' is not read, since programs disagree whether its white is clear; name it map_d in the "
+         ".mtl, or in the recipe as \"textures.opacity\"",
+         material.name, said.transparency_map);
+  }
   if (!said.opacity) return;
   if (said.base && said.base->path == said.opacity->path) {
     material.opacity_texture = {};  // one image for both: its own alpha

@@ -70,11 +70,25 @@ TextureWrap wrap_of(const aiMaterial& material, const char* key, unsigned type) 
 
 float linear_of(float stored) { return stored <= 1 ? float(decode_srgb(double(stored))) : stored; }
 
+/// Some programs write colours of an OBJ as whole numbers up to 255: no screen shows what is that much brighter than white.
+bool are_bytes(std::span<const aiColor4D> colors) {
+  constexpr float kMostOfLight = 2;
+  bool is_bright = false;
+  for (const aiColor4D& color : colors) {
+    for (const float number : {color.r, color.g, color.b}) {
+      if (!(number >= 0 && number <= 255) || number != std::floor(number)) return false;
+      is_bright = is_bright || number > kMostOfLight;
+    }
+  }
+  return is_bright;
+}
+
 }  // namespace
 
 TexturePlace texture_place(const aiMaterial& material, const std::string& geometry, const SourceSurface& surface,
                            const std::string& label, std::vector<Warning>& warnings) {
-  constexpr aiTextureType kBase[] = {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE};
+  constexpr aiTextureType kBase[] = {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE, aiTextureType_EMISSION_COLOR,
+                                     aiTextureType_EMISSIVE};
   constexpr aiTextureType kOpacity[] = {aiTextureType_OPACITY};
   const auto base = first_type(material, kBase), opacity = first_type(material, kOpacity);
   if (!base && !opacity) return {};
@@ -96,8 +110,11 @@ void read_wrap(const aiMaterial& material, unsigned type, SourceTexture& texture
 std::vector<Eigen::Vector4f> vertex_colors(const aiMesh& mesh) {
   std::vector<Eigen::Vector4f> colors;
   if (!mesh.HasVertexColors(0)) return colors;
-  for (const aiColor4D& given : std::span(mesh.mColors[0], mesh.mNumVertices)) {
-    colors.emplace_back(linear_of(given.r), linear_of(given.g), linear_of(given.b), given.a);
+  const std::span all(mesh.mColors[0], mesh.mNumVertices);
+  const float unit = are_bytes(all) ? 255 : 1;
+  for (const aiColor4D& given : all) {
+    const float alpha = given.a > 1 ? given.a / unit : given.a;
+    colors.emplace_back(linear_of(given.r / unit), linear_of(given.g / unit), linear_of(given.b / unit), alpha);
   }
   return colors;
 }

@@ -85,7 +85,7 @@ struct SourceSurface {
 void read_wrap(const aiMaterial& material, unsigned type, SourceTexture& texture);
 
 /// Colours of the first set, linear, of each vertex; empty where there are none. Formats other than glTF store what a screen shows, as
-/// Blender, Maya and MeshLab write them.
+/// Blender, Maya and MeshLab write them, or whole numbers up to 255 of it.
 [[nodiscard]] std::vector<Eigen::Vector4f> vertex_colors(const aiMesh& mesh);
 
 /// What assimp 5.2 drops or misreads of an OBJ's material libraries: options of map_Kd and map_d (-s and -o, of which it drops the

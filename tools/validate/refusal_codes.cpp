@@ -189,9 +189,9 @@ constexpr IssueCode kOriginCodes[] = {
      "another folder.",
      "Give the file the name that the source has, or export again with relative paths; or acknowledge the code."},
     {"S226", kSource, kWarning, "material that would not be seen",
-     "It is wholly transparent, or so black that nothing is seen of its texture, as some exporters write beside a texture: that is not "
-     "taken over.",
-     "Set the material's opacity to 1 and its colour to white and export again, or acknowledge the code."},
+     "As it is written it is wholly transparent, or so black that nothing is seen of its texture, or only its light has a texture; the "
+     "message says what is taken.",
+     "Set the material's opacity to 1 and its colour to white, connect the texture to its base colour and export again, or acknowledge the code."},
     {"R101", kSource, kError, "cooked from other bytes", "The source has changed since the asset was cooked.",
      kCookAgain},
     {"R102", kSource, kError, "cooked by another recipe",
