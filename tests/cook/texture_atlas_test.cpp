@@ -227,4 +227,50 @@ TEST(FillGaps, AnImageWithoutAlphaKeepsItsColors) {
   EXPECT_EQ(image.texels, before.texels);
 }
 
+/// An image of 16 x 16 whose texels say where they lie, after repeat_edges() for one strip over these texels.
+Image repeated_around(const Eigen::Vector2f& low, const Eigen::Vector2f& high, const Image& used) {
+  Image image = painted(16, 16, [](std::uint32_t x, std::uint32_t y) {
+    return Rgba{std::uint8_t(10 * x), std::uint8_t(10 * y), 0, std::uint8_t(100 + x)};
+  });
+  repeat_edges(hair_from(strip_over(low / 16, high / 16)), used, image);
+  return image;
+}
+
+Image used_between(std::uint32_t low_x, std::uint32_t low_y, std::uint32_t high_x, std::uint32_t high_y) {
+  Image used{16, 16, 1, std::vector<std::uint8_t>(256, 0)};
+  for (std::uint32_t y = low_y; y < high_y; ++y) {
+    for (std::uint32_t x = low_x; x < high_x; ++x) used.texels[16 * y + x] = 255;
+  }
+  return used;
+}
+
+Rgba texel_of(std::uint32_t x, std::uint32_t y) {
+  return {std::uint8_t(10 * x), std::uint8_t(10 * y), 0, std::uint8_t(100 + x)};
+}
+
+TEST(RepeatEdges, APartOfAnAtlasGoesOnForATexelAroundIt) {
+  const Image image = repeated_around({4, 8}, {12, 14}, used_between(4, 8, 12, 14));
+  for (std::uint32_t y = 0; y < 16; ++y) {
+    for (std::uint32_t x = 0; x < 16; ++x) {
+      const bool is_near = x >= 3 && x <= 12 && y >= 7 && y <= 14;
+      const Rgba wanted = is_near ? texel_of(std::clamp(x, 4u, 11u), std::clamp(y, 8u, 13u)) : texel_of(x, y);
+      EXPECT_EQ(texel(image, x, y), wanted) << x << ", " << y;
+    }
+  }
+}
+
+TEST(RepeatEdges, PartsAtTheImagesBorderGoOnBeyondItWhereItRepeats) {
+  const Image image = repeated_around({0, 0}, {16, 8}, used_between(0, 0, 16, 8));
+  EXPECT_EQ(texel(image, 5, 8), texel_of(5, 7));
+  EXPECT_EQ(texel(image, 5, 15), texel_of(5, 0));
+  EXPECT_EQ(texel(image, 5, 9), texel_of(5, 9));
+}
+
+TEST(RepeatEdges, WhatHairUsesAndEdgesElsewhereStay) {
+  const Image used = used_between(0, 0, 16, 16);
+  EXPECT_EQ(texel(repeated_around({4, 8}, {12, 14}, used), 3, 9), texel_of(3, 9));
+  const Image image = repeated_around({4.5f, 8.5f}, {11.5f, 13.5f}, used_between(4, 8, 12, 14));
+  EXPECT_EQ(texel(image, 3, 9), texel_of(3, 9)) << "half of the texel before it is shown: what is painted beside fades it";
+}
+
 }  // namespace coif::texture_atlas_test

@@ -128,7 +128,9 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   collada.apply(model.materials);
   warn_of_weights(document, model.warnings);
   model.named_images = named_images(scene);
-  model.meshes = convert_meshes(scene, nodes, {suffix.format, model.space.generator, &collada}, model.warnings);
+  const auto places = objects ? std::optional(FbxTexturePlaces(*objects)) : std::nullopt;
+  const SourceSurface surface{suffix.format, model.space.generator, &collada, places ? &*places : nullptr};
+  model.meshes = convert_meshes(scene, nodes, surface, model.warnings);
   const bool hides_all = hides_all_meshes(nodes);
   model.nodes = std::move(nodes.nodes);
   if (auto kept = keep_shown_meshes(path, hides_all, settings.meshes, model); !kept) return tl::unexpected(kept.error());

@@ -42,6 +42,7 @@ BaseMips bake_base(const BaseColor& color, const HairMesh& hair, const Recipe& r
   }
   image = reduce(std::move(image), max_size, TexelMeaning::kSrgbColorAlpha);
   used = reduce(std::move(used), max_size, TexelMeaning::kNumbers);
+  repeat_edges(hair, used, image);
   fill_gaps(image, used);
   const Image whole{image.width, image.height, 4, {}};
   DetailedImage detailed = reduce_to_detail(std::move(image), used, TexelMeaning::kSrgbColorAlpha);

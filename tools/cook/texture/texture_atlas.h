@@ -43,6 +43,11 @@ tl::expected<AtlasLayout, std::string> lay_out_atlas(const HairMesh& hair,
 /// Moves the hair's texture coordinates into the atlas. A vertex that two surfaces share becomes two.
 void move_uvs_to_atlas(const AtlasLayout& layout, std::span<const std::uint32_t> surface_of_triangle, HairMesh& hair);
 
+/// Where edges of triangles lie exactly between two texels, as those of cards that fill a part of an artist's atlas do, the texel beyond
+/// becomes what the one before it is, unless the hair uses it: linear filtering mixes half of it in at the very edge, and it belongs
+/// to another part. Edges that lie elsewhere keep what was painted beside them. Before fill_gaps(), whose mips begin from this.
+void repeat_edges(const HairMesh& hair, const Image& used, Image& image);
+
 /// Gives texels that nothing shows what is around those that hair shows, so that no filter mixes in a foreign colour:
 ///
 /// - Texels that the hair does not use (0 in `used`, one channel, the image's size), from the second one away on,
