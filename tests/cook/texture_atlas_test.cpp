@@ -227,50 +227,79 @@ TEST(FillGaps, AnImageWithoutAlphaKeepsItsColors) {
   EXPECT_EQ(image.texels, before.texels);
 }
 
-/// An image of 16 x 16 whose texels say where they lie, after repeat_edges() for one strip over these texels.
-Image repeated_around(const Eigen::Vector2f& low, const Eigen::Vector2f& high, const Image& used) {
-  Image image = painted(16, 16, [](std::uint32_t x, std::uint32_t y) {
-    return Rgba{std::uint8_t(10 * x), std::uint8_t(10 * y), 0, std::uint8_t(100 + x)};
+/// Hair that fills the texels from `low` to `high` of an image of 64 x 64, and which of them it uses.
+struct FilledPart {
+  Eigen::Vector2f low, high;
+  Image used;
+
+  [[nodiscard]] bool holds(std::uint32_t x, std::uint32_t y) const {
+    const Eigen::Vector2f middle(float(x) + 0.5f, float(y) + 0.5f);
+    return (middle.array() > low.array()).all() && (middle.array() < high.array()).all();
+  }
+  [[nodiscard]] Image repeated(Image image) const {
+    const auto borders = borders_where_pictures_end(hair_from(strip_over(low / 64, high / 64)), image);
+    repeat_edges(borders, used, image);
+    return image;
+  }
+};
+
+/// Texels say where they lie; around the part they are of something blue.
+Image in_an_atlas(const FilledPart& part) {
+  return painted(64, 64, [&](std::uint32_t x, std::uint32_t y) {
+    return part.holds(x, y) ? Rgba{std::uint8_t(x), std::uint8_t(y), 0, std::uint8_t(100 + x)} : Rgba{9, 9, 250, 255};
   });
-  repeat_edges(hair_from(strip_over(low / 16, high / 16)), used, image);
-  return image;
 }
 
 Image used_between(std::uint32_t low_x, std::uint32_t low_y, std::uint32_t high_x, std::uint32_t high_y) {
-  Image used{16, 16, 1, std::vector<std::uint8_t>(256, 0)};
+  Image used{64, 64, 1, std::vector<std::uint8_t>(64 * 64, 0)};
   for (std::uint32_t y = low_y; y < high_y; ++y) {
-    for (std::uint32_t x = low_x; x < high_x; ++x) used.texels[16 * y + x] = 255;
+    for (std::uint32_t x = low_x; x < high_x; ++x) used.texels[64 * y + x] = 255;
   }
   return used;
 }
 
-Rgba texel_of(std::uint32_t x, std::uint32_t y) {
-  return {std::uint8_t(10 * x), std::uint8_t(10 * y), 0, std::uint8_t(100 + x)};
-}
-
-TEST(RepeatEdges, APartOfAnAtlasGoesOnForATexelAroundIt) {
-  const Image image = repeated_around({4, 8}, {12, 14}, used_between(4, 8, 12, 14));
-  for (std::uint32_t y = 0; y < 16; ++y) {
-    for (std::uint32_t x = 0; x < 16; ++x) {
-      const bool is_near = x >= 3 && x <= 12 && y >= 7 && y <= 14;
-      const Rgba wanted = is_near ? texel_of(std::clamp(x, 4u, 11u), std::clamp(y, 8u, 13u)) : texel_of(x, y);
+TEST(RepeatEdges, APartOfAnAtlasGoesOnAroundIt) {
+  const FilledPart part{{16, 32}, {48, 52}, used_between(16, 32, 48, 52)};
+  const Image before = in_an_atlas(part), image = part.repeated(before);
+  for (std::uint32_t y = 0; y < 64; ++y) {
+    for (std::uint32_t x = 0; x < 64; ++x) {
+      const bool is_near = x >= 8 && x < 56 && y >= 24 && y < 60;
+      const Rgba wanted =
+          is_near ? texel(before, std::clamp(x, 16u, 47u), std::clamp(y, 32u, 51u)) : texel(before, x, y);
       EXPECT_EQ(texel(image, x, y), wanted) << x << ", " << y;
     }
   }
 }
 
 TEST(RepeatEdges, PartsAtTheImagesBorderGoOnBeyondItWhereItRepeats) {
-  const Image image = repeated_around({0, 0}, {16, 8}, used_between(0, 0, 16, 8));
-  EXPECT_EQ(texel(image, 5, 8), texel_of(5, 7));
-  EXPECT_EQ(texel(image, 5, 15), texel_of(5, 0));
-  EXPECT_EQ(texel(image, 5, 9), texel_of(5, 9));
+  const FilledPart part{{0, 0}, {64, 32}, used_between(0, 0, 64, 32)};
+  const Image before = in_an_atlas(part), image = part.repeated(before);
+  EXPECT_EQ(texel(image, 5, 32), texel(before, 5, 31));
+  EXPECT_EQ(texel(image, 5, 63), texel(before, 5, 0));
+  EXPECT_EQ(texel(image, 5, 45), texel(before, 5, 45));
 }
 
-TEST(RepeatEdges, WhatHairUsesAndEdgesElsewhereStay) {
-  const Image used = used_between(0, 0, 16, 16);
-  EXPECT_EQ(texel(repeated_around({4, 8}, {12, 14}, used), 3, 9), texel_of(3, 9));
-  const Image image = repeated_around({4.5f, 8.5f}, {11.5f, 13.5f}, used_between(4, 8, 12, 14));
-  EXPECT_EQ(texel(image, 3, 9), texel_of(3, 9)) << "half of the texel before it is shown: what is painted beside fades it";
+TEST(RepeatEdges, WhatHairUsesStays) {
+  FilledPart part{{16, 32}, {48, 52}, used_between(16, 32, 48, 52)};
+  part.used.texels[64 * 40 + 13] = 255;
+  const Image before = in_an_atlas(part), image = part.repeated(before);
+  EXPECT_EQ(texel(image, 14, 40), texel(before, 16, 40));
+  EXPECT_EQ(texel(image, 13, 40), texel(before, 13, 40));
+  EXPECT_EQ(texel(image, 12, 40), texel(before, 12, 40)) << "another strip begins there";
+}
+
+TEST(RepeatEdges, APictureThatGoesOnStays) {
+  const FilledPart part{{16, 32}, {48, 52}, used_between(16, 32, 48, 52)};
+  const auto faded = painted(64, 64, [](std::uint32_t x, std::uint32_t y) {
+    return Rgba{std::uint8_t(3 * x), std::uint8_t(3 * y), 0, std::uint8_t(4 * x)};
+  });
+  EXPECT_EQ(part.repeated(faded).texels, faded.texels);
+}
+
+TEST(RepeatEdges, EdgesWithinATexelStay) {
+  const FilledPart part{{16.5f, 32.5f}, {47.5f, 51.5f}, used_between(16, 32, 48, 52)};
+  const Image before = in_an_atlas(part);
+  EXPECT_EQ(part.repeated(before).texels, before.texels) << "what is painted beside is filtered by less than half";
 }
 
 }  // namespace coif::texture_atlas_test
