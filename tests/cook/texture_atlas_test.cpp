@@ -1,6 +1,6 @@
+#include "cook/texture/texture_atlas.h"
 #include "cook/built_models.h"
 #include "cook/image_files.h"
-#include "cook/texture/texture_atlas.h"
 
 #include <gtest/gtest.h>
 

@@ -89,15 +89,14 @@ TEST_F(DetailLevels, GoByTheLetterLWhereShapesAreOne) {
 }
 
 TEST_F(DetailLevels, AreNotLocksOfTheLeftSide) {
-  const std::vector<std::vector<Strip>> sides{
-      {{"Hair_L", 8}, {"Hair_R", 4, {3, 0, 0}}},
-      {{"Lock_L1", 8}, {"Lock_L2", 4, {0.5f, 0, 0}}},
-      {{"Lock_L1", 8}, {"Lock_L2", 4}, {"Lock_R1", 8, {3, 0, 0}}},
-      {{"Lock_L1", 8}, {"Lock_L2", 4}, {"Lock_R", 8, {3, 0, 0}}},
-      {{"Lock_L1", 8}, {"Lock_L2", 8}},
-      {{"Lock_L1", 4}, {"Lock_L2", 8}},
-      {{"Curl1", 8}, {"Curl2", 4}},
-      {{"Hair_Long1", 8}, {"Hair_Long2", 4}}};
+  const std::vector<std::vector<Strip>> sides{{{"Hair_L", 8}, {"Hair_R", 4, {3, 0, 0}}},
+                                              {{"Lock_L1", 8}, {"Lock_L2", 4, {0.5f, 0, 0}}},
+                                              {{"Lock_L1", 8}, {"Lock_L2", 4}, {"Lock_R1", 8, {3, 0, 0}}},
+                                              {{"Lock_L1", 8}, {"Lock_L2", 4}, {"Lock_R", 8, {3, 0, 0}}},
+                                              {{"Lock_L1", 8}, {"Lock_L2", 8}},
+                                              {{"Lock_L1", 4}, {"Lock_L2", 8}},
+                                              {{"Curl1", 8}, {"Curl2", 4}},
+                                              {{"Hair_Long1", 8}, {"Hair_Long2", 4}}};
   for (const std::vector<Strip>& strips : sides) {
     const SourceModel model = read(strips);
     EXPECT_EQ(model.meshes.size(), strips.size()) << strips[1].name;

@@ -57,10 +57,9 @@ TEST_F(FbxScene, AMeshHasItsOwnPivotBesideItsParents) {
 
 /// A triangle that the bone 21, at (0, 1, 0) of the bone 22, holds; what it is bound with does not move it.
 std::string skinned_triangle(const std::string& mesh, const std::string& bone, const std::string& above) {
-  std::string file =
-      test::text_fbx({{20, "hair", 0, mesh},
-                      {22, "head", 0, above, "LimbNode"},
-                      {21, "lock", 22, vector_property("Lcl Translation", 0, 1, 0) + bone, "LimbNode"}});
+  std::string file = test::text_fbx({{20, "hair", 0, mesh},
+                                     {22, "head", 0, above, "LimbNode"},
+                                     {21, "lock", 22, vector_property("Lcl Translation", 0, 1, 0) + bone, "LimbNode"}});
   file.insert(file.find("Objects:  {\n") + 12, R"(  Deformer: 80, "Deformer::skin", "Skin" {
     Version: 101
   }

@@ -148,7 +148,8 @@ std::string degrees_property(double degrees) {
   return fmt::format("      P: \"Rotation\", \"Vector\", \"\", \"A\",0,0,{}\n", degrees);
 }
 
-void expect_uvs(const std::string& properties, const std::vector<Eigen::Vector2f>& wanted, const std::string& creator = "") {
+void expect_uvs(const std::string& properties, const std::vector<Eigen::Vector2f>& wanted,
+                const std::string& creator = "") {
   const auto uvs = placed_uvs(properties, creator);
   ASSERT_EQ(uvs.size(), wanted.size());
   for (std::size_t v = 0; v < uvs.size(); ++v)

@@ -49,7 +49,8 @@ TEST_F(GltfScene, ATextureTransformMovesTheUvs) {
 TEST_F(GltfScene, ATextureTransformMovesQuantizedUvsOfACompressedView) {
   GltfBuilder file;
   file.attribute("TEXCOORD_0", kStripUvs, "VEC2", {.component = 5123, .normalized = true, .meshopt = true});
-  file.textured({{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"offset", {0.25, 0.5}}, {"scale", {16, 0.5}}}}}}});
+  file.textured(
+      {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"offset", {0.25, 0.5}}, {"scale", {16, 0.5}}}}}}});
   file.document["extensionsUsed"] = file.document["extensionsRequired"] = {
       "KHR_texture_transform", "KHR_mesh_quantization", "EXT_meshopt_compression"};
   const SourceModel model = model_of(file);

@@ -25,7 +25,9 @@ class ObjLibraries : public testing::Test {
     return import_or_fail(folder_.write(
         "m.obj", lines + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl hair\nf 1/1 2/2 3/3\n"));
   }
-  static const SourceMaterial& hair(const SourceModel& model) { return model.materials.at(model.meshes.at(0).material); }
+  static const SourceMaterial& hair(const SourceModel& model) {
+    return model.materials.at(model.meshes.at(0).material);
+  }
   /// Whether the library "my hair.mtl" was read.
   void expect_read(const SourceModel& model, const std::string& how) const {
     EXPECT_EQ(hair(model).base_color.y(), 0) << how;
@@ -63,7 +65,8 @@ TEST_F(ObjLibraries, AreFoundUnderAnotherSpellingWithAWarning) {
 TEST_F(ObjLibraries, MayBeSeveralInOneStatement) {
   folder_.write("a.mtl", "newmtl skin\nKd 0 1 0\n");
   folder_.write("my hair.mtl", kRed);
-  for (const std::string line : {"mtllib a.mtl my hair.mtl", "mtllib a.mtl \"my hair.mtl\"", "mtllib a.mtl\nmtllib my hair.mtl"}) {
+  for (const std::string line :
+       {"mtllib a.mtl my hair.mtl", "mtllib a.mtl \"my hair.mtl\"", "mtllib a.mtl\nmtllib my hair.mtl"}) {
     const SourceModel model = read(line);
     expect_read(model, line);
     EXPECT_TRUE(model.warnings.empty()) << test::warnings_of(model);
@@ -113,7 +116,8 @@ TEST_F(ObjLibraries, SayHowOpaqueAMaterialIs) {
   for (const std::string line : {"d 0\n", "Tr 1\n", "d 0\nmap_d alpha.png\n"}) {
     const SourceModel model = read_with(line);
     EXPECT_EQ(hair(model).base_color.w(), 1) << line;
-    EXPECT_TRUE(warns(model, "wholly transparent (" + line.substr(0, line.find('\n')) + ")")) << test::warnings_of(model);
+    EXPECT_TRUE(warns(model, "wholly transparent (" + line.substr(0, line.find('\n')) + ")"))
+        << test::warnings_of(model);
   }
   for (const std::string line : {"d 1\n", "Tr 0\n", "d 1\nTr 1\n", "d nothing\n", ""}) {
     const SourceModel model = read_with(line);

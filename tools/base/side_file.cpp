@@ -26,8 +26,7 @@ std::optional<fs::path> entry_of_either_case(const fs::path& folder, const std::
   std::error_code error;
   std::size_t count = 0;
   const std::string wanted = lower_case(name);
-  for (fs::directory_iterator it(folder.empty() ? "." : folder, error), end; !error && it != end;
-       it.increment(error)) {
+  for (fs::directory_iterator it(folder.empty() ? "." : folder, error), end; !error && it != end; it.increment(error)) {
     if (++count > kMostEntries) break;
     const fs::path entry = it->path().filename();
     if (lower_case(entry.string()) == wanted && (!found || entry < *found)) found = entry;
@@ -52,7 +51,7 @@ std::optional<fs::path> follow(const fs::path& folder, const std::string& path) 
 
 bool is_name(std::string_view text) { return !text.empty() && text.find('\0') == std::string_view::npos; }
 
-/// "C:/hair.bin" and "/home/me/hair.bin" are of a machine, not of the folder.
+/// What begins with a slash or a drive's letter is of a machine.
 bool is_of_the_folder(std::string_view slashes) {
   return !slashes.starts_with('/') && !(slashes.size() > 1 && slashes[1] == ':');
 }

@@ -150,12 +150,9 @@ std::string batch_text(const Outcomes& outcomes) {
 
 tl::expected<CookSummary, FailedCook> cook_one(const CookOptions& options, const CookRequest& request, unsigned threads,
                                                const Messages& messages) {
-  auto choice = choose_recipe(request.source, request.recipe, messages, {options.preset, ""});
+  auto choice = held_recipe(request.source, request.recipe, options.limits.requires_sandbox, options.roots, messages,
+                            {options.preset, ""});
   if (!choice) return tl::unexpected(failed_by_recipe(choice.error()));
-  if (options.limits.requires_sandbox) {
-    if (auto fenced = check_named_files(*choice, options.roots); !fenced)
-      return tl::unexpected(failed_by_recipe(fenced.error()));
-  }
   choose_body(options.body, *choice);
   if (auto known = acknowledge(options, *choice); !known) return tl::unexpected(failed_by_recipe(known.error()));
   std::error_code told_by_the_cook;

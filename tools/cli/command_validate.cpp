@@ -74,11 +74,8 @@ Found compare_with_origin(const Asset& asset, const OriginOptions& options, cons
                           LimitedWork& work) {
   const auto bytes = FileBytes::read(options.source);
   if (!bytes) return tl::unexpected(bytes.error());
-  const auto choice = choose_recipe(options.source, options.recipe, messages);
+  auto choice = held_recipe(options.source, options.recipe, options.limits.requires_sandbox, options.roots, messages);
   if (!choice) return tl::unexpected(choice.error());
-  if (options.limits.requires_sandbox) {
-    if (auto fenced = check_named_files(*choice, options.roots); !fenced) return tl::unexpected(fenced.error());
-  }
   const auto model =
       read_hair_source(options.source, choice->recipe,
                        {options.limits.of_import(import_settings(choice->recipe, options.roots), messages),
@@ -127,10 +124,7 @@ std::vector<Issue> issues_of_a_cook(const fs::path& path, Recipe recipe, const f
 }
 
 std::vector<Issue> validate_source(const fs::path& path, const OriginOptions& options, const Messages& messages) {
-  auto choice = choose_recipe(path, options.recipe, messages);
-  if (choice && options.limits.requires_sandbox) {
-    if (auto fenced = check_named_files(*choice, options.roots); !fenced) choice = tl::unexpected(fenced.error());
-  }
+  const auto choice = held_recipe(path, options.recipe, options.limits.requires_sandbox, options.roots, messages);
   const Recipe used = choice ? choice->recipe : default_recipe();
   std::vector<Issue> issues;
   if (!choice) issues.push_back(make_issue("S103", choice.error().message, "recipe"));

@@ -56,7 +56,7 @@ bool AskedFiles::Exists(const char* name) const {
 
 Assimp::IOStream* AskedFiles::Open(const char* name, const char* mode) {
   const bool is_for_reading = std::string_view(mode).find_first_of("wa+") == std::string_view::npos;
-  Assimp::IOStream* const file = !is_for_reading                ? nullptr
+  Assimp::IOStream* const file = !is_for_reading             ? nullptr
                                  : is_obj_ && name != model_ ? open_library(name)
                                                              : open_plainly(name, mode);
   if (file == nullptr) asked_.not_opened.emplace_back(name);
@@ -68,7 +68,8 @@ Assimp::IOStream* AskedFiles::open_plainly(const std::string& name, const char* 
   if (!is_allowed(name)) return nullptr;
   if (!is_obj_ || !begins_with_mark(name)) return DefaultIOSystem::Open(name.c_str(), mode);
   const std::vector<char> bytes = bytes_of(name);
-  return stream_of(std::string_view(bytes.data(), bytes.size()).substr(std::min(kObjByteOrderMark.size(), bytes.size())));
+  return stream_of(
+      std::string_view(bytes.data(), bytes.size()).substr(std::min(kObjByteOrderMark.size(), bytes.size())));
 }
 
 /// `name`: what the statement says behind the model's folder.
@@ -77,7 +78,8 @@ Assimp::IOStream* AskedFiles::open_library(const std::string& name) {
   const std::string before = folder.empty() ? "" : folder.string() + '/';
   const std::string written = name.starts_with(before) ? name.substr(before.size()) : name;
   const ObjLibraries found = find_libraries(folder, written);
-  if (found.paths.empty() || !std::ranges::all_of(found.paths, [&](const fs::path& path) { return is_allowed(path); })) {
+  if (found.paths.empty() ||
+      !std::ranges::all_of(found.paths, [&](const fs::path& path) { return is_allowed(path); })) {
     asked_.names.insert(name);
     return nullptr;
   }

@@ -133,7 +133,8 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   model.meshes = convert_meshes(scene, nodes, surface, model.warnings);
   const bool hides_all = hides_all_meshes(nodes);
   model.nodes = std::move(nodes.nodes);
-  if (auto kept = keep_shown_meshes(path, hides_all, settings.meshes, model); !kept) return tl::unexpected(kept.error());
+  if (auto kept = keep_shown_meshes(path, hides_all, settings.meshes, model); !kept)
+    return tl::unexpected(kept.error());
   return model;
 }
 
@@ -148,7 +149,8 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
   Asked asked;
   Assimp::Importer importer;
   const std::vector<std::filesystem::path> folders = folders_of_source(path, settings.roots);
-  importer.SetIOHandler(new AskedFiles(path, folders, suffix.format == SourceFormat::kObj, asked));  // Owned by the importer.
+  importer.SetIOHandler(
+      new AskedFiles(path, folders, suffix.format == SourceFormat::kObj, asked));  // Owned by the importer.
   configure(importer, suffix, settings);
   const aiScene* scene = importer.ReadFile(path.string(), kPostProcess);
   if (scene == nullptr || scene->mRootNode == nullptr) {

@@ -102,8 +102,8 @@ bool looks_like_levels(const Thing& thing) {
   constexpr double kMostOfFiner = 0.9;
   const Level* finer = nullptr;
   for (const auto& [number, level] : thing.levels) {
-    if (finer != nullptr && (!are_of_one_place(finer->box, level.box) ||
-                             double(level.triangles) > kMostOfFiner * double(finer->triangles)))
+    if (finer != nullptr &&
+        (!are_of_one_place(finer->box, level.box) || double(level.triangles) > kMostOfFiner * double(finer->triangles)))
       return false;
     finer = &level;
   }
@@ -120,9 +120,8 @@ class Wanted {
   }
   [[nodiscard]] bool is_named(std::size_t m) const { return matches_any(model_.meshes[m].name, names_); }
   [[nodiscard]] bool is_wanted(const Level& level) const {
-    return std::ranges::any_of(level.meshes, [&](std::size_t m) {
-      return is_named(m) || matches_any(model_.meshes[m].name, patterns_);
-    });
+    return std::ranges::any_of(
+        level.meshes, [&](std::size_t m) { return is_named(m) || matches_any(model_.meshes[m].name, patterns_); });
   }
 
  private:
@@ -170,7 +169,8 @@ void keep_finest_levels(std::span<const std::string> meshes, SourceModel& model)
     std::vector<std::size_t> dropped;
     for (const auto& [number, level] : thing.levels) {
       if (&level == &finest) continue;
-      std::ranges::copy_if(level.meshes, std::back_inserter(dropped), [&](std::size_t m) { return !wanted.is_named(m); });
+      std::ranges::copy_if(level.meshes, std::back_inserter(dropped),
+                           [&](std::size_t m) { return !wanted.is_named(m); });
     }
     for (const std::size_t m : dropped) is_dropped[m] = true;
     if (!is_chosen) warn_of_coarser(names_of(model, dropped), names_of(model, finest.meshes), model.warnings);

@@ -97,7 +97,8 @@ class MaterialReader {
     uvs = uvs_of(info, material.name);
     material.base_color.head<3>().setOnes();
     warn(model_.warnings, source_code::kClear,
-         "material '{}': its base colour is black, and its texture '{}' shines; that is taken for the base colour: connect it "
+         "material '{}': its base colour is black, and its texture '{}' shines; that is taken for the base colour: "
+         "connect it "
          "to the base colour and export again",
          material.name, material.base_texture.path);
   }
@@ -107,12 +108,14 @@ class MaterialReader {
     const bool is_blended = material.alpha_use == AlphaUse::kBlend || material.alpha_use == AlphaUse::kMask;
     if (is_blended && material.base_color.w() < kSeen) {
       warn(model_.warnings, source_code::kClear,
-           "material '{}': it is wholly transparent (the alpha of its base colour is 0), so that nothing of it is seen; set it "
+           "material '{}': it is wholly transparent (the alpha of its base colour is 0), so that nothing of it is "
+           "seen; set it "
            "to 1 and export again",
            material.name);
     } else if (material.base_texture.is_there() && material.base_color.head<3>().maxCoeff() < kSeen) {
       warn(model_.warnings, source_code::kClear,
-           "material '{}': its base colour is black, so that nothing is seen of its texture '{}'; set it to white and export "
+           "material '{}': its base colour is black, so that nothing is seen of its texture '{}'; set it to white and "
+           "export "
            "again",
            material.name, material.base_texture.path);
     }
@@ -131,7 +134,8 @@ class MaterialReader {
            material);
     } else if (!member(extension(texture, "EXT_texture_avif"), "source").is_null()) {
       warn(model_.warnings, source_code::kImages,
-           "material '{}': its image is in AVIF alone, which is not read; npx @gltf-transform/cli png OLD.glb NEW.glb makes "
+           "material '{}': its image is in AVIF alone, which is not read; npx @gltf-transform/cli png OLD.glb NEW.glb "
+           "makes "
            "it a PNG",
            material);
     } else {

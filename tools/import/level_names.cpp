@@ -33,8 +33,8 @@ std::string between_marks(std::string text) {
 /// What the mark at `begin`..`end` stands in: before it, else after it.
 std::string thing_around(const std::string& low, std::size_t begin, std::size_t end) {
   const std::string before = between_marks(low.substr(0, begin));
-  return before.empty() ? between_marks(std::string(without_number_of_copy(low).substr(std::min(
-                              end, without_number_of_copy(low).size()))))
+  return before.empty() ? between_marks(std::string(
+                              without_number_of_copy(low).substr(std::min(end, without_number_of_copy(low).size()))))
                         : before;
 }
 

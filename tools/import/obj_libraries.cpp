@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kBlanks = " \t\r", kByteOrderMark = "\xEF\xBB\xBF";
 // As assimp knows them.
-constexpr std::string_view kKeywords[] = {"newmtl", "map_Kd", "map_Ka", "map_Ks", "map_Ke", "map_Ns", "map_d", "map_bump", "map_Tr"};
+constexpr std::string_view kKeywords[] = {"newmtl", "map_Kd", "map_Ka",   "map_Ks", "map_Ke",
+                                          "map_Ns", "map_d",  "map_bump", "map_Tr"};
 constexpr std::string_view kOfNumbers[] = {"Ka", "Kd", "Ks", "Ke", "Tf", "Ns", "Ni", "Tr", "d", "illum"};
 
 std::string_view trimmed(std::string_view text) {

@@ -165,7 +165,8 @@ void take_over_color(const ObjMaterial& said, SourceMaterial& material, std::vec
   if (!said.base || !material.base_color.head<3>().isZero(0)) return;
   material.base_color.head<3>().setOnes();
   warn(warnings, source_code::kClear,
-       "material '{}': its .mtl says that it is black (Kd 0 0 0), and nothing would be seen of '{}'; the texture is taken as "
+       "material '{}': its .mtl says that it is black (Kd 0 0 0), and nothing would be seen of '{}'; the texture is "
+       "taken as "
        "it is; set the diffuse colour to white and export again",
        material.name, said.base->path);
 }
@@ -174,7 +175,8 @@ void take_over_textures(const ObjMaterial& said, SourceMaterial& material, std::
   if (said.base) take_over(*said.base, material.base_texture);
   if (!said.transparency_map.empty() && !said.opacity) {
     warn(warnings, source_code::kImages,
-         "material '{}': map_Tr '{}' is not read, since programs disagree whether its white is clear; name it map_d in the "
+         "material '{}': map_Tr '{}' is not read, since programs disagree whether its white is clear; name it map_d in "
+         "the "
          ".mtl, or in the recipe as \"textures.opacity\"",
          material.name, said.transparency_map);
   }
@@ -212,8 +214,7 @@ void apply_obj_options(std::span<const std::string> libraries, SourceModel& mode
     }
   }
   std::ranges::sort(model.named_images);
-  model.named_images.erase(std::unique(model.named_images.begin(), model.named_images.end()),
-                           model.named_images.end());
+  model.named_images.erase(std::unique(model.named_images.begin(), model.named_images.end()), model.named_images.end());
   for (SourceMesh& mesh : model.meshes) {
     const auto said = materials.find(material_name(model, mesh));
     if (said == materials.end()) continue;

@@ -49,8 +49,7 @@ NamedMap first_map(const aiMaterial& material, std::initializer_list<aiTextureTy
 /// What shines by itself, as exporters write a material without light, has its colour there.
 NamedMap base_map(const aiMaterial& material) {
   const NamedMap base = first_map(material, {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE});
-  return base.path.length != 0 ? base
-                               : first_map(material, {aiTextureType_EMISSION_COLOR, aiTextureType_EMISSIVE});
+  return base.path.length != 0 ? base : first_map(material, {aiTextureType_EMISSION_COLOR, aiTextureType_EMISSIVE});
 }
 
 // Exporters write one or the other under several names: what matters is where it is steep.
@@ -192,7 +191,8 @@ void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& m
     if (base.type == aiTextureType_EMISSION_COLOR || base.type == aiTextureType_EMISSIVE) {
       out.base_color.setOnes();
       warn(model.warnings, source_code::kClear,
-           "material '{}': only its light has a texture, '{}', which is taken for the base colour: connect it to the base "
+           "material '{}': only its light has a texture, '{}', which is taken for the base colour: connect it to the "
+           "base "
            "(diffuse) colour and export again",
            out.name, out.base_texture.path);
     }

@@ -33,8 +33,8 @@ void warn_of_coarser(std::span<const std::string> meshes, std::span<const std::s
   if (meshes.empty()) return;
   warn(warnings, source_code::kCoarser,
        "{} left out as coarser levels of detail of {}: {}; the cook makes levels of its own{}",
-       counted(meshes.size(), "mesh", "meshes"), finest.empty() ? "what is there in a finer one" : list_of_names(finest),
-       list_of_names(meshes),
+       counted(meshes.size(), "mesh", "meshes"),
+       finest.empty() ? "what is there in a finer one" : list_of_names(finest), list_of_names(meshes),
        finest.empty() ? "" : "; name another in the recipe's \"hair.meshes\" where that is meant");
 }
 

@@ -34,7 +34,6 @@ void keep_finest_levels(std::span<const std::string> meshes, SourceModel& model)
 /// The end of every reader: keep_finest_levels(). Errors (kBadInput): no mesh was left, because the file hides all that it has (`hides_all`) or
 /// because it has none.
 [[nodiscard]] tl::expected<void, ToolError> keep_shown_meshes(const std::filesystem::path& path, bool hides_all,
-                                                              std::span<const std::string> meshes,
-                                                              SourceModel& model);
+                                                              std::span<const std::string> meshes, SourceModel& model);
 
 }  // namespace coif

@@ -43,7 +43,8 @@ void warn(std::vector<Warning>& warnings, const char* code, fmt::format_string<A
 
 /// A file that is named one way and lies there under another.
 inline void warn_of_respelled(const std::string& written, const std::string& found, std::vector<Warning>& warnings) {
-  warn(warnings, source_code::kFileNames, "'{}' is named, and there is no such file; '{}' is taken for it", written, found);
+  warn(warnings, source_code::kFileNames, "'{}' is named, and there is no such file; '{}' is taken for it", written,
+       found);
 }
 
 /// "LABEL: 3 points or lines dropped", where there are any.

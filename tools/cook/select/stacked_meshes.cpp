@@ -12,12 +12,12 @@
 namespace coif {
 namespace {
 
-constexpr float kLeastOverlap = 0.85f;       ///< Of the extents of both, along each axis.
-constexpr double kMostOfFinerMesh = 0.8;     ///< Triangles; two layers of locks have about as many.
-constexpr double kLeastOfFinerMesh = 0.02;   ///< Below that it is a ribbon, or a plane that was forgotten.
-constexpr double kOnSurface = 0.01;          ///< Of the size: how far a simplified surface moves.
-constexpr double kLeastOnSurface = 0.95;     ///< Share of the corners that were looked at.
-constexpr std::size_t kMostPieces = 64;      ///< Hair of more nodes than that is made of locks.
+constexpr float kLeastOverlap = 0.85f;      ///< Of the extents of both, along each axis.
+constexpr double kMostOfFinerMesh = 0.8;    ///< Triangles; two layers of locks have about as many.
+constexpr double kLeastOfFinerMesh = 0.02;  ///< Below that it is a ribbon, or a plane that was forgotten.
+constexpr double kOnSurface = 0.01;         ///< Of the size: how far a simplified surface moves.
+constexpr double kLeastOnSurface = 0.95;    ///< Share of the corners that were looked at.
+constexpr std::size_t kMostPieces = 64;     ///< Hair of more nodes than that is made of locks.
 constexpr std::size_t kMostLookedAt = 500;
 
 /// All hair of one node, which is one mesh of the artist's.
@@ -48,7 +48,8 @@ std::vector<Piece> pieces_of(const SourceModel& source, std::span<const std::uin
 
 bool have_one_box(const Piece& a, const Piece& b) {
   for (int axis = 0; axis < 3; ++axis) {
-    const float common = std::min(a.box.max()[axis], b.box.max()[axis]) - std::max(a.box.min()[axis], b.box.min()[axis]);
+    const float common =
+        std::min(a.box.max()[axis], b.box.max()[axis]) - std::max(a.box.min()[axis], b.box.min()[axis]);
     const float both = std::max(a.box.max()[axis], b.box.max()[axis]) - std::min(a.box.min()[axis], b.box.min()[axis]);
     if (!(common >= kLeastOverlap * both)) return false;
   }
@@ -83,10 +84,11 @@ void warn_of_stacked_meshes(const SourceModel& source, std::span<const std::uint
     for (const Piece& coarse : pieces) {
       if (!is_coarser_copy(coarse, fine)) continue;
       const std::string &name = source.meshes[fine.first].name, &other = source.meshes[coarse.first].name;
-      findings.warn("C115", fmt::format("mesh '{}' ({} triangles) lies on mesh '{}' ({} triangles), as a coarser level of "
-                                        "detail does, and both are drawn; if it is one, name the other in the recipe: "
-                                        "\"hair\": {{\"meshes\": [\"{}\"]}}",
-                                        other, coarse.count(), name, fine.count(), name));
+      findings.warn("C115",
+                    fmt::format("mesh '{}' ({} triangles) lies on mesh '{}' ({} triangles), as a coarser level of "
+                                "detail does, and both are drawn; if it is one, name the other in the recipe: "
+                                "\"hair\": {{\"meshes\": [\"{}\"]}}",
+                                other, coarse.count(), name, fine.count(), name));
     }
   }
 }

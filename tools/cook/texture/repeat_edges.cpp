@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kOnBorder = 0.02;     ///< Texels: how far from where texels meet an edge of a triangle may lie.
+constexpr double kOnBorder = 0.02;      ///< Texels: how far from where texels meet an edge of a triangle may lie.
 constexpr int kRepeated = 8;            ///< Texels: as far as the fourth mip filters.
 constexpr double kLeastOfAnEdge = 4;    ///< Texels; of shorter ones nothing can be told.
 constexpr double kMostOfAnEdge = 8192;  ///< Texels; longer ones repeat the image.
@@ -56,7 +56,7 @@ class BorderTexels {
   }
 
  private:
-  static constexpr double kBreak = 24;         ///< Of 4 * 255, in the mean.
+  static constexpr double kBreak = 24;  ///< Of 4 * 255, in the mean.
   static constexpr double kTimesSmoother = 2;
 
   [[nodiscard]] double difference(std::size_t a, std::size_t b) const {

@@ -31,7 +31,9 @@ std::string listed(const TextureFolder& folder, std::span<const fs::path> images
 
 /// "./long%20hair.png" is a way to write "long hair.png".
 bool is_spelling_of(const std::string& written, const std::string& name) {
-  const auto names = [&](const std::string& text) { return fs::path(text).lexically_normal().generic_string() == name; };
+  const auto names = [&](const std::string& text) {
+    return fs::path(text).lexically_normal().generic_string() == name;
+  };
   return names(written) || names(decoded_uri(written));
 }
 

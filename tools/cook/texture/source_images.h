@@ -135,7 +135,7 @@ class SourceImages {
   const SourceModel& source_;
   TextureFolder folder_;
   std::map<std::string, Image> joined_;  ///< Base images with their opacity, by both names.
-  Decoded decoded_;  ///< By file or number, so that two materials share what they show.
+  Decoded decoded_;                      ///< By file or number, so that two materials share what they show.
   Findings findings_;
   std::vector<std::filesystem::path> files_;
   std::vector<TextureQuestion> questions_;

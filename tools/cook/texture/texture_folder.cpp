@@ -39,8 +39,8 @@ std::optional<fs::path> entry_called(const fs::path& folder, const std::string& 
   std::error_code error;
   if (fs::exists(folder / name, error)) return folder / name;
   const auto entries = entries_of(folder);
-  const auto same = std::ranges::find_if(
-      entries, [&](const fs::path& entry) { return is_called(entry.filename().string(), name); });
+  const auto same =
+      std::ranges::find_if(entries, [&](const fs::path& entry) { return is_called(entry.filename().string(), name); });
   return same == entries.end() ? std::nullopt : std::optional(*same);
 }
 
@@ -114,7 +114,9 @@ std::optional<fs::path> TextureFolder::follow(const std::string& written) const 
     if (name == ".") continue;
     const bool is_way_out = name == ".." || name == "/";
     const bool is_name = !name.empty() && name.find_first_of(std::string_view("/:\0", 3)) == std::string::npos;
-    const auto next = is_way_out && leaves_root_ ? std::optional(at / part) : is_name && !is_way_out ? entry_called(at, name) : std::nullopt;
+    const auto next = is_way_out && leaves_root_ ? std::optional(at / part)
+                      : is_name && !is_way_out   ? entry_called(at, name)
+                                                 : std::nullopt;
     if (!next) return {};
     at = *next;
   }
