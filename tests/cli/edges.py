@@ -223,6 +223,23 @@ def without_landlock():
         os._exit(99)
 
 
+def strangers_recipes_stay_in_their_folder(bench):
+    (bench.folder / "model").mkdir()
+    bench.write("model/m.obj", CARD.encode())
+    os.symlink("../mask.png", bench.folder / "model/link.png")
+    for name in ["../mask.png", str(bench.folder / "mask.png"), "link.png"]:
+        bench.write("model/m.recipe.json", json.dumps({"textures": {"mask": {"file": name, "channel": "r"}}}).encode())
+        usual = ["model/m.obj", "--draft", "-q", "-o", "x.coif"]
+        assert bench.run("cook", *usual).returncode == 0, name
+        if bench.run("cook", "m.obj", "--draft", "-q", "-o", "x.coif", "--require-sandbox").returncode == 5:
+            continue
+        bench.refuses(3, "which lies outside of its folder, and --require-sandbox", "cook", *usual, "--require-sandbox")
+        bench.refuses(3, "which lies outside of its folder", "validate", "model/m.obj", "--require-sandbox")
+        for allowed in [["--root", "."], ["--recipe", "model/m.recipe.json"]]:
+            done = bench.run("cook", *usual, "--require-sandbox", *allowed)
+            assert done.returncode == 0, done
+
+
 def machines_without_a_sandbox(bench):
     usual = bench.run("cook", "m.obj", "--draft", "-q", "-o", "x.coif", "--require-sandbox")
     if usual.returncode == 5:

@@ -1,6 +1,6 @@
+#include "cook/texture/texture_atlas.h"
 #include "cook/built_models.h"
 #include "cook/image_files.h"
-#include "cook/texture/texture_atlas.h"
 
 #include <gtest/gtest.h>
 
@@ -225,6 +225,81 @@ TEST(FillGaps, AnImageWithoutAlphaKeepsItsColors) {
   const Image before = image;
   fill_gaps(image, everywhere());
   EXPECT_EQ(image.texels, before.texels);
+}
+
+/// Hair that fills the texels from `low` to `high` of an image of 64 x 64, and which of them it uses.
+struct FilledPart {
+  Eigen::Vector2f low, high;
+  Image used;
+
+  [[nodiscard]] bool holds(std::uint32_t x, std::uint32_t y) const {
+    const Eigen::Vector2f middle(float(x) + 0.5f, float(y) + 0.5f);
+    return (middle.array() > low.array()).all() && (middle.array() < high.array()).all();
+  }
+  [[nodiscard]] Image repeated(Image image) const {
+    const auto borders = borders_where_pictures_end(hair_from(strip_over(low / 64, high / 64)), image);
+    repeat_edges(borders, used, image);
+    return image;
+  }
+};
+
+/// Texels say where they lie; around the part they are of something blue.
+Image in_an_atlas(const FilledPart& part) {
+  return painted(64, 64, [&](std::uint32_t x, std::uint32_t y) {
+    return part.holds(x, y) ? Rgba{std::uint8_t(x), std::uint8_t(y), 0, std::uint8_t(100 + x)} : Rgba{9, 9, 250, 255};
+  });
+}
+
+Image used_between(std::uint32_t low_x, std::uint32_t low_y, std::uint32_t high_x, std::uint32_t high_y) {
+  Image used{64, 64, 1, std::vector<std::uint8_t>(64 * 64, 0)};
+  for (std::uint32_t y = low_y; y < high_y; ++y) {
+    for (std::uint32_t x = low_x; x < high_x; ++x) used.texels[64 * y + x] = 255;
+  }
+  return used;
+}
+
+TEST(RepeatEdges, APartOfAnAtlasGoesOnAroundIt) {
+  const FilledPart part{{16, 32}, {48, 52}, used_between(16, 32, 48, 52)};
+  const Image before = in_an_atlas(part), image = part.repeated(before);
+  for (std::uint32_t y = 0; y < 64; ++y) {
+    for (std::uint32_t x = 0; x < 64; ++x) {
+      const bool is_near = x >= 8 && x < 56 && y >= 24 && y < 60;
+      const Rgba wanted =
+          is_near ? texel(before, std::clamp(x, 16u, 47u), std::clamp(y, 32u, 51u)) : texel(before, x, y);
+      EXPECT_EQ(texel(image, x, y), wanted) << x << ", " << y;
+    }
+  }
+}
+
+TEST(RepeatEdges, PartsAtTheImagesBorderGoOnBeyondItWhereItRepeats) {
+  const FilledPart part{{0, 0}, {64, 32}, used_between(0, 0, 64, 32)};
+  const Image before = in_an_atlas(part), image = part.repeated(before);
+  EXPECT_EQ(texel(image, 5, 32), texel(before, 5, 31));
+  EXPECT_EQ(texel(image, 5, 63), texel(before, 5, 0));
+  EXPECT_EQ(texel(image, 5, 45), texel(before, 5, 45));
+}
+
+TEST(RepeatEdges, WhatHairUsesStays) {
+  FilledPart part{{16, 32}, {48, 52}, used_between(16, 32, 48, 52)};
+  part.used.texels[64 * 40 + 13] = 255;
+  const Image before = in_an_atlas(part), image = part.repeated(before);
+  EXPECT_EQ(texel(image, 14, 40), texel(before, 16, 40));
+  EXPECT_EQ(texel(image, 13, 40), texel(before, 13, 40));
+  EXPECT_EQ(texel(image, 12, 40), texel(before, 12, 40)) << "another strip begins there";
+}
+
+TEST(RepeatEdges, APictureThatGoesOnStays) {
+  const FilledPart part{{16, 32}, {48, 52}, used_between(16, 32, 48, 52)};
+  const auto faded = painted(64, 64, [](std::uint32_t x, std::uint32_t y) {
+    return Rgba{std::uint8_t(3 * x), std::uint8_t(3 * y), 0, std::uint8_t(4 * x)};
+  });
+  EXPECT_EQ(part.repeated(faded).texels, faded.texels);
+}
+
+TEST(RepeatEdges, EdgesWithinATexelStay) {
+  const FilledPart part{{16.5f, 32.5f}, {47.5f, 51.5f}, used_between(16, 32, 48, 52)};
+  const Image before = in_an_atlas(part);
+  EXPECT_EQ(part.repeated(before).texels, before.texels) << "what is painted beside is filtered by less than half";
 }
 
 }  // namespace coif::texture_atlas_test

@@ -250,7 +250,7 @@ TEST_F(Conventions, AlphaModeAndCutoffComeFromTheFile) {
 }
 
 TEST_F(Conventions, AlphaOfOtherFormatsIsKnownByItsTextureOnly) {
-  folder_.write("m.mtl", "newmtl plain\nKd 1 1 1\nd 0.5\nnewmtl card\nKd 1 1 1\nmap_d hair.png\n");
+  folder_.write("m.mtl", "newmtl plain\nKd 1 1 1\nd 1\nnewmtl card\nKd 1 1 1\nmap_d hair.png\n");
   const SourceModel model = import_or_fail(
       folder_.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl plain\nf 1 2 3\nusemtl card\nf 1 3 2\n"));
   ASSERT_EQ(model.meshes.size(), 2u);

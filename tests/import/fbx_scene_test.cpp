@@ -55,6 +55,53 @@ TEST_F(FbxScene, AMeshHasItsOwnPivotBesideItsParents) {
   EXPECT_TRUE(mesh_on(model, "hair").positions[2].isApprox(Eigen::Vector3f(10, 3, 1), 1e-5f));
 }
 
+/// A triangle that the bone 21, at (0, 1, 0) of the bone 22, holds; what it is bound with does not move it.
+std::string skinned_triangle(const std::string& mesh, const std::string& bone, const std::string& above) {
+  std::string file = test::text_fbx({{20, "hair", 0, mesh},
+                                     {22, "head", 0, above, "LimbNode"},
+                                     {21, "lock", 22, vector_property("Lcl Translation", 0, 1, 0) + bone, "LimbNode"}});
+  file.insert(file.find("Objects:  {\n") + 12, R"(  Deformer: 80, "Deformer::skin", "Skin" {
+    Version: 101
+  }
+  Deformer: 81, "SubDeformer::lock", "Cluster" {
+    Version: 100
+    Indexes: *3 {
+      a: 0,1,2
+    }
+    Weights: *3 {
+      a: 1,1,1
+    }
+    Transform: *16 {
+      a: 1,0,0,0,0,1,0,0,0,0,1,0,0,-1,0,1
+    }
+    TransformLink: *16 {
+      a: 1,0,0,0,0,1,0,0,0,0,1,0,0,1,0,1
+    }
+  }
+)");
+  file.insert(file.find("Connections:  {\n") + 16, "  C: \"OO\",80,1020\n  C: \"OO\",81,80\n  C: \"OO\",21,81\n");
+  return file;
+}
+
+TEST_F(FbxScene, AGeometricTransformOfABoneMovesNothingThatItHolds) {
+  const auto last_corner = [&](const std::string& mesh, const std::string& bone, const std::string& above) {
+    const SourceModel model = import_or_fail(folder_.write("m.fbx", skinned_triangle(mesh, bone, above)));
+    EXPECT_FALSE(model.meshes.at(0).influences.empty());
+    return model.meshes.at(0).positions.at(2);
+  };
+  const std::string geometric = vector_property("GeometricTranslation", 5, 6, 7) +
+                                vector_property("GeometricRotation", 0, 0, 90) +
+                                vector_property("GeometricScaling", 2, 2, 2);
+  const Eigen::Vector3f own(0, 2, 3);
+  EXPECT_TRUE(last_corner("", "", "").isApprox(own, 1e-5f));
+  EXPECT_TRUE(last_corner("", geometric, geometric).isApprox(own, 1e-5f));
+  EXPECT_TRUE(last_corner(vector_property("GeometricTranslation", 5, 0, 0), geometric, geometric)
+                  .isApprox(own + Eigen::Vector3f(5, 0, 0), 1e-5f))
+      << "the mesh's own moves it before its bones do";
+  EXPECT_TRUE(last_corner(vector_property("Lcl Translation", 5, 0, 0), "", "").isApprox(own, 1e-5f))
+      << "where it stands is its bones' affair";
+}
+
 TEST_F(FbxScene, ATurnIsAboutTheRotationPivotForChildrenToo) {
   const SourceModel model =
       model_of({{20, "head", 0, vector_property("Lcl Rotation", 0, 0, 180) + vector_property("RotationPivot", 1, 0, 0)},

@@ -1,4 +1,4 @@
-// How an FBX says that its textures go on outside 0..1.
+// How an FBX says where its textures lie, and how they go on outside 0..1.
 
 #include "import/fbx_files.h"
 #include "import/fbx_objects.h"
@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace coif::fbx_textures_test {
 
@@ -92,6 +93,91 @@ TEST(FbxTextures, BinaryFilesSayTheSame) {
   EXPECT_FALSE(texture.is_clamped[0]);
   EXPECT_TRUE(texture.is_clamped[1]);
   EXPECT_EQ(objects->find(1)->name, "Hair");
+}
+
+/// The coordinates of the triangle's corners at (0, 0), (1, 0) and (0, 1) with a texture of these properties, V growing upwards.
+std::vector<Eigen::Vector2f> placed_uvs(const std::string& properties, const std::string& creator = "") {
+  const TemporaryFolder folder;
+  std::string file = test::text_fbx({{20, "hair", 0, ""}});
+  const std::string header = "FBXHeaderExtension:  {\n";
+  if (!creator.empty()) file.insert(file.find(header) + header.size(), "  Creator: \"" + creator + "\"\n");
+  file.insert(file.find("Objects:  {\n") + 12,
+              "  Material: 50, \"Material::Hair\", \"\" {\n    Version: 102\n    ShadingModel: \"phong\"\n  }\n" +
+                  texture(60, "hair.png", properties));
+  file.insert(file.find("    GeometryVersion: 124\n"), R"(    LayerElementUV: 0 {
+      Version: 101
+      Name: "UVMap"
+      MappingInformationType: "ByPolygonVertex"
+      ReferenceInformationType: "Direct"
+      UV: *6 {
+        a: 0,0,1,0,0,1
+      }
+    }
+    LayerElementMaterial: 0 {
+      Version: 101
+      Name: ""
+      MappingInformationType: "AllSame"
+      ReferenceInformationType: "IndexToDirect"
+      Materials: *1 {
+        a: 0
+      }
+    }
+    Layer: 0 {
+      Version: 100
+      LayerElement:  {
+        Type: "LayerElementMaterial"
+        TypedIndex: 0
+      }
+      LayerElement:  {
+        Type: "LayerElementUV"
+        TypedIndex: 0
+      }
+    }
+)");
+  file.insert(file.find("Connections:  {\n") + 16, "  C: \"OO\",50,20\n  C: \"OP\",60,50, \"DiffuseColor\"\n");
+  const SourceModel model = import_or_fail(folder.write("m.fbx", file));
+  std::vector<Eigen::Vector2f> uvs = model.meshes.at(0).uvs;
+  for (Eigen::Vector2f& uv : uvs) uv.y() = 1 - uv.y();
+  return uvs;
+}
+
+std::string pair_property(const char* name, double u, double v) {
+  return fmt::format("      P: \"{}\", \"Vector\", \"\", \"A\",{},{},0\n", name, u, v);
+}
+std::string degrees_property(double degrees) {
+  return fmt::format("      P: \"Rotation\", \"Vector\", \"\", \"A\",0,0,{}\n", degrees);
+}
+
+void expect_uvs(const std::string& properties, const std::vector<Eigen::Vector2f>& wanted,
+                const std::string& creator = "") {
+  const auto uvs = placed_uvs(properties, creator);
+  ASSERT_EQ(uvs.size(), wanted.size());
+  for (std::size_t v = 0; v < uvs.size(); ++v)
+    EXPECT_LT((uvs[v] - wanted[v]).norm(), 1e-6f) << properties << uvs[v].transpose();
+}
+
+TEST(FbxTextures, LieOnTheSurfaceScaledTurnedAndMoved) {
+  expect_uvs("", {{0, 0}, {1, 0}, {0, 1}});
+  expect_uvs(pair_property("Scaling", 2, 4), {{0, 0}, {0.5f, 0}, {0, 0.25f}});
+  expect_uvs(pair_property("Translation", 0.25, 0.5), {{-0.25f, -0.5f}, {0.75f, -0.5f}, {-0.25f, 0.5f}});
+  expect_uvs(degrees_property(90), {{0, 0}, {0, -1}, {1, 0}});
+  expect_uvs(pair_property("Scaling", 2, 2) + pair_property("Translation", 0.5, 0) + degrees_property(90),
+             {{0, 0.25f}, {0, -0.25f}, {0.5f, 0.25f}});
+  expect_uvs(pair_property("Scaling", 0, 1), {{0, 0}, {1, 0}, {0, 1}});
+}
+
+TEST(FbxTextures, AreScaledAndTurnedAboutTheirPivots) {
+  expect_uvs(pair_property("Scaling", 2, 2) + pair_property("TextureScalingPivot", 0.5, 0.5),
+             {{0.25f, 0.25f}, {0.75f, 0.25f}, {0.25f, 0.75f}});
+  expect_uvs(degrees_property(90) + pair_property("TextureRotationPivot", 0.5, 0.5), {{0, 1}, {0, 0}, {1, 1}});
+  expect_uvs(pair_property("TextureScalingPivot", 0.5, 0.5) + pair_property("TextureRotationPivot", 3, 4),
+             {{0, 0}, {1, 0}, {0, 1}});
+}
+
+TEST(FbxTextures, OfBlenderAreTurnedInRadiansAndMovedAsTheyAre) {
+  expect_uvs(degrees_property(1.5707963267948966), {{0, 0}, {0, -1}, {1, 0}}, "Blender (stable FBX IO) - 3.4.1");
+  expect_uvs(pair_property("Scaling", 2, 2) + pair_property("Translation", 0.25, 0),
+             {{0.25f, 0}, {0.75f, 0}, {0.25f, 0.5f}}, "Blender (stable FBX IO) - 3.4.1");
 }
 
 }  // namespace coif::fbx_textures_test

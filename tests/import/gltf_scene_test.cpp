@@ -46,6 +46,42 @@ TEST_F(GltfScene, ATextureTransformMovesTheUvs) {
   }
 }
 
+TEST_F(GltfScene, ATextureTransformMovesQuantizedUvsOfACompressedView) {
+  GltfBuilder file;
+  file.attribute("TEXCOORD_0", kStripUvs, "VEC2", {.component = 5123, .normalized = true, .meshopt = true});
+  file.textured(
+      {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"offset", {0.25, 0.5}}, {"scale", {16, 0.5}}}}}}});
+  file.document["extensionsUsed"] = file.document["extensionsRequired"] = {
+      "KHR_texture_transform", "KHR_mesh_quantization", "EXT_meshopt_compression"};
+  const SourceModel model = model_of(file);
+  for (std::size_t v = 0; v < 4; ++v) {
+    const Eigen::Vector2f meant(0.25f + 16 * kStripUvs[2 * v], 0.5f + 0.5f * kStripUvs[2 * v + 1]);
+    EXPECT_LT((model.meshes[0].uvs[v] - meant).norm(), 1e-6f) << v;
+  }
+  EXPECT_TRUE(model.warnings.empty()) << test::warnings_of(model);
+}
+
+TEST_F(GltfScene, MaterialsOfWhichNothingWouldBeSeenAreTold) {
+  const auto read_with = [&](const json& factor, bool is_textured, bool shines) {
+    GltfBuilder file;
+    file.textured({{"index", 0}});
+    json& material = file.document["materials"][0];
+    material["alphaMode"] = "BLEND";
+    material["pbrMetallicRoughness"]["baseColorFactor"] = factor;
+    if (!is_textured) material["pbrMetallicRoughness"].erase("baseColorTexture");
+    if (shines) material["emissiveTexture"] = {{"index", 0}};
+    return model_of(file);
+  };
+  EXPECT_TRUE(tells(read_with({1, 1, 1, 0}, true, false).warnings, "wholly transparent"));
+  EXPECT_TRUE(tells(read_with({0, 0, 0, 1}, true, true).warnings, "nothing is seen of its texture 'hair.png'"));
+  EXPECT_TRUE(read_with({0, 0, 0, 1}, false, false).warnings.empty()) << "black hair";
+  EXPECT_TRUE(read_with({1, 1, 1, 1}, false, true).warnings.empty()) << "white hair that glows";
+  const SourceModel model = read_with({0, 0, 0, 1}, false, true);
+  EXPECT_TRUE(tells(model.warnings, "its texture 'hair.png' shines"));
+  EXPECT_EQ(model.materials.at(0).base_texture.path, "hair.png");
+  EXPECT_EQ(model.materials.at(0).base_color, Eigen::Vector4f::Ones());
+}
+
 TEST_F(GltfScene, TheBaseTextureNamesItsSetOfUvs) {
   std::vector<float> other = kStripUvs;
   for (float& number : other) number = 0.25f + number / 2;
@@ -123,7 +159,7 @@ TEST_F(GltfScene, OfLevelsOfDetailTheFinestIsKept) {
   EXPECT_EQ(kept({"Hair_LOD1"}), (Names{"Hair_LOD1"})) << "all that there is";
   // The finest level often has no number.
   EXPECT_EQ(kept({"Fringe", "hair", "Hair_LOD1", "Hair_LOD2"}), (Names{"Fringe", "hair"}));
-  EXPECT_EQ(kept({"Hair", "Hair_LOD0", "Hair_LOD1"}), (Names{"Hair", "Hair_LOD0"})) << "level 0 is another mesh";
+  EXPECT_EQ(kept({"Hair", "Hair_LOD0", "Hair_LOD1"}), (Names{"Hair"})) << "one shape in one place";
 }
 
 TEST_F(GltfScene, MorphTargetsThatAreOnAreApplied) {

@@ -76,6 +76,17 @@ TEST_F(SurfaceConventions, VertexColorsOfAnObjAreReadAsAScreenShowsThem) {
   EXPECT_TRUE(white.meshes.at(0).colors.empty()) << "white says nothing";
 }
 
+TEST_F(SurfaceConventions, VertexColorsOfAnObjMayBeBytes) {
+  const auto first_color = [&](const std::string& colors) {
+    return import_or_fail(folder_.write("m.obj", "v 0 0 0 " + colors + "\nv 1 0 0 0 0 0\nv 0 1 0 0 0 0\nf 1 2 3\n"))
+        .meshes.at(0)
+        .colors.at(0);
+  };
+  EXPECT_TRUE(first_color("255 51 0").isApprox(first_color("1 0.2 0"), 1e-6f));
+  EXPECT_EQ(first_color("1 0 0").x(), 1);
+  EXPECT_EQ(first_color("2.5 0 0").x(), 2.5f) << "brighter than white";
+}
+
 TEST_F(SurfaceConventions, ColladaSaysWhichNumbersOfATextureAreTheOpacity) {
   const auto material_of = [&](const std::string& opaque) {
     const SourceModel model = import_or_fail(folder_.write(

@@ -74,6 +74,33 @@ std::string printable_text(std::string_view text, std::size_t max_bytes) {
   return out;
 }
 
+std::string ascii_shape(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const Utf8Start start = utf8_start(text);
+    const std::size_t taken = start.is_complete ? start.bytes : 1;
+    out += static_cast<std::uint8_t>(text.front()) < 0x80 ? text.front() : '?';
+    text.remove_prefix(taken);
+  }
+  return out;
+}
+
+std::string utf8_of(std::string_view text) {
+  std::string out;
+  for (std::string_view left = text; !left.empty();) {
+    const Utf8Start start = utf8_start(left);
+    const auto byte = static_cast<std::uint8_t>(left.front());
+    if (!start.is_complete) {
+      out += char(0xC0 | byte >> 6);
+      out += char(0x80 | (byte & 0x3F));
+    } else {
+      out.append(left.substr(0, start.bytes));
+    }
+    left.remove_prefix(start.is_complete ? start.bytes : 1);
+  }
+  return out;
+}
+
 std::string printable_ascii(std::string text) {
   std::ranges::replace_if(
       text, [](char c) { return c < ' ' || c > '~'; }, '?');

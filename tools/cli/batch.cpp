@@ -150,7 +150,8 @@ std::string batch_text(const Outcomes& outcomes) {
 
 tl::expected<CookSummary, FailedCook> cook_one(const CookOptions& options, const CookRequest& request, unsigned threads,
                                                const Messages& messages) {
-  auto choice = choose_recipe(request.source, request.recipe, messages, {options.preset, ""});
+  auto choice = held_recipe(request.source, request.recipe, options.limits.requires_sandbox, options.roots, messages,
+                            {options.preset, ""});
   if (!choice) return tl::unexpected(failed_by_recipe(choice.error()));
   choose_body(options.body, *choice);
   if (auto known = acknowledge(options, *choice); !known) return tl::unexpected(failed_by_recipe(known.error()));

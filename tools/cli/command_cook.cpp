@@ -60,8 +60,8 @@ tl::expected<Exit, FailedCook> run_options(const CookOptions& options, const Mes
   }
   if (is_batch && !options.print_recipe) return run_cook_batch(options, messages);
   if (options.sources.empty() && !options.print_recipe) return usage("needs a SOURCE; see 'coif cook --help'");
-  auto choice =
-      choose_recipe(options.sources.empty() ? "" : options.source(), options.recipe, messages, {options.preset, ""});
+  auto choice = held_recipe(options.sources.empty() ? "" : options.source(), options.recipe,
+                            options.limits.requires_sandbox, options.roots, messages, {options.preset, ""});
   if (!choice) return tl::unexpected(failed_by_recipe(choice.error()));
   choose_body(options.body, *choice);
   if (auto known = acknowledge(options, *choice); !known) return tl::unexpected(failed_by_recipe(known.error()));

@@ -74,7 +74,7 @@ Found compare_with_origin(const Asset& asset, const OriginOptions& options, cons
                           LimitedWork& work) {
   const auto bytes = FileBytes::read(options.source);
   if (!bytes) return tl::unexpected(bytes.error());
-  const auto choice = choose_recipe(options.source, options.recipe, messages);
+  auto choice = held_recipe(options.source, options.recipe, options.limits.requires_sandbox, options.roots, messages);
   if (!choice) return tl::unexpected(choice.error());
   const auto model =
       read_hair_source(options.source, choice->recipe,
@@ -124,7 +124,7 @@ std::vector<Issue> issues_of_a_cook(const fs::path& path, Recipe recipe, const f
 }
 
 std::vector<Issue> validate_source(const fs::path& path, const OriginOptions& options, const Messages& messages) {
-  const auto choice = choose_recipe(path, options.recipe, messages);
+  const auto choice = held_recipe(path, options.recipe, options.limits.requires_sandbox, options.roots, messages);
   const Recipe used = choice ? choice->recipe : default_recipe();
   std::vector<Issue> issues;
   if (!choice) issues.push_back(make_issue("S103", choice.error().message, "recipe"));

@@ -17,7 +17,8 @@
 namespace coif {
 
 bool is_source(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-  const bool is_asset = bytes.size() >= sizeof kAssetMagic && std::memcmp(bytes.data(), kAssetMagic, sizeof kAssetMagic) == 0;
+  const bool is_asset =
+      bytes.size() >= sizeof kAssetMagic && std::memcmp(bytes.data(), kAssetMagic, sizeof kAssetMagic) == 0;
   return !is_asset && (find_suffix(path).has_value() || is_recipe_file(path));
 }
 
@@ -65,7 +66,34 @@ tl::expected<RecipeChoice, ToolError> choose_recipe(const fs::path& source, cons
     return RecipeChoice{std::move(*recipe), source.parent_path(), {}};
   }
   messages.note(fmt::format("{}: used, as it lies beside the source; --recipe names another", beside.string()));
-  return read_choice(beside, beginning);
+  auto choice = read_choice(beside, beginning);
+  if (choice) choice->is_found = true;
+  return choice;
+}
+
+tl::expected<void, ToolError> check_named_files(const RecipeChoice& choice, std::span<const fs::path> roots) {
+  if (!choice.is_found) return {};
+  const std::vector<fs::path> folders = folders_of_source(choice.file, roots);
+  for (const std::string& name : files_named_by(choice.recipe)) {
+    const fs::path path = choice.directory / name;
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(path, error)) || lies_in(path, folders)) continue;
+    return file_failure(
+        ToolError::Kind::kBadInput, choice.file,
+        "names '{}', which lies outside of its folder, and --require-sandbox trusts no recipe that nobody "
+        "named; allow its folder with --root, or name the recipe with --recipe",
+        printable_text(name, 100));
+  }
+  return {};
+}
+
+tl::expected<RecipeChoice, ToolError> held_recipe(const fs::path& source, const std::optional<std::string>& named,
+                                                  bool is_asked, std::span<const fs::path> roots,
+                                                  const Messages& messages, const RecipeBeginning& beginning) {
+  auto choice = choose_recipe(source, named, messages, beginning);
+  if (!choice || !is_asked) return choice;
+  if (auto held = check_named_files(*choice, roots); !held) return tl::unexpected(held.error());
+  return choice;
 }
 
 std::vector<fs::path> files_of(const RecipeChoice& choice) {
@@ -91,10 +119,8 @@ std::vector<fs::path> files_of(const SourceModel& model) {
 void choose_body(const fs::path& body, RecipeChoice& choice) {
   if (body.empty()) return;
   const fs::path from = choice.directory.empty() ? fs::path(".") : choice.directory;
-  choice.recipe.cards_body = fs::absolute(body)
-                                 .lexically_normal()
-                                 .lexically_proximate(fs::absolute(from).lexically_normal())
-                                 .string();
+  choice.recipe.cards_body =
+      fs::absolute(body).lexically_normal().lexically_proximate(fs::absolute(from).lexically_normal()).string();
 }
 
 ImportSettings import_settings(const Recipe& recipe, std::vector<fs::path> roots) {
@@ -102,6 +128,7 @@ ImportSettings import_settings(const Recipe& recipe, std::vector<fs::path> roots
   settings.roots = std::move(roots);
   if (recipe.metres_per_unit > 0) settings.metres_per_unit = recipe.metres_per_unit;
   settings.variant = recipe.source_variant;
+  settings.meshes = recipe.hair_meshes;
   if (recipe.up_axis == "x") settings.up_axis = UpAxis::kX;
   if (recipe.up_axis == "y") settings.up_axis = UpAxis::kY;
   if (recipe.up_axis == "z") settings.up_axis = UpAxis::kZ;

@@ -48,6 +48,7 @@ struct RecipeChoice {
   Recipe recipe;
   std::filesystem::path directory;  ///< Where its texture paths start: the recipe's folder, else the source's.
   std::filesystem::path file;       ///< Empty: the defaults, no file.
+  bool is_found = false;  ///< It lies beside the source, and nobody named it: it comes from whom the source does.
 };
 
 /// The source itself where it is a recipe; the recipe named on the command line; else SOURCE-stem.recipe.json beside the source, with a note; else defaults. An empty
@@ -55,6 +56,17 @@ struct RecipeChoice {
 tl::expected<RecipeChoice, ToolError> choose_recipe(const std::filesystem::path& source,
                                                     const std::optional<std::string>& named, const Messages& messages,
                                                     const RecipeBeginning& beginning = {});
+
+/// For whoever takes sources from strangers (--require-sandbox): the files that a recipe names which was found beside its source really lie in
+/// its folder or in one of the `roots`. One that the command line names is the caller's own word, and names any. Error: kBadInput.
+[[nodiscard]] tl::expected<void, ToolError> check_named_files(const RecipeChoice& choice,
+                                                              std::span<const std::filesystem::path> roots);
+
+/// choose_recipe(), and check_named_files() where that `is_asked` for.
+tl::expected<RecipeChoice, ToolError> held_recipe(const std::filesystem::path& source,
+                                                  const std::optional<std::string>& named, bool is_asked,
+                                                  std::span<const std::filesystem::path> roots,
+                                                  const Messages& messages, const RecipeBeginning& beginning = {});
 
 /// The files that the choice's recipe names, and its own; what no output may be written over.
 [[nodiscard]] std::vector<std::filesystem::path> files_of(const RecipeChoice& choice);

@@ -40,7 +40,9 @@ std::vector<const CLI::Option*> add_source_limits(CLI::App& app, SourceLimits& l
               ->check(CLI::Range(1u, 86400u))
               ->type_name("N"),
           app.add_flag("--require-sandbox", limits.requires_sandbox,
-                       "Read no model where this machine cannot lock up the process that reads it; exit code 5")};
+                       "Read no model where this machine cannot lock up the process that reads it (exit code 5), and "
+                       "no file outside of the "
+                       "source's folder and the roots that a recipe beside it names (exit code 3)")};
 }
 
 void tell_of_missing_sandbox(const Messages& messages) {

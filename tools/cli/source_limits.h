@@ -25,7 +25,7 @@ struct SourceLimits {
   std::uint64_t max_memory_mb = ImportSettings{}.max_memory_bytes >> 20;
   std::optional<std::uint32_t> max_seconds;       ///< From before the source is read; none: half an hour.
   std::optional<std::uint32_t> max_pass_seconds;  ///< Of each part of the work; none: as the whole.
-  bool requires_sandbox = false;                  ///< ImportSettings::requires_sandbox.
+  bool requires_sandbox = false;                  ///< ImportSettings::requires_sandbox, and check_named_files().
 
   /// `settings` within these limits. Says once in the process that models are read without a sandbox, where that is so.
   [[nodiscard]] ImportSettings of_import(ImportSettings settings, const Messages& messages) const;

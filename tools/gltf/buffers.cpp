@@ -2,6 +2,7 @@
 
 #include "base/encodings.h"
 #include "base/files.h"
+#include "base/side_file.h"
 #include "base/text.h"
 #include "gltf/document.h"
 
@@ -63,6 +64,14 @@ Bytes read_data_uri(const std::string& text, std::size_t wanted) {
   return std::move(*bytes);
 }
 
+/// Some writers do not encode names: "50%20.bin" may be one.
+SideFile side_file_of(const std::string& uri, const fs::path& folder) {
+  std::error_code error;
+  SideFile decoded = find_side_file(folder, decoded_uri(uri));
+  const bool is_plain = !fs::exists(decoded.path, error) && fs::is_regular_file(folder / uri, error);
+  return is_plain ? SideFile{folder / uri} : decoded;
+}
+
 }  // namespace
 
 std::optional<std::vector<std::byte>> bytes_of_data_uri(std::string_view uri) {
@@ -83,8 +92,9 @@ Bytes GltfBuffers::read_side_file(const std::string& uri, std::size_t wanted) {
   const bool is_path = !name.empty() && name.is_relative() && name.native().find('\0') == std::string::npos &&
                        uri.find("://") == std::string::npos;
   if (!is_path) return fault("in '{}', which is not in this file's folder; put it there or export as .glb", shown);
-  const fs::path path = path_.parent_path() / name;
   std::error_code code;
+  const SideFile found = side_file_of(uri, path_.parent_path());
+  const fs::path& path = found.path;
   const auto status = fs::status(path, code);
   const bool is_inside =
       fs::exists(status) ? lies_in(path, folders_of_source(path_, roots_)) : *name.lexically_normal().begin() != "..";
@@ -96,6 +106,8 @@ Bytes GltfBuffers::read_side_file(const std::string& uri, std::size_t wanted) {
         shown);
   }
   side_files_.insert(path.string());
+  if (found.is_respelled)
+    respelled_.push_back({shown, printable_text(path.lexically_proximate(path_.parent_path()).generic_string(), 100)});
   if (!fs::exists(status))
     return fault("in '{}', and there is no such file; put it beside this one or export as .glb", shown);
   std::ifstream file(path, std::ios::binary);

@@ -46,6 +46,12 @@ class GltfBuffers {
   /// Paths of the files beside the document that were looked for, whether they are there or not.
   [[nodiscard]] const std::set<std::string>& side_files() const { return side_files_; }
 
+  /// Names that are not as the document has them.
+  struct Respelled {
+    std::string written, found;  ///< For messages.
+  };
+  [[nodiscard]] std::span<const Respelled> respelled() const { return respelled_; }
+
  private:
   using Bytes = tl::expected<std::vector<std::byte>, std::string>;
   [[nodiscard]] Bytes read(const nlohmann::json& buffer, std::size_t wanted);
@@ -59,6 +65,7 @@ class GltfBuffers {
   std::map<std::size_t, std::vector<std::byte>> read_;
   std::map<std::size_t, std::vector<std::byte>> decompressed_;
   std::set<std::string> side_files_;
+  std::vector<Respelled> respelled_;
 };
 
 /// What a "data:" URI holds (RFC 2397), in base64 or with %XX in place of bytes; none where it is damaged.

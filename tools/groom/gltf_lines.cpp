@@ -6,6 +6,7 @@
 #include "gltf/document.h"
 #include "gltf/primitive.h"
 #include "gltf/tree.h"
+#include "import/source_warnings.h"
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
@@ -121,6 +122,8 @@ tl::expected<Groom, std::string> read_gltf_lines(const std::filesystem::path& pa
   GltfBuffers buffers(path, *document, roots);
   if (std::string fault = LineScene(*document, buffers, groom).read(); !fault.empty())
     return tl::unexpected(std::move(fault));
+  for (const GltfBuffers::Respelled& name : buffers.respelled())
+    warn_of_respelled(name.written, name.found, groom.warnings);
   return groom;
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/files.h"
 #include "base/text.h"
+#include "import/asked_files.h"
 #include "import/collada_document.h"
 #include "import/fbx_objects.h"
 #include "import/import.h"
@@ -10,7 +11,6 @@
 #include "import/source_warnings.h"
 
 #include <assimp/BaseImporter.h>
-#include <assimp/DefaultIOSystem.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -19,7 +19,6 @@
 #include <assimp/Importer.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <new>
 #include <set>
 #include <span>
@@ -52,52 +51,6 @@ void configure(Assimp::Importer& importer, const SourceSuffix& suffix, const Imp
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, settings.up_axis.has_value());
 }
 
-/// What assimp asked for beside the model, by name.
-struct Asked {
-  std::set<std::string>
-      names;  ///< Looked for or opened, whether there was such a file or not: a model changes with each.
-  std::vector<std::string> not_opened;  ///< In their order.
-};
-
-/// Files as assimp sees them, with a record: the model, and what really lies in its folders. Nothing else is there for it.
-class AskedFiles : public Assimp::DefaultIOSystem {
- public:
-  /// `asked` outlives this object.
-  AskedFiles(std::string model, std::vector<std::filesystem::path> folders, Asked& asked)
-      : model_(std::move(model)), folders_(std::move(folders)), asked_(asked) {}
-
-  bool Exists(const char* name) const override {
-    asked_.names.insert(name);
-    return is_allowed(name) && DefaultIOSystem::Exists(name);
-  }
-
-  Assimp::IOStream* Open(const char* name, const char* mode) override {
-    asked_.names.insert(name);
-    Assimp::IOStream* const file =
-        is_allowed(name) && is_for_reading(mode) ? DefaultIOSystem::Open(name, mode) : nullptr;
-    if (file == nullptr) asked_.not_opened.emplace_back(name);
-    return file;
-  }
-
- private:
-  [[nodiscard]] bool is_allowed(const char* name) const { return name == model_ || lies_in(name, folders_); }
-  static bool is_for_reading(std::string_view mode) { return mode.find_first_of("wa+") == std::string_view::npos; }
-
-  std::string model_;  ///< May be a link that leads anywhere.
-  std::vector<std::filesystem::path> folders_;
-  Asked& asked_;
-};
-
-/// The material libraries that a model names and that were opened.
-std::vector<std::string> opened_libraries(const Asked& asked) {
-  std::vector<std::string> opened(asked.names.begin(), asked.names.end());
-  std::erase_if(opened, [&](const std::string& name) {
-    return std::ranges::find(asked.not_opened, name) != asked.not_opened.end() ||
-           !std::filesystem::is_regular_file(name);
-  });
-  return opened;
-}
-
 /// The material libraries that a model names and that were not opened, each once. After each of them assimp tries one of the
 /// model's own name, which nobody may have named.
 std::vector<std::string> lost_libraries(const Asked& asked, const std::string& model) {
@@ -127,16 +80,6 @@ void warn_of_lost_library(const std::string& library, bool lies_outside, const a
   warn(model.warnings, source_code::kMaterials,
        "'{}' is named for the materials and was not read{}: {}; put the file beside the model, or export as .glb",
        printable_text(name, 100), has_another ? "" : ", so that none has a colour or texture", why);
-}
-
-std::vector<char> bytes_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  const std::streamoff size = file.tellg();
-  std::vector<char> bytes(size > 0 ? std::size_t(size) : 0);
-  file.seekg(0);
-  file.read(bytes.data(), std::streamsize(bytes.size()));
-  bytes.resize(file ? bytes.size() : 0);
-  return bytes;
 }
 
 std::string cure_for(const std::string& reason) {
@@ -185,10 +128,13 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   collada.apply(model.materials);
   warn_of_weights(document, model.warnings);
   model.named_images = named_images(scene);
-  model.meshes = convert_meshes(scene, nodes, {suffix.format, model.space.generator, &collada}, model.warnings);
+  const auto places = objects ? std::optional(FbxTexturePlaces(*objects)) : std::nullopt;
+  const SourceSurface surface{suffix.format, model.space.generator, &collada, places ? &*places : nullptr};
+  model.meshes = convert_meshes(scene, nodes, surface, model.warnings);
   const bool hides_all = hides_all_meshes(nodes);
   model.nodes = std::move(nodes.nodes);
-  if (auto kept = keep_shown_meshes(path, hides_all, model); !kept) return tl::unexpected(kept.error());
+  if (auto kept = keep_shown_meshes(path, hides_all, settings.meshes, model); !kept)
+    return tl::unexpected(kept.error());
   return model;
 }
 
@@ -203,7 +149,8 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
   Asked asked;
   Assimp::Importer importer;
   const std::vector<std::filesystem::path> folders = folders_of_source(path, settings.roots);
-  importer.SetIOHandler(new AskedFiles(path.string(), folders, asked));  // Owned by the importer.
+  importer.SetIOHandler(
+      new AskedFiles(path, folders, suffix.format == SourceFormat::kObj, asked));  // Owned by the importer.
   configure(importer, suffix, settings);
   const aiScene* scene = importer.ReadFile(path.string(), kPostProcess);
   if (scene == nullptr || scene->mRootNode == nullptr) {
@@ -213,7 +160,8 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
   asked.names.erase(path.string());
   if (model) model->side_files.assign(asked.names.begin(), asked.names.end());
   if (model && suffix.format == SourceFormat::kObj) {
-    apply_obj_options(opened_libraries(asked), *model);
+    apply_obj_options(asked.libraries, *model);
+    for (const Asked::Respelled& name : asked.respelled) warn_of_respelled(name.written, name.found, model->warnings);
     for (const std::string& library : lost_libraries(asked, model->path)) {
       warn_of_lost_library(library, !lies_in(library, folders), *scene, *model);
     }

@@ -105,7 +105,7 @@ class FbxShapeKeys {
 
 /// Fills `materials`, one per material of the scene, and `images` with the embedded base-colour textures that they
 /// use. Colours: the diffuse colour, which FBX and COLLADA replace by a texture where there is one. Alpha is not kept: exporters
-/// disagree about what their opacity means. Its use is kBlend where a texture is connected to the opacity, else kUnknown.
+/// disagree about what their opacity means (of an OBJ apply_obj_options() takes it). Its use is kBlend where a texture is connected to the opacity, else kUnknown.
 void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& model);
 
 /// SourceModel::named_images.

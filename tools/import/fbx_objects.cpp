@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <utility>
 
 namespace coif {
 namespace {
@@ -133,8 +134,23 @@ class FbxObjects::Collector {
     if (name == (object.kind == FbxKind::kLayer ? "Show" : "Visibility")) object.is_visible = is_on;
     if (name == "Visibility Inheritance") object.inherits_visibility = is_on;
     if (name == "DeformPercent") set_percent(record.values[4]);
+    if (object.kind == FbxKind::kTexture) read_place(name, record.values.subspan(4), object.place);
     if (name == "WrapModeU") object.is_clamped[0] = is_on;
     if (name == "WrapModeV") object.is_clamped[1] = is_on;
+  }
+
+  static void read_place(std::string_view name, std::span<const FbxValue> values, FbxTexturePlace& place) {
+    if (values.size() < 3 || !std::ranges::all_of(values.first(3), is_number)) return;
+    if (name == "Rotation") place.degrees = values[2].number;
+    const std::pair<std::string_view, double*> pairs[] = {{"Scaling", place.scaling},
+                                                          {"TextureScalingPivot", place.scaling_pivot},
+                                                          {"TextureRotationPivot", place.rotation_pivot},
+                                                          {"Translation", place.translation}};
+    for (const auto& [property, numbers] : pairs) {
+      if (name != property) continue;
+      numbers[0] = values[0].number;
+      numbers[1] = values[1].number;
+    }
   }
 
   void set_percent(const FbxValue& value) {

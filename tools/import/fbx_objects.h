@@ -23,6 +23,15 @@ enum class FbxKind : std::uint8_t {
   kTexture
 };
 
+/// How a texture lies on the surface: scaled and turned about its pivots, then moved. V grows upwards.
+struct FbxTexturePlace {
+  double scaling[2] = {1, 1};
+  double scaling_pivot[2] = {0, 0};
+  double degrees = 0;
+  double rotation_pivot[2] = {0, 0};
+  double translation[2] = {0, 0};
+};
+
 struct FbxObject {
   std::int64_t id = 0;
   std::string_view name;  ///< Points into the file.
@@ -34,6 +43,7 @@ struct FbxObject {
   double percent = 0;                   ///< Of a channel: DeformPercent, 100 where the key is fully on.
   std::string_view file;                ///< Of a texture: RelativeFilename, or FileName where that is empty.
   bool is_clamped[2] = {false, false};  ///< Of a texture: along U and V.
+  FbxTexturePlace place;                ///< Of a texture.
   std::uint32_t begin = 0;              ///< Of a mesh, into shapes(); of a channel, into the file's FullWeights.
   std::uint32_t end = 0;
 };

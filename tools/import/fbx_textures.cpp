@@ -1,6 +1,7 @@
 #include "import/assimp_scene.h"
 
 #include "import/fbx_objects.h"
+#include "import/scene_surface.h"
 
 #include <map>
 #include <string>
@@ -44,6 +45,15 @@ void apply_fbx_wraps(const FbxObjects& objects, std::span<SourceMaterial> materi
       }
     }
   }
+}
+
+FbxTexturePlaces::FbxTexturePlaces(const FbxObjects& objects) {
+  for (const auto& [names, texture] : material_textures(objects)) places_.emplace(names, texture->place);
+}
+
+const FbxTexturePlace* FbxTexturePlaces::find(const std::string& material, const std::string& file) const {
+  const auto found = places_.find({material, file_name(file)});
+  return found == places_.end() ? nullptr : &found->second;
 }
 
 }  // namespace coif

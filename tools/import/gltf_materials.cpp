@@ -51,8 +51,10 @@ class MaterialReader {
       material.normal_texture = texture_of(normal, material.name);
       material.normal_strength = strength_of(member(normal, "scale"));
       warn_of_other_uvs(normal, uvs.back(), material);
-      add_other_maps(entry, metallic, specular, material);
       read_alpha(entry, material);
+      if (!material.base_texture.is_there()) take_emission(entry, material, uvs.back());
+      warn_of_factors(material);
+      add_other_maps(entry, metallic, specular, material);
       material.roughness = specular.is_object() ? 1 - number_or(member(specular, "glossinessFactor"), 1, 1)
                                                 : number_or(member(metallic, "roughnessFactor"), 1, 1);
       material.double_sided = member(entry, "doubleSided") == true;
@@ -86,6 +88,39 @@ class MaterialReader {
     material.alpha_cutoff = number_or(member(entry, "alphaCutoff"), 0.5, 1);
   }
 
+  /// What shines by itself, as exporters write a material without light, has its colour there.
+  void take_emission(const json& entry, SourceMaterial& material, GltfUvs& uvs) {
+    const json& info = member(entry, "emissiveTexture");
+    if (!info.is_object() || !material.base_color.head<3>().isZero(0)) return;
+    material.base_texture = texture_of(info, material.name);
+    if (!material.base_texture.is_there()) return;
+    uvs = uvs_of(info, material.name);
+    material.base_color.head<3>().setOnes();
+    warn(model_.warnings, source_code::kClear,
+         "material '{}': its base colour is black, and its texture '{}' shines; that is taken for the base colour: "
+         "connect it "
+         "to the base colour and export again",
+         material.name, material.base_texture.path);
+  }
+
+  void warn_of_factors(const SourceMaterial& material) {
+    constexpr float kSeen = 1e-3f;
+    const bool is_blended = material.alpha_use == AlphaUse::kBlend || material.alpha_use == AlphaUse::kMask;
+    if (is_blended && material.base_color.w() < kSeen) {
+      warn(model_.warnings, source_code::kClear,
+           "material '{}': it is wholly transparent (the alpha of its base colour is 0), so that nothing of it is "
+           "seen; set it "
+           "to 1 and export again",
+           material.name);
+    } else if (material.base_texture.is_there() && material.base_color.head<3>().maxCoeff() < kSeen) {
+      warn(model_.warnings, source_code::kClear,
+           "material '{}': its base colour is black, so that nothing is seen of its texture '{}'; set it to white and "
+           "export "
+           "again",
+           material.name, material.base_texture.path);
+    }
+  }
+
   /// The image that a texture shows: one that every reader knows, or the WebP in its place.
   const json* image_of(const json& texture, const std::string& material) {
     for (const json* const source :
@@ -96,6 +131,12 @@ class MaterialReader {
       warn(model_.warnings, source_code::kImages,
            "material '{}': its image is in KTX2 alone, which is not read; npx @gltf-transform/cli "
            "ktxdecompress OLD.glb NEW.glb makes it a PNG",
+           material);
+    } else if (!member(extension(texture, "EXT_texture_avif"), "source").is_null()) {
+      warn(model_.warnings, source_code::kImages,
+           "material '{}': its image is in AVIF alone, which is not read; npx @gltf-transform/cli png OLD.glb NEW.glb "
+           "makes "
+           "it a PNG",
            material);
     } else {
       warn(model_.warnings, source_code::kImages,

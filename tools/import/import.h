@@ -25,6 +25,8 @@ struct ImportSettings {
   /// Folders that files which the model names may lie in, beside its own: where links lead, or paths with "..".
   std::vector<std::filesystem::path> roots;
   std::string variant;  ///< Which of a glTF's KHR_materials_variants; empty: the materials that its meshes name.
+  /// Names of the meshes that are wanted, with * and ?: which of several levels of detail is kept (keep_finest_levels()).
+  std::vector<std::string> meshes;
   // Limits of the child process that parses the file. A file that exceeds one is refused; nothing else happens.
   std::uint64_t max_memory_bytes = std::uint64_t{4} << 30;  ///< Beside what this process has; none under ASan.
   std::uint32_t max_seconds = 120;                          ///< Processor and wall-clock time.

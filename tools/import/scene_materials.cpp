@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <map>
 #include <set>
 
@@ -37,12 +38,18 @@ struct NamedMap {
   aiTextureType type = aiTextureType_NONE;
 };
 
-NamedMap base_map(const aiMaterial& material) {
+NamedMap first_map(const aiMaterial& material, std::initializer_list<aiTextureType> types) {
   NamedMap map;
-  for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
+  for (const aiTextureType type : types) {
     if (material.GetTexture(type, 0, &map.path) == AI_SUCCESS && map.path.length != 0) return {map.path, type};
   }
   return {};
+}
+
+/// What shines by itself, as exporters write a material without light, has its colour there.
+NamedMap base_map(const aiMaterial& material) {
+  const NamedMap base = first_map(material, {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE});
+  return base.path.length != 0 ? base : first_map(material, {aiTextureType_EMISSION_COLOR, aiTextureType_EMISSIVE});
 }
 
 // Exporters write one or the other under several names: what matters is where it is steep.
@@ -181,6 +188,14 @@ void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& m
     read_wrap(material, aiTextureType_OPACITY, out.opacity_texture);
     add_other_maps(material, path, textures, out);
     out.base_color = base_color(material, format, path.length != 0);
+    if (base.type == aiTextureType_EMISSION_COLOR || base.type == aiTextureType_EMISSIVE) {
+      out.base_color.setOnes();
+      warn(model.warnings, source_code::kClear,
+           "material '{}': only its light has a texture, '{}', which is taken for the base colour: connect it to the "
+           "base "
+           "(diffuse) colour and export again",
+           out.name, out.base_texture.path);
+    }
     convert_alpha(material, out);
     int two_sided = 0;
     out.double_sided = material.Get(AI_MATKEY_TWOSIDED, two_sided) == AI_SUCCESS && two_sided != 0;

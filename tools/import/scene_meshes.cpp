@@ -146,7 +146,7 @@ std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& n
     }
   }
   warn_of_hidden(hidden, warnings);
-  warn_of_coarser(coarser, warnings);
+  warn_of_coarser(coarser, {}, warnings);
   return meshes;
 }
 

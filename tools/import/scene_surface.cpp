@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace coif {
@@ -35,28 +36,67 @@ unsigned stated_uv_set(const aiMaterial& material, aiTextureType type, const std
   return material.Get(AI_MATKEY_UVWSRC(type, 0), uv_set) == AI_SUCCESS && uv_set > 0 ? unsigned(uv_set) : 0;
 }
 
-/// COLLADA moves the coordinates over the texture. FBX moves the texture over the surface, so that a scale of 2 shows half of it; but
-/// Blender undoes the scale alone and adds the offset as it is.
+bool is_usable(const aiUVTransform& moved) {
+  const Eigen::Vector2f scale(moved.mScaling.x, moved.mScaling.y), offset(moved.mTranslation.x, moved.mTranslation.y);
+  return scale.allFinite() && offset.allFinite() && std::isfinite(moved.mRotation) && (scale.array() != 0).all() &&
+         scale.cwiseAbs().minCoeff() > 1e-6f;
+}
+
+/// COLLADA moves the coordinates over the texture.
+void place_over_texture(const aiUVTransform& moved, TexturePlace& place) {
+  place.linear = Eigen::Rotation2Df(moved.mRotation).toRotationMatrix() *
+                 Eigen::Vector2f(moved.mScaling.x, moved.mScaling.y).asDiagonal();
+  place.offset = Eigen::Vector2f(moved.mTranslation.x, moved.mTranslation.y);
+}
+
+bool is_by_blender(const SourceSurface& surface) { return surface.generator.find("Blender") != std::string::npos; }
+
+/// FBX moves the texture over the surface, so that a scale of 2 shows half of it, and turns in degrees; Blender undoes the scale alone,
+/// adds the offset as it is, and turns in radians.
+void place_on_surface(const FbxTexturePlace& moved, const SourceSurface& surface, TexturePlace& place) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  const Eigen::Vector2d scale(moved.scaling), offset(moved.translation);
+  const Eigen::Translation2d scale_pivot(Eigen::Vector2d(moved.scaling_pivot)),
+      rotation_pivot(Eigen::Vector2d(moved.rotation_pivot));
+  const Eigen::Rotation2Dd turn(is_by_blender(surface) ? moved.degrees : moved.degrees * kDegree);
+  Eigen::Affine2d uv_from_texture(rotation_pivot);
+  uv_from_texture = uv_from_texture * turn * rotation_pivot.inverse() * scale_pivot *
+                    Eigen::Affine2d(Eigen::Matrix2d(scale.asDiagonal())) * scale_pivot.inverse();
+  if (!is_by_blender(surface)) uv_from_texture.pretranslate(offset);
+  const Eigen::Affine2d texture_from_uv = uv_from_texture.inverse(Eigen::Affine);
+  if (!texture_from_uv.matrix().allFinite()) return;
+  place.linear = texture_from_uv.linear().cast<float>();
+  place.offset = texture_from_uv.translation().cast<float>();
+  if (is_by_blender(surface)) place.offset += offset.cast<float>();
+}
+
+/// What assimp hands on of an FBX's texture.
+FbxTexturePlace place_by_assimp(const aiUVTransform& moved) {
+  return {.scaling = {double(moved.mScaling.x), double(moved.mScaling.y)},
+          .degrees = double(moved.mRotation),
+          .translation = {double(moved.mTranslation.x), double(moved.mTranslation.y)}};
+}
+
 TexturePlace stated_place(const aiMaterial& material, aiTextureType type, const std::string& geometry,
                           const SourceSurface& surface) {
   TexturePlace place;
   place.uv_set = stated_uv_set(material, type, geometry, surface);
   aiUVTransform moved;
-  if (material.Get(AI_MATKEY_UVTRANSFORM(type, 0), moved) != AI_SUCCESS) return place;
-  const Eigen::Vector2f scale(moved.mScaling.x, moved.mScaling.y), offset(moved.mTranslation.x, moved.mTranslation.y);
-  const bool is_usable = scale.allFinite() && offset.allFinite() && std::isfinite(moved.mRotation) &&
-                         (scale.array() != 0).all() && scale.cwiseAbs().minCoeff() > 1e-6f;
-  if (!is_usable) return place;
+  const bool is_moved = material.Get(AI_MATKEY_UVTRANSFORM(type, 0), moved) == AI_SUCCESS;
   if (surface.format != SourceFormat::kFbx) {
-    place.linear = Eigen::Rotation2Df(moved.mRotation).toRotationMatrix() * scale.asDiagonal();
-    place.offset = offset;
+    if (is_moved && is_usable(moved)) place_over_texture(moved, place);
     return place;
   }
-  const Eigen::Rotation2Df turned_back(-moved.mRotation);
-  const Eigen::Vector2f shrunk = scale.cwiseInverse();
-  place.linear = shrunk.asDiagonal() * turned_back.toRotationMatrix();
-  place.offset =
-      surface.generator.find("Blender") != std::string::npos ? offset : Eigen::Vector2f(-(place.linear * offset));
+  aiString name, path;
+  material.Get(AI_MATKEY_NAME, name);
+  const bool is_named = material.GetTexture(type, 0, &path) == AI_SUCCESS;
+  const FbxTexturePlace* const stated =
+      surface.fbx != nullptr && is_named ? surface.fbx->find(text_of(name), text_of(path)) : nullptr;
+  if (stated != nullptr) {
+    place_on_surface(*stated, surface, place);
+  } else if (is_moved && is_usable(moved)) {
+    place_on_surface(place_by_assimp(moved), surface, place);
+  }
   return place;
 }
 
@@ -70,11 +110,25 @@ TextureWrap wrap_of(const aiMaterial& material, const char* key, unsigned type) 
 
 float linear_of(float stored) { return stored <= 1 ? float(decode_srgb(double(stored))) : stored; }
 
+/// Some programs write colours of an OBJ as whole numbers up to 255: no screen shows what is that much brighter than white.
+bool are_bytes(std::span<const aiColor4D> colors) {
+  constexpr float kMostOfLight = 2;
+  bool is_bright = false;
+  for (const aiColor4D& color : colors) {
+    for (const float number : {color.r, color.g, color.b}) {
+      if (!(number >= 0 && number <= 255) || number != std::floor(number)) return false;
+      is_bright = is_bright || number > kMostOfLight;
+    }
+  }
+  return is_bright;
+}
+
 }  // namespace
 
 TexturePlace texture_place(const aiMaterial& material, const std::string& geometry, const SourceSurface& surface,
                            const std::string& label, std::vector<Warning>& warnings) {
-  constexpr aiTextureType kBase[] = {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE};
+  constexpr aiTextureType kBase[] = {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE, aiTextureType_EMISSION_COLOR,
+                                     aiTextureType_EMISSIVE};
   constexpr aiTextureType kOpacity[] = {aiTextureType_OPACITY};
   const auto base = first_type(material, kBase), opacity = first_type(material, kOpacity);
   if (!base && !opacity) return {};
@@ -96,8 +150,11 @@ void read_wrap(const aiMaterial& material, unsigned type, SourceTexture& texture
 std::vector<Eigen::Vector4f> vertex_colors(const aiMesh& mesh) {
   std::vector<Eigen::Vector4f> colors;
   if (!mesh.HasVertexColors(0)) return colors;
-  for (const aiColor4D& given : std::span(mesh.mColors[0], mesh.mNumVertices)) {
-    colors.emplace_back(linear_of(given.r), linear_of(given.g), linear_of(given.b), given.a);
+  const std::span all(mesh.mColors[0], mesh.mNumVertices);
+  const float unit = are_bytes(all) ? 255 : 1;
+  for (const aiColor4D& given : all) {
+    const float alpha = given.a > 1 ? given.a / unit : given.a;
+    colors.emplace_back(linear_of(given.r / unit), linear_of(given.g / unit), linear_of(given.b / unit), alpha);
   }
   return colors;
 }

@@ -2,6 +2,7 @@
 
 // What a texture of assimp's scene says of coordinates, and what its meshes say of colours.
 
+#include "import/fbx_objects.h"
 #include "import/import.h"
 #include "import/source_model.h"
 
@@ -14,6 +15,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace pugi {
@@ -67,11 +69,23 @@ class ColladaTextures {
   std::map<std::tuple<std::string, std::string, Use>, unsigned> uv_sets_;
 };
 
+/// Where the textures of an FBX lie, by the material's name and the image file's.
+class FbxTexturePlaces {
+ public:
+  explicit FbxTexturePlaces(const FbxObjects& objects);
+  /// Null where the file does not say. `file`: the image's path, of which the name counts.
+  [[nodiscard]] const FbxTexturePlace* find(const std::string& material, const std::string& file) const;
+
+ private:
+  std::map<std::pair<std::string, std::string>, FbxTexturePlace> places_;
+};
+
 /// What is needed of the file to read its surfaces.
 struct SourceSurface {
   SourceFormat format;
   std::string generator;                     ///< SourceSpace::generator: programs disagree about FBX.
   const ColladaTextures* collada = nullptr;  ///< Of a COLLADA document; outlives this.
+  const FbxTexturePlaces* fbx = nullptr;     ///< Of an FBX whose records can be read; outlives this.
 };
 
 /// Of the base texture that convert_materials() takes; of the opacity texture where there is no other. A warning where both are
@@ -85,12 +99,12 @@ struct SourceSurface {
 void read_wrap(const aiMaterial& material, unsigned type, SourceTexture& texture);
 
 /// Colours of the first set, linear, of each vertex; empty where there are none. Formats other than glTF store what a screen shows, as
-/// Blender, Maya and MeshLab write them.
+/// Blender, Maya and MeshLab write them, or whole numbers up to 255 of it.
 [[nodiscard]] std::vector<Eigen::Vector4f> vertex_colors(const aiMesh& mesh);
 
 /// What assimp 5.2 drops or misreads of an OBJ's material libraries: options of map_Kd and map_d (-s and -o, of which it drops the
-/// numbers, and takes the path for one where there are two; -imfchan). Moves the coordinates of the meshes; `libraries` are paths of
-/// files that were opened.
+/// numbers, and takes the path for one where there are two; -imfchan), and d and Tr, of which it hands on no colour's alpha. Moves the
+/// coordinates of the meshes; `libraries` are plain_library_text() of files that were opened.
 void apply_obj_options(std::span<const std::string> libraries, SourceModel& model);
 
 }  // namespace coif

@@ -31,12 +31,20 @@ inline constexpr const char* kUvs = "S221";         ///< Texture coordinates, an
 inline constexpr const char* kSpace = "S222";       ///< Axes, units and transforms.
 inline constexpr const char* kStrands = "S223";     ///< Strands and what is said of their points.
 inline constexpr const char* kBody = "S224";        ///< The body that strands grow on.
+inline constexpr const char* kFileNames = "S225";   ///< Names of files as another system writes them.
+inline constexpr const char* kClear = "S226";       ///< Materials that would not be seen.
 
 }  // namespace source_code
 
 template <class... Args>
 void warn(std::vector<Warning>& warnings, const char* code, fmt::format_string<Args...> text, Args&&... args) {
   warnings.emplace_back(code, fmt::format(text, std::forward<Args>(args)...));
+}
+
+/// A file that is named one way and lies there under another.
+inline void warn_of_respelled(const std::string& written, const std::string& found, std::vector<Warning>& warnings) {
+  warn(warnings, source_code::kFileNames, "'{}' is named, and there is no such file; '{}' is taken for it", written,
+       found);
 }
 
 /// "LABEL: 3 points or lines dropped", where there are any.

@@ -18,6 +18,8 @@ constexpr IssueCode kCookIssueCodes[] = {
      "Clean the weights in the modeller, or name the head by \"skeleton.head\"."},
     {"C114", kSkeleton, kWarning, "saved in a pose", "Bones stand otherwise than when the hair was bound to them: that pose becomes the hair's shape at rest.",
      "Put the armature into its rest position and export again, or acknowledge the code."},
+    {"C115", kPatches, kWarning, "meshes on each other", "Two meshes of the hair have one shape, one of them in fewer triangles, and both are drawn.",
+     "Where one is a level of detail of the other, name the finer in \"hair.meshes\"; else acknowledge the code."},
     {"C121", kSkeleton, kWarning, "two bones of one name", "A game finds bones that carry body colliders by their names.",
      "Rename one in the model."},
     {"C122", kDynamics, kWarning, "override that moves no chain", "An entry of \"patches.overrides\" is of patches that are not most of what any chain carries.",

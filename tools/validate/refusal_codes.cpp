@@ -155,7 +155,7 @@ constexpr IssueCode kOriginCodes[] = {
      "Show what is hair in the modeller and export again, or acknowledge the code."},
     {"S214", kSource, kWarning, "coarser levels left out",
      "Of meshes that are levels of detail of one thing the finest is read; a cook makes levels of its own.",
-     "Export the finest alone, or acknowledge the code."},
+     "Export the finest alone, or name the one that is meant in \"hair.meshes\"; or acknowledge the code."},
     {"S215", kSource, kWarning, "shape keys that are on", "They are part of the hair's shape, as the file has them.",
      "Turn them off, or apply them, and export again; or acknowledge the code."},
     {"S216", kSource, kWarning, "skin repaired", "Bones, weights or bind matrices are absent or no numbers.",
@@ -184,6 +184,17 @@ constexpr IssueCode kOriginCodes[] = {
     {"S224", kSource, kWarning, "body that does not fit",
      "Strands lie elsewhere than the body that they grow on, or it has no head, or hair of its own.",
      "Give both files one unit and place, name the head's node, and leave hair out of the body."},
+    {"S225", kSource, kWarning, "file name written otherwise",
+     "A file that the source names lies there under another spelling: with slashes for backslashes, in other letters, "
+     "or in "
+     "another folder.",
+     "Give the file the name that the source has, or export again with relative paths; or acknowledge the code."},
+    {"S226", kSource, kWarning, "material that would not be seen",
+     "As it is written it is wholly transparent, or so black that nothing is seen of its texture, or only its light "
+     "has a texture; the "
+     "message says what is taken.",
+     "Set the material's opacity to 1 and its colour to white, connect the texture to its base colour and export "
+     "again, or acknowledge the code."},
     {"R101", kSource, kError, "cooked from other bytes", "The source has changed since the asset was cooked.",
      kCookAgain},
     {"R102", kSource, kError, "cooked by another recipe",

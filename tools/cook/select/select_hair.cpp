@@ -1,6 +1,7 @@
 #include "cook/select/select_hair.h"
 
 #include "cook/select/mesh_topology.h"
+#include "cook/select/stacked_meshes.h"
 
 #include <fmt/format.h>
 
@@ -181,6 +182,7 @@ tl::expected<HairMesh, ToolError> select_hair(const SourceModel& source, const R
   if (!choice) return tl::unexpected(choice.error());
   Gathered gathered = gather(source, *choice, findings);
   warn_of_pose(source, gathered.taken, findings);
+  warn_of_stacked_meshes(source, gathered.mesh.source_meshes, findings);
   if (gathered.mesh.triangles.empty()) {
     const std::string why =
         gathered.degenerate > 0

@@ -42,7 +42,9 @@ BaseMips bake_base(const BaseColor& color, const HairMesh& hair, const Recipe& r
   }
   image = reduce(std::move(image), max_size, TexelMeaning::kSrgbColorAlpha);
   used = reduce(std::move(used), max_size, TexelMeaning::kNumbers);
+  const std::vector<TexelBorder> borders = borders_where_pictures_end(hair, image);
   fill_gaps(image, used);
+  repeat_edges(borders, used, image);
   const Image whole{image.width, image.height, 4, {}};
   DetailedImage detailed = reduce_to_detail(std::move(image), used, TexelMeaning::kSrgbColorAlpha);
   report_spared(whole, detailed, findings);

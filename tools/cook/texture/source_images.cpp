@@ -1,5 +1,7 @@
 #include "cook/texture/source_images.h"
 
+#include "base/encodings.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -25,6 +27,14 @@ std::string listed(const TextureFolder& folder, std::span<const fs::path> images
   }
   const std::string text = fmt::format("{}", fmt::join(names, ", "));
   return images.size() <= kMostNamed ? text : fmt::format("{} and {} more", text, images.size() - kMostNamed);
+}
+
+/// "./long%20hair.png" is a way to write "long hair.png".
+bool is_spelling_of(const std::string& written, const std::string& name) {
+  const auto names = [&](const std::string& text) {
+    return fs::path(text).lexically_normal().generic_string() == name;
+  };
+  return names(written) || names(decoded_uri(written));
 }
 
 }  // namespace
@@ -71,7 +81,7 @@ const Image* SourceImages::beside(const SourceMaterial& material) {
     warn_of_absent(material);
     return nullptr;
   }
-  if (folder_.short_name(*path) != written) {
+  if (!is_spelling_of(written, folder_.short_name(*path))) {
     findings_.warn("C145", fmt::format("material '{}': texture '{}' taken from {}", material.name, written,
                                        folder_.short_name(*path)));
   }
@@ -222,36 +232,7 @@ std::vector<std::string> words_of(const std::string& stem) {
   return words;
 }
 
-int hex_digit(char c) {
-  if (is_digit(c)) return c - '0';
-  const char small = char(c | 0x20);
-  return small >= 'a' && small <= 'f' ? small - 'a' + 10 : -1;
-}
-
 }  // namespace
-
-std::string lower_case(std::string text) {
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-  return text;
-}
-
-std::string with_slashes(std::string path) {
-  std::ranges::replace(path, '\\', '/');
-  return path;
-}
-
-std::string percent_decoded(const std::string& text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool code =
-        text[i] == '%' && i + 2 < text.size() && hex_digit(text[i + 1]) >= 0 && hex_digit(text[i + 2]) >= 0;
-    out += code ? char(hex_digit(text[i + 1]) * 16 + hex_digit(text[i + 2])) : text[i];
-    if (code) i += 2;
-  }
-  return out;
-}
-
-std::string last_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 bool is_image_name(const std::string& file) { return ends_in(file, kRead); }
 

@@ -2,6 +2,7 @@
 
 // What the names of image files say, and how paths are spelt in models.
 
+#include "base/side_file.h"
 #include "cook/recipe/findings.h"
 #include "cook/texture/image.h"
 #include "import/source_model.h"
@@ -14,18 +15,6 @@
 #include <vector>
 
 namespace coif {
-
-/// ASCII letters only; other bytes stay.
-[[nodiscard]] std::string lower_case(std::string text);
-
-/// Backslashes become slashes.
-[[nodiscard]] std::string with_slashes(std::string path);
-
-/// "%20" becomes a space; what is no two hexadecimal digits stays.
-[[nodiscard]] std::string percent_decoded(const std::string& text);
-
-/// What follows the last slash.
-[[nodiscard]] std::string last_name(const std::string& path);
 
 /// Ends in the suffix of a format that the cooker reads, in letters of either case.
 [[nodiscard]] bool is_image_name(const std::string& file);
@@ -146,7 +135,7 @@ class SourceImages {
   const SourceModel& source_;
   TextureFolder folder_;
   std::map<std::string, Image> joined_;  ///< Base images with their opacity, by both names.
-  Decoded decoded_;  ///< By file or number, so that two materials share what they show.
+  Decoded decoded_;                      ///< By file or number, so that two materials share what they show.
   Findings findings_;
   std::vector<std::filesystem::path> files_;
   std::vector<TextureQuestion> questions_;

@@ -3,6 +3,9 @@
 #include "cook/select/hair_mesh.h"
 #include "cook/texture/image.h"
 
+#include <span>
+#include <vector>
+
 namespace coif {
 
 /// Where one surface's part of its own image lies in an atlas.
@@ -42,6 +45,23 @@ tl::expected<AtlasLayout, std::string> lay_out_atlas(const HairMesh& hair,
 
 /// Moves the hair's texture coordinates into the atlas. A vertex that two surfaces share becomes two.
 void move_uvs_to_atlas(const AtlasLayout& layout, std::span<const std::uint32_t> surface_of_triangle, HairMesh& hair);
+
+/// Where two rows or columns of texels meet along an edge of a triangle.
+struct TexelBorder {
+  int axis = 0;       ///< Across it: 0 for U.
+  double inside = 0;  ///< The texel before it, along that axis.
+  double step = 1;    ///< From there to the one beyond it.
+  double low = 0;     ///< Along the other axis, texels.
+  double high = 0;
+};
+
+/// Of an RGBA image, those borders along edges of the hair's triangles at which the picture breaks off: cards that fill a part of an
+/// artist's atlas exactly end there, and beyond it lies another part. Those across U first.
+[[nodiscard]] std::vector<TexelBorder> borders_where_pictures_end(const HairMesh& hair, const Image& painted);
+
+/// Lets a part of an atlas go on for some texels beyond its borders, up to one that the hair uses: linear filtering mixes half of a texel
+/// in at the very edge, and mips more. After fill_gaps(), with the borders of the image as it was painted.
+void repeat_edges(std::span<const TexelBorder> borders, const Image& used, Image& image);
 
 /// Gives texels that nothing shows what is around those that hair shows, so that no filter mixes in a foreign colour:
 ///

@@ -1,4 +1,6 @@
+#include "base/encodings.h"
 #include "base/files.h"
+#include "base/text.h"
 #include "cook/texture/source_images.h"
 
 #include <algorithm>
@@ -26,12 +28,19 @@ std::vector<fs::path> entries_of(const fs::path& folder) {
   return entries;
 }
 
+/// In letters of either case; a '?', which no file of Windows has in its name, was a letter of another alphabet.
+bool is_called(const std::string& file, const std::string& written) {
+  const std::string own = lower_case(file), wanted = lower_case(written);
+  return own == wanted || (wanted.find('?') != std::string::npos && ascii_shape(own) == ascii_shape(wanted)) ||
+         utf8_of(own) == wanted;
+}
+
 std::optional<fs::path> entry_called(const fs::path& folder, const std::string& name) {
   std::error_code error;
   if (fs::exists(folder / name, error)) return folder / name;
   const auto entries = entries_of(folder);
-  const auto same = std::ranges::find_if(
-      entries, [&](const fs::path& entry) { return lower_case(entry.filename().string()) == lower_case(name); });
+  const auto same =
+      std::ranges::find_if(entries, [&](const fs::path& entry) { return is_called(entry.filename().string(), name); });
   return same == entries.end() ? std::nullopt : std::optional(*same);
 }
 
@@ -79,17 +88,17 @@ bool TextureFolder::is_inside(const fs::path& path) const { return lies_in(path,
 
 std::optional<fs::path> TextureFolder::find(const std::string& written) const {
   const std::string slashes = with_slashes(written);
-  for (const std::string& spelling : {slashes, percent_decoded(slashes)}) {
+  for (const std::string& spelling : {slashes, decoded_uri(slashes)}) {
     if (auto path = follow(spelling); path && is_inside(*path)) return path;
   }
-  for (const std::string& spelling : {slashes, percent_decoded(slashes)}) {
+  for (const std::string& spelling : {slashes, decoded_uri(slashes)}) {
     if (auto path = find_by_name(last_name(spelling))) return path;
   }
   return {};
 }
 
 std::optional<fs::path> TextureFolder::find_outside(const std::string& written) const {
-  const std::string slashes = percent_decoded(with_slashes(written));
+  const std::string slashes = decoded_uri(with_slashes(written));
   for (const std::string& spelling : {slashes, last_name(slashes)}) {
     const auto path = follow(spelling);
     std::error_code error;
@@ -105,7 +114,9 @@ std::optional<fs::path> TextureFolder::follow(const std::string& written) const 
     if (name == ".") continue;
     const bool is_way_out = name == ".." || name == "/";
     const bool is_name = !name.empty() && name.find_first_of(std::string_view("/:\0", 3)) == std::string::npos;
-    const auto next = is_way_out && leaves_root_ ? std::optional(at / part) : is_name && !is_way_out ? entry_called(at, name) : std::nullopt;
+    const auto next = is_way_out && leaves_root_ ? std::optional(at / part)
+                      : is_name && !is_way_out   ? entry_called(at, name)
+                                                 : std::nullopt;
     if (!next) return {};
     at = *next;
   }
@@ -120,8 +131,7 @@ std::optional<fs::path> TextureFolder::find_by_name(const std::string& name) con
   };
   if (name.empty()) return {};
   if (auto same = first([&](const std::string& file) { return file == name; })) return same;
-  const std::string lower = lower_case(name);
-  if (auto same = first([&](const std::string& file) { return lower_case(file) == lower; })) return same;
+  if (auto same = first([&](const std::string& file) { return is_called(file, name); })) return same;
   const std::string stem = lower_case(stem_of_image(name));
   return first([&](const std::string& file) { return lower_case(stem_of_image(file)) == stem; });
 }
@@ -144,7 +154,7 @@ std::vector<fs::path> named_image_files(const SourceModel& source) {
   if (source.named_images.empty()) return files;
   const TextureFolder folder(source.path, source.roots);
   for (const std::string& name : source.named_images) {
-    files.push_back(fs::path(source.path).parent_path() / percent_decoded(with_slashes(name)));
+    files.push_back(fs::path(source.path).parent_path() / decoded_uri(with_slashes(name)));
     if (const auto found = folder.find(name)) files.push_back(*found);
   }
   return files;

@@ -1,0 +1,98 @@
+#include "import/asked_files.h"
+
+#include "base/files.h"
+#include "base/text.h"
+#include "import/obj_libraries.h"
+
+#include <assimp/MemoryIOWrapper.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <fstream>
+#include <string_view>
+
+namespace coif {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kObjByteOrderMark = "\xEF\xBB\xBF";
+
+/// A stream of a copy of the bytes.
+Assimp::IOStream* stream_of(std::string_view bytes) {
+  auto* const copy = new std::uint8_t[std::max<std::size_t>(bytes.size(), 1)];
+  std::ranges::copy(bytes, copy);
+  return new Assimp::MemoryIOStream(copy, bytes.size(), true);
+}
+
+bool begins_with_mark(const fs::path& path) {
+  std::string begin(kObjByteOrderMark.size(), '\0');
+  std::ifstream(path, std::ios::binary).read(begin.data(), std::streamsize(begin.size()));
+  return begin == kObjByteOrderMark;
+}
+
+std::string name_beside(const fs::path& path, const fs::path& model) {
+  return printable_text(path.lexically_proximate(model.parent_path()).generic_string(), 100);
+}
+
+}  // namespace
+
+std::vector<char> bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file.tellg();
+  std::vector<char> bytes(size > 0 ? std::size_t(size) : 0);
+  file.seekg(0);
+  file.read(bytes.data(), std::streamsize(bytes.size()));
+  bytes.resize(file ? bytes.size() : 0);
+  return bytes;
+}
+
+bool AskedFiles::is_allowed(const fs::path& name) const { return name == model_ || lies_in(name, folders_); }
+
+bool AskedFiles::Exists(const char* name) const {
+  asked_.names.insert(name);
+  return is_allowed(name) && DefaultIOSystem::Exists(name);
+}
+
+Assimp::IOStream* AskedFiles::Open(const char* name, const char* mode) {
+  const bool is_for_reading = std::string_view(mode).find_first_of("wa+") == std::string_view::npos;
+  Assimp::IOStream* const file = !is_for_reading             ? nullptr
+                                 : is_obj_ && name != model_ ? open_library(name)
+                                                             : open_plainly(name, mode);
+  if (file == nullptr) asked_.not_opened.emplace_back(name);
+  return file;
+}
+
+Assimp::IOStream* AskedFiles::open_plainly(const std::string& name, const char* mode) {
+  asked_.names.insert(name);
+  if (!is_allowed(name)) return nullptr;
+  if (!is_obj_ || !begins_with_mark(name)) return DefaultIOSystem::Open(name.c_str(), mode);
+  const std::vector<char> bytes = bytes_of(name);
+  return stream_of(
+      std::string_view(bytes.data(), bytes.size()).substr(std::min(kObjByteOrderMark.size(), bytes.size())));
+}
+
+/// `name`: what the statement says behind the model's folder.
+Assimp::IOStream* AskedFiles::open_library(const std::string& name) {
+  const fs::path folder = model_.parent_path();
+  const std::string before = folder.empty() ? "" : folder.string() + '/';
+  const std::string written = name.starts_with(before) ? name.substr(before.size()) : name;
+  const ObjLibraries found = find_libraries(folder, written);
+  if (found.paths.empty() ||
+      !std::ranges::all_of(found.paths, [&](const fs::path& path) { return is_allowed(path); })) {
+    asked_.names.insert(name);
+    return nullptr;
+  }
+  std::string text, names;
+  for (const fs::path& path : found.paths) {
+    asked_.names.insert(path.string());
+    const std::vector<char> bytes = bytes_of(path);
+    text += plain_library_text({bytes.data(), bytes.size()});
+    names += (names.empty() ? "" : " ") + name_beside(path, model_);
+  }
+  if (found.is_respelled) asked_.respelled.push_back({printable_text(written, 100), names});
+  asked_.libraries.push_back(text);
+  return stream_of(text);
+}
+
+}  // namespace coif
