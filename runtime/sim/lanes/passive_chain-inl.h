@@ -54,7 +54,7 @@ class PassiveChain {
   }
 
   /// Takes the step. False where it has to be split before, and nothing has changed: split() says how.
-  HWY_INLINE bool run() {
+  HWY_NOINLINE bool run() {
     if (collides_) {
       const auto blow = hn::Gt(load(d_, state_[0].contact, lane_), hn::Set(d_, 1.5f));
       if (HWY_UNLIKELY(!hn::AllFalse(d_, blow))) start_after_blow(blow);

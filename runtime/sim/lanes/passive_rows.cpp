@@ -4,7 +4,7 @@
 #define HWY_TARGET_INCLUDE "lanes/passive_rows.cpp"
 #include <hwy/foreach_target.h>
 
-#include "passive_step-inl.h"
+#include "passive_run-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace coif {

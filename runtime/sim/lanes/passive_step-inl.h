@@ -1,9 +1,9 @@
 // The step of the passive model in runtime/docs/MODEL.md for one chain: after passive_solve-inl.h and passive_contact-inl.h what limits and
 // contacts make of it, and velocities that stretch nothing. Compiled once per instruction set.
 
-#include "cut_move-inl.h"
 #include "moving_contact-inl.h"
 #include "palette-inl.h"
+#include "passive_blow-inl.h"
 #include "passive_contact-inl.h"
 #include "passive_energy-inl.h"
 #include "passive_solve-inl.h"
@@ -212,17 +212,6 @@ HWY_INLINE void PassiveChain<D>::fit_velocities() {
   for (std::size_t i = 0; i < count_; ++i) keep_links(i);
 }
 
-/// The same without the contacts that would have to pull after a blow elsewhere: those lets_go in hold_at_contacts() may miss, whose bones have
-/// little time to move.
-template <class D>
-COIF_RARE void PassiveChain<D>::let_go_after_blow() {
-  for (int round = 0; round < kMostReleases && finds_pulling(); ++round) {
-    undo_links();
-    motion_ = fastest2_ = has_ = hn::Zero(d_);
-    fit_velocities();
-  }
-}
-
 /// All bones of these lanes keep this share of their motion against the head, which stretches none.
 template <class D>
 HWY_INLINE void PassiveChain<D>::slow_down(hn::Mask<D> where, V<D> kept) {
@@ -255,72 +244,6 @@ HWY_INLINE void PassiveChain<D>::calm_what_is_wild() {
   if (HWY_LIKELY(hn::AllFalse(d_, is_wild))) return;
   slow_down(is_wild, hn::Div(limit, hn::Sqrt(fastest2_)));
   for (std::size_t i = 0; i < count_; ++i) forget_accelerations(i, is_wild);
-}
-
-/// What a step in parts goes on with.
-template <class D>
-struct PassiveWay {
-  const D d;
-  const PassiveNumbers<D>& method;
-  const RowStep& row;
-  const std::size_t lane;
-  PassiveBone<D>* const bones;
-
-  /// In the lanes of `acts` that part of the step, in others nothing. False where it is to be split, and was not taken.
-  bool take(hn::Mask<D> acts, V<D> from, V<D> to, bool may_split, PassiveSplit<D>& split) const {
-    const auto one = hn::Set(d, 1.0f), zero = hn::Zero(d);
-    const PassivePart<D> part{acts, hn::Or(hn::Gt(from, zero), hn::Lt(to, one)), may_split};
-    PassiveNumbers<D> numbers = method;
-    numbers.shorten(d, part.is_shorter, hn::Sub(to, from));
-    MoveLanes move = *row.move;
-    cut_move(d, from, to, hn::Set(d, row.dt), lane, move);
-    RowStep step = row;
-    step.move = &move;
-    PassiveChain<D> chain(d, numbers, step, lane, bones, &part);
-    if (chain.run()) return true;
-    split = chain.split();
-    return false;
-  }
-};
-
-/// The step in parts, since bones come to colliders in the midst of it: until then in the lanes of `split`, and on from there. After
-/// kMostSplits of them a lane takes the rest at once.
-template <class D>
-COIF_RARE void step_in_parts(const PassiveWay<D>& way, PassiveSplit<D> split) {
-  const D d = way.d;
-  const auto one = hn::Set(d, 1.0f);
-  auto from = hn::Zero(d);
-  auto acts = hn::Eq(one, one);
-  for (int splits = 1;; ++splits) {
-    const auto met = hn::Add(from, hn::Mul(hn::Sub(one, from), split.share));
-    const auto to = hn::IfThenElse(split.where, met, one);
-    way.take(acts, from, to, false, split);
-    acts = split.where;
-    from = hn::IfThenElseZero(acts, to);
-    if (way.take(acts, from, one, splits < kMostSplits, split)) return;
-  }
-}
-
-template <class D>
-HWY_NOINLINE void step_passive_with(D d, const RowStep& row, PassiveBone<D>* bones) {
-  const PassiveNumbers<D> method(d, PassiveMethod{double(row.dt)});
-  for (std::size_t lane = 0; lane < row.lanes; lane += hn::Lanes(d)) {
-    PassiveChain<D> chain(d, method, row, lane, bones);
-    if (HWY_UNLIKELY(!chain.run())) step_in_parts(PassiveWay<D>{d, method, row, lane, bones}, chain.split());
-  }
-}
-
-template <class D>
-HWY_NOINLINE void step_passive_on_stack(D d, const RowStep& row) {
-  PassiveBone<D> bones[kPassiveBonesOnStack];
-  step_passive_with(d, row, bones);
-}
-
-template <class D>
-HWY_INLINE void step_passive_by(D d, const RowStep& row) {
-  static_assert(sizeof(PassiveBone<D>) <= (kOnCharacter<D> ? kCharacterScratch : kPassiveScratch));
-  if (row.bones.size() <= kPassiveBonesOnStack) return step_passive_on_stack(d, row);
-  step_passive_with(d, row, static_cast<PassiveBone<D>*>(row.scratch));
 }
 
 }  // namespace HWY_NAMESPACE
