@@ -285,7 +285,7 @@ void LinkedHead::hold_velocities(const LinkLevel& level) {
   for (int round = 0; round < kVelocityRounds; ++round) {
     float fastest = 0;
     for (std::size_t i = 0; i < links.size(); ++i) {
-      fastest = std::fmax(fastest, slow(to_and_fro(links, round, i)));
+      if (const float taken = slow(to_and_fro(links, round, i)); taken > fastest) fastest = taken;
     }
     if (!(fastest > kSlowest)) return;
   }
