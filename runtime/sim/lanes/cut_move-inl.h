@@ -15,16 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// Weights of a cubic, as Hermite.
-template <class D>
-struct HermiteLanes {
-  V<D> start_slope, end, end_slope;
-
-  [[nodiscard]] V3<D> mix(D d, const V3<D>& from, const V3<D>& to, const V3<D>& arriving) const {
-    return add_scaled(d, add_scaled(d, scale(d, from, start_slope), to, end), arriving, end_slope);
-  }
-};
-
+/// As those of a share that is the same in all lanes (step_parts.h).
 template <class D>
 HermiteLanes<D> values_at(D d, V<D> s) {
   const auto s2 = hn::Mul(s, s), s3 = hn::Mul(s2, s), back = hn::Sub(s3, s2);
@@ -57,19 +48,15 @@ COIF_RARE MidHead<D> mid_head(D d, const MoveLanes& move, V<D> share, V<D> dt, s
   const V3<D> start = scale(d, load(d, move.velocity_before, lane), dt);
   const V3<D> end = scale(d, load(d, move.velocity, lane), dt);
   MidHead<D> head;
-  head.way = values.mix(d, start, way, end);
-  head.velocity = scale(d, slopes.mix(d, start, way, end), per_second);
-  // In the frame of the step's start, where the path of the rotation vector begins at zero.
+  head.way = blend(d, values, start, way, end);
+  head.velocity = scale(d, blend(d, slopes, start, way, end), per_second);
   const Q<D> before = load(d, move.rotation_before, lane), after = load(d, move.rotation, lane);
-  const M3<D> from_start = matrix_of(d, before), from_end = matrix_of(d, after);
-  const V3<D> turn = rotate_back(d, from_start, vector_of(d, product(d, after, conjugate(before))));
-  const V3<D> turn_start = scale(d, rotate_back(d, from_start, load(d, move.angular_velocity_before, lane)), dt);
-  const V3<D> last = scale(d, rotate_back(d, from_end, load(d, move.angular_velocity, lane)), dt);
-  const V3<D> turn_end = rate_of_vector(d, turn, last);
-  const V3<D> vector = values.mix(d, turn_start, turn, turn_end);
-  const V3<D> rate = scale(d, slopes.mix(d, turn_start, turn, turn_end), per_second);
-  head.from_head = matrix_of(d, nearly_unit(d, product(d, before, rotation_by(d, vector))));
-  head.angular_velocity = rotate(d, head.from_head, rate_of_turning(d, vector, rate));
+  const V3<D> turn = vector_of(d, product(d, after, conjugate(before)));
+  const TurningHead<D> turning{before, after, turn, load(d, move.angular_velocity_before, lane),
+                               load(d, move.angular_velocity, lane)};
+  Q<D> rotation;
+  turn_along(d, turning, values, slopes, dt, per_second, rotation, head.angular_velocity);
+  head.from_head = matrix_of(d, rotation);
   return head;
 }
 

@@ -185,11 +185,47 @@ HWY_INLINE V3<D> rate_of_turning(D d, const V3<D>& r, const V3<D>& rate) {
   return add_scaled(d, sub_scaled(d, rate, once, hn::Set(d, 0.5f)), cross(d, r, once), hn::Set(d, 1.0f / 6.0f));
 }
 
+/// Hermite, in each lane's own.
 template <class D>
-HWY_NOINLINE V3<D> blend(D d, const Hermite& weights, const V3<D>& start_slope, const V3<D>& end,
+struct HermiteLanes {
+  V<D> start_slope, end, end_slope;
+};
+
+template <class D>
+HWY_INLINE HermiteLanes<D> same(D d, const Hermite& weights) {
+  return {hn::Set(d, weights.start_slope), hn::Set(d, weights.end), hn::Set(d, weights.end_slope)};
+}
+
+template <class D>
+HWY_NOINLINE V3<D> blend(D d, const HermiteLanes<D>& weights, const V3<D>& start_slope, const V3<D>& end,
                          const V3<D>& end_slope) {
-  const V3<D> sum = add_scaled(d, scale(d, start_slope, hn::Set(d, weights.start_slope)), end, hn::Set(d, weights.end));
-  return add_scaled(d, sum, end_slope, hn::Set(d, weights.end_slope));
+  const V3<D> sum = add_scaled(d, scale(d, start_slope, weights.start_slope), end, weights.end);
+  return add_scaled(d, sum, end_slope, weights.end_slope);
+}
+
+/// How a head turns during some time: where it begins and ends, the rotation vector in between, and how fast it turns there.
+template <class D>
+struct TurningHead {
+  Q<D> before, after;
+  V3<D> turn;  ///< World axes.
+  V3<D> angular_velocity_before, angular_velocity;
+};
+
+/// The rotation within that time of `dt` seconds where the cubic has these weights, and, by those of its slope, the angular velocity there.
+template <class D>
+HWY_INLINE void turn_along(D d, const TurningHead<D>& head, const HermiteLanes<D>& values,
+                           const HermiteLanes<D>& slopes, V<D> dt, V<D> per_second, Q<D>& rotation,
+                           V3<D>& angular_velocity) {
+  // In the frame of the start, where the path of the rotation vector begins at zero.
+  const M3<D> from_start = matrix_of(d, head.before), from_end = matrix_of(d, head.after);
+  const V3<D> turn = rotate_back(d, from_start, head.turn);
+  const V3<D> turn_start = scale(d, rotate_back(d, from_start, head.angular_velocity_before), dt);
+  const V3<D> last = scale(d, rotate_back(d, from_end, head.angular_velocity), dt);
+  const V3<D> turn_end = rate_of_vector(d, turn, last);
+  const V3<D> vector = blend(d, values, turn_start, turn, turn_end);
+  const V3<D> rate = scale(d, blend(d, slopes, turn_start, turn, turn_end), per_second);
+  rotation = nearly_unit(d, product(d, head.before, rotation_by(d, vector)));
+  angular_velocity = rotate(d, matrix_of(d, rotation), rate_of_turning(d, vector, rate));
 }
 
 /// The end of one sub-step on the path, into `move`: rotation, way, velocities.
@@ -198,7 +234,8 @@ HWY_INLINE void follow_path(D d, const HeadLanes& heads, const HeadStepLanes& st
                             std::uint32_t part, std::size_t lane, MoveLanes& move) {
   const auto dt = hn::Set(d, parts.dt), per_second = hn::Set(d, 1.0f / parts.dt);
   const float from = float(part) / float(parts.count), to = float(part + 1) / float(parts.count);
-  const Hermite before = values_at(from), after = values_at(to), slopes = slopes_at(to);
+  const HermiteLanes<D> before = same(d, values_at(from)), after = same(d, values_at(to)),
+                        slopes = same(d, slopes_at(to));
   const V3<D> start = scale(d, load(d, heads.velocity, lane), dt), way = load(d, heads.way, lane);
   const V3<D> end = scale(d, load(d, step.next_velocity, lane), dt);
   const auto per_scale = load(d, heads.per_scale, lane);
@@ -211,18 +248,13 @@ HWY_INLINE void follow_path(D d, const HeadLanes& heads, const HeadStepLanes& st
     return;
   }
   store(d, scale(d, scale(d, blend(d, slopes, start, way, end), per_second), per_scale), move.velocity, lane);
-  // In the frame of the step's start, where the path of the rotation vector begins at zero.
-  const Q<D> now = load(d, heads.rotation, lane);
-  const M3<D> from_start = matrix_of(d, now), from_end = matrix_of(d, load(d, heads.next_rotation, lane));
-  const V3<D> turn = rotate_back(d, from_start, load(d, step.turn, lane));
-  const V3<D> turn_start = scale(d, rotate_back(d, from_start, load(d, heads.angular_velocity, lane)), dt);
-  const V3<D> last = scale(d, rotate_back(d, from_end, load(d, step.next_angular_velocity, lane)), dt);
-  const V3<D> turn_end = rate_of_vector(d, turn, last);
-  const V3<D> vector = blend(d, after, turn_start, turn, turn_end);
-  const V3<D> rate = scale(d, blend(d, slopes, turn_start, turn, turn_end), per_second);
-  const Q<D> rotation = nearly_unit(d, product(d, now, rotation_by(d, vector)));
+  const TurningHead<D> head{load(d, heads.rotation, lane), load(d, heads.next_rotation, lane), load(d, step.turn, lane),
+                            load(d, heads.angular_velocity, lane), load(d, step.next_angular_velocity, lane)};
+  Q<D> rotation;
+  V3<D> angular_velocity;
+  turn_along(d, head, after, slopes, dt, per_second, rotation, angular_velocity);
   store(d, rotation, move.rotation, lane);
-  store(d, rotate(d, matrix_of(d, rotation), rate_of_turning(d, vector, rate)), move.angular_velocity, lane);
+  store(d, angular_velocity, move.angular_velocity, lane);
 }
 
 /// What the hair feels of a sub-step when it feels a share of the head's motion. The rest turns the hair by the rotation

@@ -104,8 +104,8 @@ COIF_RARE void PassiveChain<D>::undo_links() {
   }
 }
 
-/// The same without the contacts that would have to pull after a blow elsewhere: those lets_go in hold_at_contacts() may miss, whose bones have
-/// little time to move.
+/// Makes velocities fit once more, without the contacts that would have to pull after a blow elsewhere. hold_at_contacts() sees such a pull in
+/// how far bones move, and they hardly move in the little time that a blow leaves them.
 template <class D>
 COIF_RARE void PassiveChain<D>::let_go_after_blow() {
   for (int round = 0; round < kMostReleases && finds_pulling(); ++round) {

@@ -48,8 +48,8 @@ struct PassiveBone {
   V3<D> shift;      ///< Of its end: against the first guess; then of what held it, against where it would freely be.
   V3<D> turn;       ///< Of its frame.
   PassiveBook<D> book;
-  V3<D>
-      free;  ///< As `moved`, without the contacts that it comes to; then the way of its end; then its velocity before that is made to fit.
+  /// As `moved`, without the contacts that it comes to; then the way of its end; then its end's velocity before that is made to fit.
+  V3<D> free;
   PassiveTouch<D> touch;
   PassiveHold<D> hold;
   [[no_unique_address]] BoneAirOf<D> felt;

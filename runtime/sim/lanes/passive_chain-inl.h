@@ -214,9 +214,9 @@ class PassiveChain {
   V<D> farthest2_;                          ///< Square of the last round's largest turn.
   bool is_moved_ = false;                   ///< Bones may be elsewhere than their free motion led.
   bool collides_ = false, touches_ = false, holds_contacts_ = false, hits_ = false, has_own_numbers_ = false;
+  /// If goes_on_: where a part of the step began with a blow; the next step begins so, too.
+  hn::Mask<D> after_blow_;
   bool goes_on_ = false;
-  hn::Mask<D>
-      after_blow_;  ///< If goes_on_: where a part of the step began with a blow, and the next step begins so, too.
   PassiveSplit<D> split_;
   hn::Mask<D> own_;                         ///< If has_own_numbers_: where the method's are not those of a whole step.
   hn::Mask<D> hit_;                         ///< If hits_: where there is one in this.

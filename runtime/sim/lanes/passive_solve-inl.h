@@ -19,13 +19,8 @@ constexpr int kMostRounds = 8;  ///< After the first.
 
 /// Radians that Newton's method may leave undone in a step of `dt` seconds: as a force that is always the same, but no less than what
 /// single precision sees.
-constexpr float may_leave(float dt) {
-  const float left = 0.1f * dt * dt;
-  return left > 1e-7f ? left : 1e-7f;
-}
-
 template <class D>
-COIF_RARE V<D> may_leave(D d, V<D> dt) {
+HWY_INLINE V<D> may_leave(D d, V<D> dt) {
   return hn::Max(hn::Mul(hn::Mul(hn::Set(d, 0.1f), dt), dt), hn::Set(d, 1e-7f));
 }
 
@@ -192,8 +187,7 @@ HWY_NOINLINE void PassiveChain<D>::solve_round(bool is_first_guess, hn::Mask<D> 
 template <class D>
 HWY_INLINE void PassiveChain<D>::turn_bones() {
   auto moving = hn::Eq(turn_.x.x, turn_.x.x);
-  auto enough = hn::Set(d_, may_leave(row_.dt));
-  if (HWY_UNLIKELY(part_ != nullptr)) enough = may_leave(d_, method_.dt);
+  const auto enough = may_leave(d_, method_.dt);
   for (int round = 0;; ++round) {
     solve_round(round == 0, moving);
     const auto left = hn::Add(hn::Mul(most_twisting_, hn::Sqrt(farthest2_)), farthest2_);
