@@ -118,12 +118,16 @@ TEST_F(Conventions, ADeclaredUnitIsTheCallers) {
 }
 
 TEST_F(Conventions, WhatAFileSaysOfItsSpaceIsKept) {
-  const auto fbx = [&](const std::string& settings) { return import_or_fail(folder_.write("m.fbx", small_fbx(settings))).space; };
+  const auto fbx = [&](const std::string& settings) {
+    return import_or_fail(folder_.write("m.fbx", small_fbx(settings))).space;
+  };
   EXPECT_EQ(fbx(fbx_unit("1")).unit, Statement::kUsual);
   EXPECT_EQ(fbx(fbx_unit("1")).metres_per_unit, 0.01);
   EXPECT_EQ(fbx(fbx_unit("2.54")).unit, Statement::kDeclared);
   EXPECT_EQ(fbx(fbx_unit("2.54") + fbx_axes(0, 1, 2, 1, 1, -1)).up_axis, 'z');
-  const auto dae = [&](const char* unit, const char* up) { return import_or_fail(folder_.write("m.dae", small_dae(unit, up))).space; };
+  const auto dae = [&](const char* unit, const char* up) {
+    return import_or_fail(folder_.write("m.dae", small_dae(unit, up))).space;
+  };
   EXPECT_EQ(dae("1", "Y_UP").unit, Statement::kUsual);
   EXPECT_EQ(dae("0.01", "Z_UP").unit, Statement::kDeclared);
   EXPECT_NEAR(dae("0.01", "Z_UP").metres_per_unit, 0.01, 1e-9);
@@ -261,7 +265,8 @@ TEST_F(Conventions, AlphaOfOtherFormatsIsKnownByItsTextureOnly) {
 }
 
 TEST_F(Conventions, AnOpacityTextureIsNamedUnlessItIsTheBaseTexture) {
-  folder_.write("m.mtl", "newmtl own\nmap_Kd hair.png\nmap_d alpha.png\nnewmtl same\nmap_Kd hair.png\nmap_d hair.png\n");
+  folder_.write("m.mtl",
+                "newmtl own\nmap_Kd hair.png\nmap_d alpha.png\nnewmtl same\nmap_Kd hair.png\nmap_d hair.png\n");
   const SourceModel model = import_or_fail(
       folder_.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl own\nf 1 2 3\nusemtl same\nf 1 3 2\n"));
   for (const SourceMesh& mesh : model.meshes) {
@@ -280,12 +285,17 @@ TEST_F(Conventions, MapsOfWhatIsComputedAreNamed) {
 }
 
 TEST_F(Conventions, NormalAndBumpMapsAreKnownByTheirNames) {
-  folder_.write("m.mtl", "newmtl bumped\nmap_Kd hair.png\nmap_Bump bump.png\nnewmtl mapped\nnorm normals.png\nnewmtl flat\nKd 1 1 1\n");
-  const SourceModel model = import_or_fail(folder_.write(
-      "m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl bumped\nf 1 2 3\nusemtl mapped\nf 1 3 2\nusemtl flat\nf 2 3 1\n"));
+  folder_.write(
+      "m.mtl",
+      "newmtl bumped\nmap_Kd hair.png\nmap_Bump bump.png\nnewmtl mapped\nnorm normals.png\nnewmtl flat\nKd 1 1 1\n");
+  const SourceModel model = import_or_fail(folder_.write("m.obj",
+                                                         "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl bumped\nf 1 "
+                                                         "2 3\nusemtl mapped\nf 1 3 2\nusemtl flat\nf 2 3 1\n"));
   for (const SourceMesh& mesh : model.meshes) {
     const SourceMaterial& material = model.materials.at(mesh.material);
-    EXPECT_EQ(material.normal_texture.path, material.name == "bumped" ? "bump.png" : material.name == "mapped" ? "normals.png" : "");
+    EXPECT_EQ(material.normal_texture.path, material.name == "bumped"   ? "bump.png"
+                                            : material.name == "mapped" ? "normals.png"
+                                                                        : "");
   }
 }
 
@@ -306,8 +316,9 @@ TEST_F(Conventions, MaterialsThatAreNotThereAreMissed) {
 
 TEST_F(Conventions, EveryMaterialLibraryThatIsNotReadIsNamed) {
   folder_.write("m.mtl", "newmtl card\nKd 1 0 0\n");
-  const SourceModel model = import_or_fail(folder_.write("m.obj", std::string("mtllib a.mtl\nmtllib m.mtl\nmtllib b.mtl\n") +
-                                                                      "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl card\nf 1 3 2\n"));
+  const SourceModel model =
+      import_or_fail(folder_.write("m.obj", std::string("mtllib a.mtl\nmtllib m.mtl\nmtllib b.mtl\n") +
+                                                "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl card\nf 1 3 2\n"));
   const auto count = [&](const char* what) {
     return std::ranges::count_if(model.warnings, [&](const std::string& w) { return w.find(what) != w.npos; });
   };
@@ -340,7 +351,8 @@ TEST_F(Conventions, MaterialsInADeclaredRootAreReadThere) {
   EXPECT_EQ(with.roots, settings.roots);
   // A path that leads there by itself, too.
   const std::string up = kept.lexically_relative(folder_.path()).string();
-  EXPECT_TRUE(has_card(import_or_fail(folder_.write("up.obj", "mtllib " + up + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl card\nf 1 3 2\n"), settings)));
+  EXPECT_TRUE(has_card(import_or_fail(
+      folder_.write("up.obj", "mtllib " + up + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl card\nf 1 3 2\n"), settings)));
 }
 
 TEST_F(Conventions, MaterialsBesideALinkedModelAreReadWhereTheyLie) {

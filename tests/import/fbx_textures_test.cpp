@@ -26,13 +26,8 @@ std::string texture(int id, const std::string& file, const std::string& properti
 
 std::string clamped(const char* property) { return fbx_property(property, "enum", 1); }
 
-/// A triangle whose material has a colour and an opacity texture.
-SourceMaterial material_of(const TemporaryFolder& folder, const std::string& color, const std::string& opacity) {
-  std::string file = test::text_fbx({{20, "hair", 0, ""}});
-  file.insert(file.find("Objects:  {\n") + 12,
-              "  Material: 50, \"Material::Hair\", \"\" {\n    Version: 102\n    ShadingModel: \"phong\"\n  }\n" +
-                  texture(60, "hair.png", color) + texture(61, "mask.png", opacity));
-  file.insert(file.find("    GeometryVersion: 124\n"), R"(    LayerElementMaterial: 0 {
+/// What a mesh says of its one material, and the beginning of its layer.
+constexpr const char* kOneMaterial = R"(    LayerElementMaterial: 0 {
       Version: 101
       Name: ""
       MappingInformationType: "AllSame"
@@ -47,8 +42,15 @@ SourceMaterial material_of(const TemporaryFolder& folder, const std::string& col
         Type: "LayerElementMaterial"
         TypedIndex: 0
       }
-    }
-)");
+)";
+
+/// A triangle whose material has a colour and an opacity texture.
+SourceMaterial material_of(const TemporaryFolder& folder, const std::string& color, const std::string& opacity) {
+  std::string file = test::text_fbx({{20, "hair", 0, ""}});
+  file.insert(file.find("Objects:  {\n") + 12,
+              "  Material: 50, \"Material::Hair\", \"\" {\n    Version: 102\n    ShadingModel: \"phong\"\n  }\n" +
+                  texture(60, "hair.png", color) + texture(61, "mask.png", opacity));
+  file.insert(file.find("    GeometryVersion: 124\n"), std::string(kOneMaterial) + "    }\n");
   file.insert(file.find("Connections:  {\n") + 16,
               "  C: \"OO\",50,20\n  C: \"OP\",60,50, \"DiffuseColor\"\n  C: \"OP\",61,50, \"TransparentColor\"\n");
   const SourceModel model = import_or_fail(folder.write("m.fbx", file));
@@ -113,22 +115,8 @@ std::vector<Eigen::Vector2f> placed_uvs(const std::string& properties, const std
         a: 0,0,1,0,0,1
       }
     }
-    LayerElementMaterial: 0 {
-      Version: 101
-      Name: ""
-      MappingInformationType: "AllSame"
-      ReferenceInformationType: "IndexToDirect"
-      Materials: *1 {
-        a: 0
-      }
-    }
-    Layer: 0 {
-      Version: 100
-      LayerElement:  {
-        Type: "LayerElementMaterial"
-        TypedIndex: 0
-      }
-      LayerElement:  {
+)" + std::string(kOneMaterial) +
+                                                           R"(      LayerElement:  {
         Type: "LayerElementUV"
         TypedIndex: 0
       }

@@ -44,12 +44,12 @@ TestRig make(const Strand& strand) {
   return rig;
 }
 
-/// Of a strand under a head that rests, from the ends of its bones.
+/// The energy of a strand under a head that rests, from the ends of its bones.
 class Energy {
  public:
   explicit Energy(const TestRig& rig) : opened_(rig.contents()), rig_(rig_of(opened_.asset())), model_(rig_.bones) {}
 
-  /// Of weight and bending alone.
+  /// What weight and bending alone have.
   [[nodiscard]] double potential(std::span<const Vec3> ends) const { return of(ends, ends, 1); }
 
   /// With that of the motion, halfway between two times dt seconds apart: right to the second order of dt.
@@ -202,7 +202,8 @@ TEST(PassiveEnergy, HeldInAnyAttitudeHairHangsStill) {
     TestRig rig = make({bones, 20, 200, 0.45, 1});
     for (DynamicsRecord& bone : rig.dynamics) bone.friction = 2.2f;
     rig.add_sphere({0, 0, 0}, 0.1f);
-    for (const Vec3 down : {Vec3{0, -1, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0, -1}, {0.6f, 0.8f, 0}, {0, 0.8f, 0.6f}}) {
+    for (const Vec3 down :
+         {Vec3{0, -1, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0, -1}, {0.6f, 0.8f, 0}, {0, 0.8f, 0.6f}}) {
       for (const float rate : {30.0f, 60.0f, 120.0f}) {
         EXPECT_LT(rattle(rig, down, 1 / rate), 0.1)
             << bones << " bones, " << down.x << ' ' << down.y << ' ' << down.z << " is down, " << rate << " a second";

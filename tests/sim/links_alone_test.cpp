@@ -242,7 +242,7 @@ float child_beside_its_rest(ChainModel model, double fps) {
                             ends[0].z + 0.1f * (along.z - from.z)});
 }
 
-/// Of order one in time, as contacts (MODEL.md, "Links").
+/// Links are of order one in time (MODEL.md, "Links").
 TEST(LinksAlone, HoldABoneSoStillThatItsChildRests) {
   EXPECT_LT(child_beside_its_rest(ChainModel::kCascade, 60), 1e-3f);
   EXPECT_LT(child_beside_its_rest(ChainModel::kCascade, 240), 2.5e-4f);

@@ -1,5 +1,7 @@
 #include "base/files.h"
 
+#include "base/text.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,7 +9,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
@@ -169,8 +170,7 @@ tl::expected<void, ToolError> check_outputs(std::span<const NamedOutput> outputs
 
 tl::expected<std::string, ToolError> choose_suffix(const fs::path& output,
                                                    std::initializer_list<std::string_view> allowed) {
-  std::string suffix = output.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  const std::string suffix = lower_case(output.extension().string());
   if (std::find(allowed.begin(), allowed.end(), suffix) != allowed.end()) return suffix;
   return file_failure(ToolError::Kind::kUsage, output, "the suffix must be {}", fmt::join(allowed, " or "));
 }

@@ -30,8 +30,12 @@ Eigen::Quaternion<Scalar> turn(const Eigen::Vector3<Scalar>& from, const Eigen::
 
 }  // namespace
 
-Eigen::Quaternionf turn_between(const Eigen::Vector3f& from, const Eigen::Vector3f& to) { return turn<float>(from, to); }
-Eigen::Quaterniond turn_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) { return turn<double>(from, to); }
+Eigen::Quaternionf turn_between(const Eigen::Vector3f& from, const Eigen::Vector3f& to) {
+  return turn<float>(from, to);
+}
+Eigen::Quaterniond turn_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  return turn<double>(from, to);
+}
 
 double samples_around(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c, double spacing) {
   const Eigen::Vector3f size = a.cwiseMax(b).cwiseMax(c) - a.cwiseMin(b).cwiseMin(c);
@@ -39,7 +43,8 @@ double samples_around(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const 
   return std::max({n.x() * n.y(), n.y() * n.z(), n.z() * n.x()});
 }
 
-double samples_around(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> indices, double spacing) {
+double samples_around(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> indices,
+                      double spacing) {
   double sum = 0;
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
     sum += samples_around(positions[indices[i]], positions[indices[i + 1]], positions[indices[i + 2]], spacing);
@@ -55,6 +60,15 @@ Eigen::Vector2d spread_in_square(std::size_t n) {
 Eigen::Vector2d spread_in_triangle(std::size_t n) {
   const Eigen::Vector2d point = spread_in_square(n);
   return point.sum() > 1 ? Eigen::Vector2d(1 - point.x(), 1 - point.y()) : point;
+}
+
+bool overlap_on_each_axis(const Eigen::AlignedBox3f& a, const Eigen::AlignedBox3f& b, float least_share, float slack) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const float common = std::min(a.max()[axis], b.max()[axis]) - std::max(a.min()[axis], b.min()[axis]) + slack;
+    const float both = std::max(a.max()[axis], b.max()[axis]) - std::min(a.min()[axis], b.min()[axis]) + slack;
+    if (!(common >= least_share * both)) return false;
+  }
+  return true;
 }
 
 Eigen::Matrix3d rotation_part(const Eigen::Affine3d& transform) { return transform.rotation(); }

@@ -54,6 +54,10 @@ inline constexpr double kDegree = std::numbers::pi / 180;  ///< In radians.
 /// The same in a triangle: the weights of its second and third corner, the first one's is what is left of one.
 [[nodiscard]] Eigen::Vector2d spread_in_triangle(std::size_t n);
 
+/// Whether along each axis what two boxes have in common is at least that share of what both take up, each of them thicker by `slack`.
+[[nodiscard]] bool overlap_on_each_axis(const Eigen::AlignedBox3f& a, const Eigen::AlignedBox3f& b, float least_share,
+                                        float slack = 0);
+
 /// The rotation nearest to a transform's linear part, without scale and shear.
 [[nodiscard]] Eigen::Matrix3d rotation_part(const Eigen::Affine3d& transform);
 

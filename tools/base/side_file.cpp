@@ -1,5 +1,7 @@
 #include "base/side_file.h"
 
+#include "base/text.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -20,7 +22,7 @@ bool is_there(const fs::path& path) {
   return fs::exists(fs::symlink_status(path, error));
 }
 
-/// Of several the first by name: the order of a directory differs between machines.
+/// The first by name of several: the order of a directory differs between machines.
 std::optional<fs::path> entry_of_either_case(const fs::path& folder, const std::string& name) {
   std::optional<fs::path> found;
   std::error_code error;
@@ -58,11 +60,6 @@ bool is_of_the_folder(std::string_view slashes) {
 
 }  // namespace
 
-std::string lower_case(std::string text) {
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-  return text;
-}
-
 std::string with_slashes(std::string path) {
   std::ranges::replace(path, '\\', '/');
   return path;
@@ -81,6 +78,10 @@ SideFile find_side_file(const fs::path& folder, const std::string& written) {
   const bool is_own = is_name(name) && name != "." && name != ".." && name != slashes;
   if (auto found = is_own ? follow(folder, name) : std::nullopt) return {*found, true};
   return {as_written};
+}
+
+std::string shown_from(const fs::path& folder, const fs::path& path) {
+  return printable_text(path.lexically_proximate(folder).generic_string(), 100);
 }
 
 }  // namespace coif

@@ -7,13 +7,15 @@
 
 namespace coif {
 
+/// A name that another is taken for, both as messages show them.
+struct Respelled {
+  std::string written, found;
+};
+
 struct SideFile {
   std::filesystem::path path;
   bool is_respelled = false;  ///< There is none of the name as it is written; this one is meant.
 };
-
-/// ASCII letters only; other bytes stay.
-[[nodiscard]] std::string lower_case(std::string text);
 
 /// Backslashes become slashes.
 [[nodiscard]] std::string with_slashes(std::string path);
@@ -25,5 +27,8 @@ struct SideFile {
 /// case; else by its last name in that folder, which a path of another machine ends with. As written where there is none of these. What
 /// it names may lie anywhere, and be no regular file: lies_in() tells.
 [[nodiscard]] SideFile find_side_file(const std::filesystem::path& folder, const std::string& written);
+
+/// As a message names a file that something in `folder` names.
+[[nodiscard]] std::string shown_from(const std::filesystem::path& folder, const std::filesystem::path& path);
 
 }  // namespace coif

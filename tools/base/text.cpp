@@ -74,6 +74,11 @@ std::string printable_text(std::string_view text, std::size_t max_bytes) {
   return out;
 }
 
+std::string lower_case(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+  return text;
+}
+
 std::string ascii_shape(std::string_view text) {
   std::string out;
   while (!text.empty()) {

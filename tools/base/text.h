@@ -26,6 +26,9 @@ namespace coif {
 /// Text that may be of an old program: bytes that are no UTF-8 are taken for Latin-1; where it is UTF-8 it stays.
 [[nodiscard]] std::string utf8_of(std::string_view text);
 
+/// ASCII letters only; other bytes stay.
+[[nodiscard]] std::string lower_case(std::string text);
+
 /// The text where only ASCII can be drawn: other bytes and control characters become '?'.
 [[nodiscard]] std::string printable_ascii(std::string text);
 

@@ -2,7 +2,6 @@
 
 #include "base/encodings.h"
 #include "base/files.h"
-#include "base/side_file.h"
 #include "base/text.h"
 #include "gltf/document.h"
 
@@ -65,9 +64,9 @@ Bytes read_data_uri(const std::string& text, std::size_t wanted) {
 }
 
 /// Some writers do not encode names: "50%20.bin" may be one.
-SideFile side_file_of(const std::string& uri, const fs::path& folder) {
+SideFile side_file_of(const std::string& uri, const fs::path& name, const fs::path& folder) {
   std::error_code error;
-  SideFile decoded = find_side_file(folder, decoded_uri(uri));
+  SideFile decoded = find_side_file(folder, name);
   const bool is_plain = !fs::exists(decoded.path, error) && fs::is_regular_file(folder / uri, error);
   return is_plain ? SideFile{folder / uri} : decoded;
 }
@@ -93,7 +92,7 @@ Bytes GltfBuffers::read_side_file(const std::string& uri, std::size_t wanted) {
                        uri.find("://") == std::string::npos;
   if (!is_path) return fault("in '{}', which is not in this file's folder; put it there or export as .glb", shown);
   std::error_code code;
-  const SideFile found = side_file_of(uri, path_.parent_path());
+  const SideFile found = side_file_of(uri, name, path_.parent_path());
   const fs::path& path = found.path;
   const auto status = fs::status(path, code);
   const bool is_inside =
@@ -106,8 +105,7 @@ Bytes GltfBuffers::read_side_file(const std::string& uri, std::size_t wanted) {
         shown);
   }
   side_files_.insert(path.string());
-  if (found.is_respelled)
-    respelled_.push_back({shown, printable_text(path.lexically_proximate(path_.parent_path()).generic_string(), 100)});
+  if (found.is_respelled) respelled_.push_back({shown, shown_from(path_.parent_path(), path)});
   if (!fs::exists(status))
     return fault("in '{}', and there is no such file; put it beside this one or export as .glb", shown);
   std::ifstream file(path, std::ios::binary);

@@ -4,6 +4,7 @@
 // Source: Khronos, "glTF 2.0 Specification", chapters 3.6 and 4.4; "EXT_meshopt_compression".
 
 #include "base/json.h"
+#include "base/side_file.h"
 
 #include <tl/expected.hpp>
 
@@ -46,10 +47,7 @@ class GltfBuffers {
   /// Paths of the files beside the document that were looked for, whether they are there or not.
   [[nodiscard]] const std::set<std::string>& side_files() const { return side_files_; }
 
-  /// Names that are not as the document has them.
-  struct Respelled {
-    std::string written, found;  ///< For messages.
-  };
+  /// Files that lie there under other names than the document has.
   [[nodiscard]] std::span<const Respelled> respelled() const { return respelled_; }
 
  private:

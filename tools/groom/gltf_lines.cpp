@@ -122,8 +122,7 @@ tl::expected<Groom, std::string> read_gltf_lines(const std::filesystem::path& pa
   GltfBuffers buffers(path, *document, roots);
   if (std::string fault = LineScene(*document, buffers, groom).read(); !fault.empty())
     return tl::unexpected(std::move(fault));
-  for (const GltfBuffers::Respelled& name : buffers.respelled())
-    warn_of_respelled(name.written, name.found, groom.warnings);
+  warn_of_respelled(buffers.respelled(), groom.warnings);
   return groom;
 }
 

@@ -2,7 +2,6 @@
 
 #include "base/files.h"
 #include "base/text.h"
-#include "import/obj_libraries.h"
 
 #include <assimp/MemoryIOWrapper.h>
 
@@ -16,8 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kObjByteOrderMark = "\xEF\xBB\xBF";
-
 /// A stream of a copy of the bytes.
 Assimp::IOStream* stream_of(std::string_view bytes) {
   auto* const copy = new std::uint8_t[std::max<std::size_t>(bytes.size(), 1)];
@@ -26,13 +23,9 @@ Assimp::IOStream* stream_of(std::string_view bytes) {
 }
 
 bool begins_with_mark(const fs::path& path) {
-  std::string begin(kObjByteOrderMark.size(), '\0');
+  std::string begin(kByteOrderMark.size(), '\0');
   std::ifstream(path, std::ios::binary).read(begin.data(), std::streamsize(begin.size()));
-  return begin == kObjByteOrderMark;
-}
-
-std::string name_beside(const fs::path& path, const fs::path& model) {
-  return printable_text(path.lexically_proximate(model.parent_path()).generic_string(), 100);
+  return begin == kByteOrderMark;
 }
 
 }  // namespace
@@ -68,8 +61,7 @@ Assimp::IOStream* AskedFiles::open_plainly(const std::string& name, const char* 
   if (!is_allowed(name)) return nullptr;
   if (!is_obj_ || !begins_with_mark(name)) return DefaultIOSystem::Open(name.c_str(), mode);
   const std::vector<char> bytes = bytes_of(name);
-  return stream_of(
-      std::string_view(bytes.data(), bytes.size()).substr(std::min(kObjByteOrderMark.size(), bytes.size())));
+  return stream_of(std::string_view(bytes.data(), bytes.size()).substr(std::min(kByteOrderMark.size(), bytes.size())));
 }
 
 /// `name`: what the statement says behind the model's folder.
@@ -88,7 +80,7 @@ Assimp::IOStream* AskedFiles::open_library(const std::string& name) {
     asked_.names.insert(path.string());
     const std::vector<char> bytes = bytes_of(path);
     text += plain_library_text({bytes.data(), bytes.size()});
-    names += (names.empty() ? "" : " ") + name_beside(path, model_);
+    names += (names.empty() ? "" : " ") + shown_from(folder, path);
   }
   if (found.is_respelled) asked_.respelled.push_back({printable_text(written, 100), names});
   asked_.libraries.push_back(text);

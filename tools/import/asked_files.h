@@ -2,11 +2,14 @@
 
 // What assimp gets to see of the files beside a model.
 
+#include "base/side_file.h"
+
 #include <assimp/DefaultIOSystem.h>
 
 #include <filesystem>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace coif {
@@ -16,15 +19,12 @@ struct Asked {
   std::set<std::string>
       names;  ///< Looked for or opened, whether there was such a file or not: a model changes with each.
   std::vector<std::string> not_opened;  ///< In their order.
-  std::vector<std::string> libraries;   ///< Of an OBJ: plain_library_text() of each that was opened, in their order.
-  struct Respelled {
-    std::string written, found;
-  };
-  std::vector<Respelled> respelled;  ///< Libraries with another name than is written, for messages.
+  std::vector<std::string> libraries;   ///< plain_library_text() of each that an OBJ opened, in their order.
+  std::vector<Respelled> respelled;     ///< Libraries with another name than is written.
 };
 
 /// Files as assimp sees them, with a record: the model, and what really lies in its folders. Nothing else is there for it. Of an OBJ the
-/// model is without a byte order mark, and a library is found and read as obj_libraries.h says.
+/// model is without a byte order mark, and a library is what find_libraries() and plain_library_text() make of it.
 class AskedFiles : public Assimp::DefaultIOSystem {
  public:
   /// `asked` outlives this object.
@@ -44,6 +44,24 @@ class AskedFiles : public Assimp::DefaultIOSystem {
   bool is_obj_;
   Asked& asked_;
 };
+
+// The material libraries of an OBJ, as programs of every system write their names and their text: obj_libraries.cpp.
+
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// Lines as the format means them: without a byte order mark, ended by \n, continued ones in one, without blanks at their ends. What
+/// assimp 5.2 does not know is taken away: quotes around the names of images, capital letters of keywords, "-halo", and statements
+/// without a number where it wants one, for which it would refuse the whole model.
+[[nodiscard]] std::string plain_library_text(std::string_view bytes);
+
+/// Files that one mtllib statement names.
+struct ObjLibraries {
+  std::vector<std::filesystem::path> paths;  ///< Which are there; empty: none.
+  bool is_respelled = false;                 ///< find_side_file().
+};
+
+/// `written`: the rest of the statement's line: a name with blanks in it or behind it, within quotes, or several names.
+[[nodiscard]] ObjLibraries find_libraries(const std::filesystem::path& folder, std::string_view written);
 
 /// The file's bytes; none where it cannot be read.
 [[nodiscard]] std::vector<char> bytes_of(const std::filesystem::path& path);

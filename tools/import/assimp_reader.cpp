@@ -161,7 +161,7 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
   if (model) model->side_files.assign(asked.names.begin(), asked.names.end());
   if (model && suffix.format == SourceFormat::kObj) {
     apply_obj_options(asked.libraries, *model);
-    for (const Asked::Respelled& name : asked.respelled) warn_of_respelled(name.written, name.found, model->warnings);
+    warn_of_respelled(asked.respelled, model->warnings);
     for (const std::string& library : lost_libraries(asked, model->path)) {
       warn_of_lost_library(library, !lies_in(library, folders), *scene, *model);
     }

@@ -43,7 +43,7 @@ struct FbxObject {
   double percent = 0;                   ///< Of a channel: DeformPercent, 100 where the key is fully on.
   std::string_view file;                ///< Of a texture: RelativeFilename, or FileName where that is empty.
   bool is_clamped[2] = {false, false};  ///< Of a texture: along U and V.
-  FbxTexturePlace place;                ///< Of a texture.
+  FbxTexturePlace place;                ///< How a texture lies on the surface.
   std::uint32_t begin = 0;              ///< Of a mesh, into shapes(); of a channel, into the file's FullWeights.
   std::uint32_t end = 0;
 };

@@ -72,8 +72,7 @@ tl::expected<SourceModel, ToolError> read_gltf_model(const std::filesystem::path
   const auto uvs = read_gltf_materials(*document, buffers, model);
   std::string bad = uvs ? read_gltf_meshes(*document, buffers, nodes, *uvs, settings.variant, model) : uvs.error();
   if (!bad.empty()) return unreadable(path, fmt::format("{}; {}", bad, kReexport));
-  for (const GltfBuffers::Respelled& name : buffers.respelled())
-    warn_of_respelled(name.written, name.found, model.warnings);
+  warn_of_respelled(buffers.respelled(), model.warnings);
   std::vector<Warning> faults = check_gltf(path, *document, buffers);
   model.named_images = names_of_images(*document);
   model.side_files.assign(buffers.side_files().begin(), buffers.side_files().end());

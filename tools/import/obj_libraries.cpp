@@ -1,7 +1,5 @@
-#include "import/obj_libraries.h"
-
-#include "base/side_file.h"
 #include "base/text.h"
+#include "import/asked_files.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -14,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kBlanks = " \t\r", kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::string_view kBlanks = " \t\r";
 // As assimp knows them.
 constexpr std::string_view kKeywords[] = {"newmtl", "map_Kd", "map_Ka",   "map_Ks", "map_Ke",
                                           "map_Ns", "map_d",  "map_bump", "map_Tr"};

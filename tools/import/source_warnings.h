@@ -2,11 +2,13 @@
 
 // What readers of models and strands warn of, and how they say it.
 
+#include "base/side_file.h"
 #include "base/warning.h"
 
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,10 +43,12 @@ void warn(std::vector<Warning>& warnings, const char* code, fmt::format_string<A
   warnings.emplace_back(code, fmt::format(text, std::forward<Args>(args)...));
 }
 
-/// A file that is named one way and lies there under another.
-inline void warn_of_respelled(const std::string& written, const std::string& found, std::vector<Warning>& warnings) {
-  warn(warnings, source_code::kFileNames, "'{}' is named, and there is no such file; '{}' is taken for it", written,
-       found);
+/// A warning for each file that is named one way and lies there under another.
+inline void warn_of_respelled(std::span<const Respelled> names, std::vector<Warning>& warnings) {
+  for (const Respelled& name : names) {
+    warn(warnings, source_code::kFileNames, "'{}' is named, and there is no such file; '{}' is taken for it",
+         name.written, name.found);
+  }
 }
 
 /// "LABEL: 3 points or lines dropped", where there are any.

@@ -201,18 +201,18 @@ class PassiveChain {
   PassiveNumbers<D> method_;
   const M3<D> turn_;  ///< World from head space, at the end of the step.
   V<D> motion_, fastest2_;
-  V<D> most_twisting_;                      ///< Of what the bones are held by.
-  M3<D> carried_;                           ///< What the head's turn does to directions, world axes.
-  V3<D> speeding_up_, spinning_up_;         ///< The head's accelerations, m/s^2 and 1/s^2,
-  V3<D> steadily_, turning_;                ///< and mean velocities.
-  hn::Mask<D> is_still_;                    ///< The head's.
-  bool keeps_book_;                         ///< Some lane is watched.
-  hn::Mask<D> was_watched_;                 ///< Where the energy is booked,
-  hn::Mask<D> watched_;                     ///< and nothing adds to it that the book does not know.
-  V<D> had_, has_;        ///< Twice the energy of the motion against the head, joules: before the step, and after.
-  V<D> gained_, unsure_;  ///< What bending and all other forces gave in between, and how much of that is unsure.
-  V<D> farthest2_;                          ///< Square of the last round's largest turn.
-  bool is_moved_ = false;                   ///< Bones may be elsewhere than their free motion led.
+  V<D> most_twisting_;               ///< Of what the bones are held by.
+  M3<D> carried_;                    ///< What the head's turn does to directions, world axes.
+  V3<D> speeding_up_, spinning_up_;  ///< The head's accelerations, m/s^2 and 1/s^2,
+  V3<D> steadily_, turning_;         ///< and mean velocities.
+  hn::Mask<D> is_still_;             ///< The head's.
+  bool keeps_book_;                  ///< Some lane is watched.
+  hn::Mask<D> was_watched_;          ///< Where the energy is booked,
+  hn::Mask<D> watched_;              ///< and nothing adds to it that the book does not know.
+  V<D> had_, has_;         ///< Twice the energy of the motion against the head, joules: before the step, and after.
+  V<D> gained_, unsure_;   ///< What bending and all other forces gave in between, and how much of that is unsure.
+  V<D> farthest2_;         ///< Square of the last round's largest turn.
+  bool is_moved_ = false;  ///< Bones may be elsewhere than their free motion led.
   bool collides_ = false, touches_ = false, holds_contacts_ = false, hits_ = false, has_own_numbers_ = false;
   /// If goes_on_: where a part of the step began with a blow; the next step begins so, too.
   hn::Mask<D> after_blow_;

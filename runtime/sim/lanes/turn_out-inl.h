@@ -207,7 +207,7 @@ HWY_INLINE hn::Mask<D> clear_of_plane(D d, hn::Mask<D> takes_part, const PlacedC
 /// Keeps the ends in a sphere, or in the ball of a capsule that is nearest to them.
 template <class D>
 COIF_RARE hn::Mask<D> keep_inside(D d, hn::Mask<D> takes_part, const PlacedCollider& collider, TouchingBone<D>& bone,
-                                     Contact<D>& contact) {
+                                  Contact<D>& contact) {
   const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
   const V3<D> start = sub(d, bone.start, same(d, collider.center));
   auto touches = hn::AndNot(takes_part, takes_part);

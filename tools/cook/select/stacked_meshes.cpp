@@ -1,5 +1,6 @@
 #include "cook/select/stacked_meshes.h"
 
+#include "base/geometry.h"
 #include "cook/select/triangle_distance.h"
 
 #include <fmt/format.h>
@@ -12,10 +13,10 @@
 namespace coif {
 namespace {
 
-constexpr float kLeastOverlap = 0.85f;      ///< Of the extents of both, along each axis.
+constexpr float kLeastOverlap = 0.85f;      ///< Along each axis, share of what both take up.
 constexpr double kMostOfFinerMesh = 0.8;    ///< Triangles; two layers of locks have about as many.
 constexpr double kLeastOfFinerMesh = 0.02;  ///< Below that it is a ribbon, or a plane that was forgotten.
-constexpr double kOnSurface = 0.01;         ///< Of the size: how far a simplified surface moves.
+constexpr double kOnSurface = 0.01;         ///< Share of the size: how far a simplified surface moves.
 constexpr double kLeastOnSurface = 0.95;    ///< Share of the corners that were looked at.
 constexpr std::size_t kMostPieces = 64;     ///< Hair of more nodes than that is made of locks.
 constexpr std::size_t kMostLookedAt = 500;
@@ -46,16 +47,6 @@ std::vector<Piece> pieces_of(const SourceModel& source, std::span<const std::uin
   return pieces;
 }
 
-bool have_one_box(const Piece& a, const Piece& b) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const float common =
-        std::min(a.box.max()[axis], b.box.max()[axis]) - std::max(a.box.min()[axis], b.box.min()[axis]);
-    const float both = std::max(a.box.max()[axis], b.box.max()[axis]) - std::min(a.box.min()[axis], b.box.min()[axis]);
-    if (!(common >= kLeastOverlap * both)) return false;
-  }
-  return true;
-}
-
 /// Whether nearly all corners of `a` lie on the surface of `b`.
 bool lies_on(const Piece& a, const Piece& b) {
   const double reach = kOnSurface * double(b.box.diagonal().norm());
@@ -72,7 +63,8 @@ bool lies_on(const Piece& a, const Piece& b) {
 
 bool is_coarser_copy(const Piece& coarse, const Piece& fine) {
   const double share = double(coarse.count()) / double(fine.count());
-  return share <= kMostOfFinerMesh && share >= kLeastOfFinerMesh && have_one_box(coarse, fine) && lies_on(coarse, fine);
+  return share <= kMostOfFinerMesh && share >= kLeastOfFinerMesh &&
+         overlap_on_each_axis(coarse.box, fine.box, kLeastOverlap) && lies_on(coarse, fine);
 }
 
 }  // namespace

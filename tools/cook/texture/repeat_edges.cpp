@@ -56,7 +56,7 @@ class BorderTexels {
   }
 
  private:
-  static constexpr double kBreak = 24;  ///< Of 4 * 255, in the mean.
+  static constexpr double kBreak = 24;  ///< In the mean; four channels differ by 4 * 255 at most.
   static constexpr double kTimesSmoother = 2;
 
   [[nodiscard]] double difference(std::size_t a, std::size_t b) const {

@@ -1,6 +1,7 @@
 #include "cook/texture/source_images.h"
 
 #include "base/encodings.h"
+#include "base/text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

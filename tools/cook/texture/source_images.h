@@ -2,7 +2,6 @@
 
 // What the names of image files say, and how paths are spelt in models.
 
-#include "base/side_file.h"
 #include "cook/recipe/findings.h"
 #include "cook/texture/image.h"
 #include "import/source_model.h"

@@ -55,7 +55,7 @@ struct TexelBorder {
   double high = 0;
 };
 
-/// Of an RGBA image, those borders along edges of the hair's triangles at which the picture breaks off: cards that fill a part of an
+/// Those borders along edges of the hair's triangles at which the picture of an RGBA image breaks off: cards that fill a part of an
 /// artist's atlas exactly end there, and beyond it lies another part. Those across U first.
 [[nodiscard]] std::vector<TexelBorder> borders_where_pictures_end(const HairMesh& hair, const Image& painted);
 

@@ -1,5 +1,6 @@
 #include "base/encodings.h"
 #include "base/files.h"
+#include "base/side_file.h"
 #include "base/text.h"
 #include "cook/texture/source_images.h"
 

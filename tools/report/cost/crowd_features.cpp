@@ -1,3 +1,4 @@
+#include "base/text.h"
 #include "motion/head_path.h"
 #include "report/cost/measure_cost.h"
 
@@ -6,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -89,9 +89,7 @@ void add_instruction_sets(const CrowdSettings& usual, std::vector<CrowdFeature>&
     if (!can_run(set) || set == best_instruction_set()) continue;
     CrowdSettings settings = usual;
     settings.instruction_set = set;
-    std::string name;
-    std::ranges::transform(std::string_view(coif::name_of(set)), std::back_inserter(name),
-                           [](unsigned char letter) { return char(std::tolower(letter)); });
+    const std::string name = lower_case(coif::name_of(set));
     features.push_back(
         {name, fmt::format("run with {} instead of {}", coif::name_of(set), coif::name_of(best_instruction_set())),
          settings});
