@@ -50,6 +50,16 @@ inline constexpr bool kOnCharacter = false;
 template <class D>
 inline constexpr bool kOnCharacter<OnCharacter<D>> = true;
 
+/// The same for code that has nothing to do with characters, so that it is there once.
+template <class D>
+HWY_INLINE D plain(D d) {
+  return d;
+}
+template <class D>
+HWY_INLINE D plain(OnCharacter<D> d) {
+  return d;
+}
+
 template <class D>
 using V = hn::Vec<D>;
 

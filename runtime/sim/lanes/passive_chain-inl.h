@@ -25,8 +25,8 @@ template <class D>
 class PassiveChain {
  public:
   /// `part`: of a step that is split, or null.
-  PassiveChain(D d, const PassiveNumbers<D>& method, const RowStep& row, std::size_t lane, PassiveBone<D>* bones,
-               const PassivePart<D>* part = nullptr)
+  HWY_NOINLINE PassiveChain(D d, const PassiveNumbers<D>& method, const RowStep& row, std::size_t lane,
+                            PassiveBone<D>* bones, const PassivePart<D>* part = nullptr)
       : d_(d),
         row_(row),
         part_(part),
@@ -76,13 +76,18 @@ class PassiveChain {
  private:
   /// Into the state of the lanes that the step is about.
   HWY_INLINE void keep(V<D> value, Lanes& to) const {
-    if (HWY_UNLIKELY(part_ != nullptr)) value = hn::IfThenElse(part_->acts, value, load(d_, to, lane_));
+    if (HWY_UNLIKELY(part_ != nullptr)) return keep_where(part_->acts, value, to);
     store(d_, value, to, lane_);
   }
   HWY_INLINE void keep(const V3<D>& value, Lanes3& to) const {
-    keep(value.x, to.x);
-    keep(value.y, to.y);
-    keep(value.z, to.z);
+    if (HWY_UNLIKELY(part_ != nullptr)) return keep_where(part_->acts, value, to);
+    store(d_, value, to, lane_);
+  }
+  COIF_RARE void keep_where(hn::Mask<D> where, V<D> value, Lanes& to) const {
+    store(d_, hn::IfThenElse(where, value, load(d_, to, lane_)), to, lane_);
+  }
+  COIF_RARE void keep_where(hn::Mask<D> where, const V3<D>& value, Lanes3& to) const {
+    store(d_, choose<D>(where, value, load(d_, to, lane_)), to, lane_);
   }
   [[nodiscard]] HWY_INLINE bool is_first(std::size_t i) const { return row_.bones[i].parent < 0; }
   [[nodiscard]] HWY_INLINE PassiveBone<D>& parent_of(std::size_t i) const { return bones_[row_.bones[i].parent]; }
@@ -162,7 +167,7 @@ class PassiveChain {
   HWY_INLINE PassivePace<D> pace_of(std::size_t i, V<D> length);
   HWY_INLINE void settle(std::size_t i);
   HWY_INLINE V<D> contact_of(std::size_t i) const;
-  HWY_INLINE void fit_velocities();
+  HWY_NOINLINE void fit_velocities();
   void let_go_after_blow();
   bool finds_pulling();
   void undo_links();

@@ -32,7 +32,7 @@ struct PassiveWay {
     PassiveNumbers<D> numbers = method;
     numbers.shorten(d, part.is_shorter, hn::Sub(to, from));
     MoveLanes move = *row.move;
-    cut_move(d, from, to, hn::Set(d, row.dt), lane, move);
+    cut_move(plain(d), from, to, hn::Set(d, row.dt), lane, move);
     RowStep step = row;
     step.move = &move;
     PassiveChain<D> chain(d, numbers, step, lane, bones, &part);

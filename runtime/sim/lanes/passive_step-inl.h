@@ -207,7 +207,7 @@ HWY_INLINE void PassiveChain<D>::keep_links(std::size_t i) {
 
 /// Velocities that stretch nothing and lead into no collider, from those found.
 template <class D>
-HWY_INLINE void PassiveChain<D>::fit_velocities() {
+HWY_NOINLINE void PassiveChain<D>::fit_velocities() {
   for (std::size_t i = count_; i-- > 0;) gather_momentum(i);
   for (std::size_t i = 0; i < count_; ++i) keep_links(i);
 }
