@@ -2,6 +2,7 @@
 
 #include "cards/hair_source.h"
 #include "cards/made_up_groom.h"
+#include "cook/recipe/recipe.h"
 #include "grow/round_bodies.h"
 #include "import/model_files.h"
 

@@ -1,6 +1,7 @@
 #include "cook/dynamics/bake_dynamics.h"
 #include "cook/built_models.h"
 #include "cook/recipe/hair_preset.h"
+#include "cook/recipe/recipe.h"
 #include "cook/rig/skeleton.h"
 #include "cook/select/select_hair.h"
 #include "write/pose_oscillator.h"
@@ -120,7 +121,7 @@ TEST(BuildSkeleton, AFirstBoneThatASpringTurnsIsNoScalp) {
   SourceModel model = sprung_wig();
   const Recipe by_springs = default_recipe();
   Recipe by_curves = default_recipe();
-  by_curves.dynamics_source = "curves";
+  by_curves.dynamics_source = DynamicsSource::kCurves;
   const auto simulated = [&](const Recipe& recipe) {
     const auto hair = select_hair(model, recipe, unheard());
     const auto head = find_head_bone(model, *hair, "");
@@ -146,7 +147,7 @@ TEST(MotionSource, IsTheFilesSpringElseTheCurveElseThePreset) {
   std::vector<PatchOverride> of_chain;
   const auto of = [&] { return bake_dynamics(model, skeleton, recipe, of_chain, unheard()).sources; };
   EXPECT_EQ(std::ranges::count(of(), MotionSource::kSpring), std::ptrdiff_t(skeleton.simulated_count()));
-  recipe.dynamics_source = "curves";
+  recipe.dynamics_source = DynamicsSource::kCurves;
   EXPECT_EQ(std::ranges::count(of(), MotionSource::kPreset), std::ptrdiff_t(skeleton.simulated_count()));
   recipe.resistance = {{0, 0.3}};
   EXPECT_EQ(std::ranges::count(of(), MotionSource::kCurve), std::ptrdiff_t(skeleton.simulated_count()));
@@ -215,12 +216,12 @@ TEST(BakeDynamics, TakesSpringsWhereThereAreSomeUnlessTheRecipeSaysCurves) {
   EXPECT_NE(mixed.notes[0].find("1 of 2"), std::string::npos);
   EXPECT_TRUE(mixed.warnings.empty());
 
-  recipe.dynamics_source = "springs";
+  recipe.dynamics_source = DynamicsSource::kSprings;
   const auto wanted = baked(model, recipe);
   ASSERT_EQ(wanted.warnings.size(), 1u);
   EXPECT_NE(wanted.warnings[0].find("1 of 2 simulated bones have no spring"), std::string::npos);
 
-  recipe.dynamics_source = "curves";
+  recipe.dynamics_source = DynamicsSource::kCurves;
   const auto curves = baked(model, recipe);
   EXPECT_FLOAT_EQ(curves.made[2].friction, float(preset_of(recipe).friction));
   EXPECT_TRUE(curves.notes.empty());

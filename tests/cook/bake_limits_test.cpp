@@ -3,6 +3,7 @@
 #include "cook/dynamics/bake_limits.h"
 
 #include "cook/built_models.h"
+#include "cook/recipe/recipe.h"
 
 #include <gtest/gtest.h>
 
@@ -89,7 +90,7 @@ TEST_F(BakeLimits, ASpringsLimitIsTheBones) {
   EXPECT_LE(limits[2].angles[0], kNoAngleLimit);
   EXPECT_LE(limits[2].angles[1], kMostYaw);
   expect_axes(limits[2], limit.rotation * Vector3d::UnitX(), limit.rotation * Vector3d::UnitY());
-  recipe_.dynamics_source = "curves";
+  recipe_.dynamics_source = DynamicsSource::kCurves;
   EXPECT_TRUE(run().value().empty());
 }
 

@@ -2,6 +2,7 @@
 #include "cook/built_models.h"
 #include "cook/image_files.h"
 #include "cook/pack/pack.h"
+#include "cook/recipe/recipe.h"
 #include "cook/texture/alpha.h"
 #include "cook/texture/transparency.h"
 
@@ -175,7 +176,7 @@ TEST(BakeTextures, ShiftAndMaskAreStoredAsTheRecipeSays) {
   Recipe recipe = default_recipe();
   const TextureRecord eac = record_of(baked(color, left_half(), recipe), TextureRole::kShiftMask);
   EXPECT_EQ(eac.format, TexelFormat::kRg11Eac);
-  recipe.shift_mask_format = "rg8";
+  recipe.shift_mask_format = ShiftMaskFormat::kRg8;
   const TextureRecord rg8 = record_of(baked(color, left_half(), recipe), TextureRole::kShiftMask);
   EXPECT_EQ(rg8.format, TexelFormat::kRg8);
   EXPECT_NEAR(double(eac.bytes), 0.5 * double(rg8.bytes), 0.01 * double(rg8.bytes));
@@ -189,7 +190,7 @@ TEST(BakeTextures, InAnAtlasShiftAndMaskFollowEachSurfacesOwnCoordinates) {
   const HairMesh before = whole_hair(model);
   HairMesh hair = before;
   Recipe recipe = default_recipe();
-  recipe.shift_mask_format = "rg8";
+  recipe.shift_mask_format = ShiftMaskFormat::kRg8;
   const auto color = find_base_color(model, hair, recipe, {}, unheard());
   ASSERT_TRUE(color && color->atlas);
   const Image stored = stored_mips(baked(*color, hair, recipe), TextureRole::kShiftMask, 2)[0];
@@ -276,7 +277,7 @@ TEST(BakeTextures, NumbersOfStrandsThatTheRecipeNamesShiftTheirHighlights) {
   HairMesh hair = whole_hair(model);
   Recipe recipe = default_recipe();
   recipe.strand_id_texture = {"packed.png", TextureChannel::kBlue, false};
-  recipe.shift_mask_format = "rg8";
+  recipe.shift_mask_format = ShiftMaskFormat::kRg8;
   const CookSettings settings{.recipe_directory = folder.path()};
   const auto color = find_base_color(model, hair, recipe, settings, unheard());
   ASSERT_TRUE(color);

@@ -1,6 +1,7 @@
 #include "cook/texture/base_color.h"
 #include "cook/built_models.h"
 #include "cook/image_files.h"
+#include "cook/recipe/recipe.h"
 
 #include <gtest/gtest.h>
 
@@ -254,7 +255,7 @@ TEST(BaseColor, ARecipesNormalMapTakesTheSourcesPlace) {
   recipe.normal_texture = "own_n.png";
   EXPECT_EQ(lean(0), 0);
   EXPECT_LT(lean(1), -60) << "green leads up where nothing shows the contrary";
-  recipe.normal_green = "down";
+  recipe.normal_green = NormalGreen::kDown;
   EXPECT_GT(lean(1), 60);
   recipe.normal_strength = 0.5;
   EXPECT_LT(lean(1), 50);

@@ -140,7 +140,7 @@ TEST_F(BodyCollidersTest, TheRecipeMayDoWithoutTheFilesOwn) {
   ASSERT_EQ(found.left_out.size(), 1u);
   EXPECT_NE(found.left_out[0].why.find("body.from_file"), std::string::npos);
   recipe_ = default_recipe();
-  recipe_.dynamics_source = "curves";
+  recipe_.dynamics_source = DynamicsSource::kCurves;
   EXPECT_TRUE(run().shapes.empty()) << "then nothing of the file's springs counts";
 }
 

@@ -1,5 +1,6 @@
 #include "cook/built_models.h"
 
+#include "cook/recipe/recipe.h"
 #include "cook/select/select_hair.h"
 #include "cook/select/triangle_distance.h"
 

@@ -4,6 +4,7 @@
 
 #include "cook/dynamics/settle_model.h"
 #include "cook/recipe/hair_preset.h"
+#include "cook/recipe/recipe.h"
 #include "cook/told.h"
 #include "cook/vrm_chain.h"
 #include "lab/rig.h"
@@ -15,7 +16,7 @@
 
 namespace coif::choose_model_test {
 
-Recipe recipe_with(const char* model = "auto") {
+Recipe recipe_with(DynamicsModel model = DynamicsModel::kAuto) {
   Recipe recipe = default_recipe();
   recipe.dynamics_model = model;
   return recipe;
@@ -33,7 +34,7 @@ SaidMotion said_by(MotionSource source, const AssetContents& contents) {
 }
 
 Told<ModelChoice> chosen(const AssetContents& contents, MotionSource source = MotionSource::kCurve,
-                         const char* model = "auto", unsigned threads = 1) {
+                         DynamicsModel model = DynamicsModel::kAuto, unsigned threads = 1) {
   return told([&](Findings& findings) {
     return choose_models(recipe_with(model), said_by(source, contents), contents, threads, findings);
   });
@@ -67,7 +68,7 @@ TEST(ChooseModels, SoftHairThatACascadeWouldAmplifyIsPassive) {
   ASSERT_EQ(choice.notes.size(), 1u);
   EXPECT_NE(choice.notes[0].find("passive model"), std::string::npos) << choice.notes[0];
   EXPECT_NE(choice.notes[0].find("tumble"), std::string::npos) << "and says what went wrong: " << choice.notes[0];
-  EXPECT_EQ(chosen(soft(), MotionSource::kCurve, "auto", 3).notes, choice.notes);
+  EXPECT_EQ(chosen(soft(), MotionSource::kCurve, DynamicsModel::kAuto, 3).notes, choice.notes);
 }
 
 TEST(ChooseModels, HairWithOneMotionAsACascadeStaysOne) {
@@ -86,11 +87,11 @@ TEST(ChooseModels, WhatIsTooStiffToBeCheckedStaysACascadeAndIsToBeConditioned) {
 }
 
 TEST(ChooseModels, ARecipesWordStands) {
-  const auto cascade = chosen(soft(), MotionSource::kCurve, "cascade");
+  const auto cascade = chosen(soft(), MotionSource::kCurve, DynamicsModel::kCascade);
   EXPECT_EQ(cascade.made.models, std::vector{ChainModel::kCascade});
   EXPECT_EQ(cascade.made.ill_posed.size(), 1u) << "and is conditioned";
-  const auto passive =
-      chosen(rig_of_chain({.bones = 3, .length = 0.3f, .damping_ratio = 1}).contents(), MotionSource::kCurve, "passive");
+  const auto passive = chosen(rig_of_chain({.bones = 3, .length = 0.3f, .damping_ratio = 1}).contents(),
+                              MotionSource::kCurve, DynamicsModel::kPassive);
   EXPECT_EQ(passive.made.models, std::vector{ChainModel::kPassive});
 }
 
@@ -100,7 +101,8 @@ TEST(ChooseModels, OfAPresetLongHairIsPassiveAndABoneAloneNeedNotBe) {
   EXPECT_EQ(one.made.models, std::vector{ChainModel::kCascade}) << "there it moves alike";
   ASSERT_EQ(one.notes.size(), 1u);
   EXPECT_NE(one.notes[0].find("costs less"), std::string::npos) << one.notes[0];
-  EXPECT_EQ(chosen(strand(1, 0.05f), MotionSource::kPreset, "cascade").made.models, std::vector{ChainModel::kCascade});
+  EXPECT_EQ(chosen(strand(1, 0.05f), MotionSource::kPreset, DynamicsModel::kCascade).made.models,
+            std::vector{ChainModel::kCascade});
 }
 
 TEST(ChooseModels, EachChainGetsItsOwn) {
@@ -131,14 +133,14 @@ TEST(SettleModel, GivesEachChainItsOwnPreset) {
 
 TEST(ModelsByRule, AreAsTheRecipeSaysElsePassiveForPresets) {
   const AssetContents contents = strand(2, 0.2f);
-  const auto rule = [&](const char* model, MotionSource source) {
+  const auto rule = [&](DynamicsModel model, MotionSource source) {
     return models_by_rule(recipe_with(model), said_by(source, contents), contents)[0];
   };
-  EXPECT_EQ(rule("auto", MotionSource::kPreset), ChainModel::kPassive);
-  EXPECT_EQ(rule("auto", MotionSource::kCurve), ChainModel::kCascade);
-  EXPECT_EQ(rule("auto", MotionSource::kSpring), ChainModel::kCascade);
-  EXPECT_EQ(rule("passive", MotionSource::kSpring), ChainModel::kPassive);
-  EXPECT_EQ(rule("cascade", MotionSource::kPreset), ChainModel::kCascade);
+  EXPECT_EQ(rule(DynamicsModel::kAuto, MotionSource::kPreset), ChainModel::kPassive);
+  EXPECT_EQ(rule(DynamicsModel::kAuto, MotionSource::kCurve), ChainModel::kCascade);
+  EXPECT_EQ(rule(DynamicsModel::kAuto, MotionSource::kSpring), ChainModel::kCascade);
+  EXPECT_EQ(rule(DynamicsModel::kPassive, MotionSource::kSpring), ChainModel::kPassive);
+  EXPECT_EQ(rule(DynamicsModel::kCascade, MotionSource::kPreset), ChainModel::kCascade);
 }
 
 TEST(SettleModel, KeepsWhatIsSaidOfContacts) {

@@ -1,6 +1,7 @@
 // The pass that chooses draw orders, on packed cards whose right order is known.
 
 #include "cook/order/choose_order.h"
+#include "cook/recipe/recipe.h"
 #include "cook/told.h"
 #include "lab/rig.h"
 #include "models/card_asset.h"
@@ -40,7 +41,7 @@ AssetContents stack_of_two_levels() {
   return contents;
 }
 
-Recipe recipe_with(const std::string& method) {
+Recipe recipe_with(OrderMethod method) {
   Recipe recipe = default_recipe();
   recipe.order_method = method;
   return recipe;
@@ -58,7 +59,7 @@ std::vector<std::string> choose(const Recipe& recipe, AssetContents& contents, u
 
 TEST(ChooseOrder, StackOfCardsGetsOrdersByDirection) {
   AssetContents contents = stack();
-  const auto notes = choose(recipe_with("auto"), contents);
+  const auto notes = choose(recipe_with(OrderMethod::kAuto), contents);
   EXPECT_GE(contents.orders.size(), 2 * 8u);
   EXPECT_EQ(contents.order_views.size(), kViewCells);
   ASSERT_FALSE(notes.empty());
@@ -68,7 +69,7 @@ TEST(ChooseOrder, StackOfCardsGetsOrdersByDirection) {
 TEST(ChooseOrder, EveryTriangleKeepsItsCorners) {
   AssetContents contents = stack_of_two_levels();
   const AssetContents before = contents;
-  choose(recipe_with("auto"), contents);
+  choose(recipe_with(OrderMethod::kAuto), contents);
   const auto triangles_of = [](const AssetContents& c, const PatchRecord& patch) {
     const auto first = c.indices.begin() + patch.first_index;
     return std::vector<std::uint32_t>(first, first + patch.index_count);
@@ -87,7 +88,7 @@ TEST(ChooseOrder, EveryTriangleKeepsItsCorners) {
 
 TEST(ChooseOrder, CoarserLevelsFollowTheFinest) {
   AssetContents contents = stack_of_two_levels();
-  choose(recipe_with("auto"), contents);
+  choose(recipe_with(OrderMethod::kAuto), contents);
   const std::size_t all = contents.indices.size() / 3;
   ASSERT_FALSE(contents.orders.empty());
   for (std::size_t start = 0; start < contents.orders.size(); start += all) {
@@ -105,24 +106,24 @@ TEST(ChooseOrder, CoarserLevelsFollowTheFinest) {
 }
 
 TEST(ChooseOrder, RecipeDecidesHowManyOrdersThereAre) {
-  Recipe recipe = recipe_with("views");
+  Recipe recipe = recipe_with(OrderMethod::kViews);
   recipe.order_max = 2;
   AssetContents contents = stack();
   choose(recipe, contents);
   EXPECT_LE(contents.orders.size(), 8u);
 
   contents = stack();
-  choose(recipe_with("single"), contents);
+  choose(recipe_with(OrderMethod::kSingle), contents);
   EXPECT_TRUE(contents.orders.empty());
   EXPECT_TRUE(contents.order_views.empty());
 
-  recipe = recipe_with("auto");
+  recipe = recipe_with(OrderMethod::kAuto);
   recipe.order_max_bytes = 31;
   contents = stack();
   choose(recipe, contents);
   EXPECT_TRUE(contents.orders.empty()) << "an order of eight triangles takes 32";
 
-  recipe = recipe_with("auto");
+  recipe = recipe_with(OrderMethod::kAuto);
   recipe.order_min_gain = 100;
   contents = stack();
   choose(recipe, contents);
@@ -131,7 +132,7 @@ TEST(ChooseOrder, RecipeDecidesHowManyOrdersThereAre) {
 
 /// What the cooker says of the order by distance from the head.
 std::string head_quality(AssetContents contents) {
-  const auto notes = choose(recipe_with("auto"), contents);
+  const auto notes = choose(recipe_with(OrderMethod::kAuto), contents);
   const std::size_t from = notes.at(0).find("by distance from the head"), to = notes[0].find(", the best");
   return from < to && to != std::string::npos ? notes[0].substr(from, to - from) : notes[0];
 }
@@ -164,7 +165,7 @@ AssetContents hanging_stack() {
 
 TEST(ChooseOrder, IsSearchedInPosesOfTheSolverThatTheRecipeNames) {
   const auto told_of = [](const std::string& solver) {
-    Recipe recipe = recipe_with("auto");
+    Recipe recipe = recipe_with(OrderMethod::kAuto);
     recipe.order_solver = solver;
     AssetContents contents = hanging_stack();
     return choose(recipe, contents).at(0);
@@ -192,13 +193,10 @@ TEST(ChooseOrder, HugeHairIsNotSearchedUnasked) {
 }
 
 TEST(ChooseOrder, HeadDistanceIsKeptWhereItIsAskedForOrNothingIsBlended) {
-  expect_untouched(recipe_with("head"), stack());
+  expect_untouched(recipe_with(OrderMethod::kHead), stack());
   AssetContents contents = stack();
   contents.material[0].opaque_threshold = contents.material[0].discard_threshold;
   expect_untouched(default_recipe(), contents);
-  Recipe undrawn = default_recipe();
-  undrawn.scene_draw = false;
-  expect_untouched(undrawn, stack());
 }
 
 TEST(ChooseOrder, RecipesThresholdStays) {
@@ -223,14 +221,14 @@ AssetContents heap(int alpha) {
 
 TEST(ChooseOrder, BlendsWhatLetsTheBackdropThroughThoughItsOrderIsWrong) {
   AssetContents contents = heap(204);
-  choose(recipe_with("single"), contents);
+  choose(recipe_with(OrderMethod::kSingle), contents);
   EXPECT_GT(contents.material[0].opaque_threshold, 0.8f) << "the card's alpha";
 }
 
 TEST(ChooseOrder, OfThresholdsThatLookTheSameTheCheaperIsTaken) {
   AssetContents contents = heap(252);
   contents.material[0].opaque_threshold = 0.99f;
-  choose(recipe_with("single"), contents);
+  choose(recipe_with(OrderMethod::kSingle), contents);
   EXPECT_LE(contents.material[0].opaque_threshold, 252 / 255.0f)
       << "one in 85 parts of the backdrop is not worth blending";
 }

@@ -1,4 +1,5 @@
 #include "cook/dynamics/settle_dynamics.h"
+#include "cook/recipe/recipe.h"
 #include "cook/told.h"
 
 #include "lab/rig.h"

@@ -110,7 +110,7 @@ SourceModel triangle_soup(std::size_t triangles) {
 TEST(Cook, WhatHairNeverHasIsLookedAtWithFewerLines) {
   Recipe recipe = default_recipe();
   recipe.base_color[3] = 0.6;  // so that an order is searched
-  recipe.order_method = "single";
+  recipe.order_method = OrderMethod::kSingle;
   recipe.scene_simulate = false;
   const CookResult result = cooked(triangle_soup(1200), 2, recipe);
   const auto said = [&](const char* what) {
@@ -170,9 +170,9 @@ TEST(Cook, HairWithoutBonesGetsChainsUnlessTheRecipeWantsNone) {
   model.meshes[0].influences.clear();
   EXPECT_GT(cooked(model).report.simulated_bones, 0u);
   Recipe recipe = default_recipe();
-  recipe.chain_source = "none";
+  recipe.chain_source = ChainSource::kNoChains;
   EXPECT_EQ(cooked(model, 1, recipe).report.simulated_bones, 0u);
-  recipe.chain_source = "file";
+  recipe.chain_source = ChainSource::kFile;
   EXPECT_EQ(cooked(model, 1, recipe).report.simulated_bones, 0u);
 }
 
@@ -181,7 +181,7 @@ TEST(Cook, RigidHairLeavesDynamicsOut) {
   model.meshes[0].influence_begin.clear();
   model.meshes[0].influences.clear();
   Recipe recipe = default_recipe();
-  recipe.chain_source = "file";
+  recipe.chain_source = ChainSource::kFile;
   const CookResult result = cooked(model, 1, recipe);
   AlignedBytes file(result.asset);
   Asset asset;

@@ -5,6 +5,7 @@
 #include "cook/cuts/seen_crossings.h"
 #include "cook/cuts/split_mesh.h"
 #include "cook/order/choose_order.h"
+#include "cook/recipe/recipe.h"
 #include "lab/rig.h"
 #include "models/card_asset.h"
 
@@ -225,7 +226,7 @@ TEST(CutCrossings, KeepsToItsBudgetAndStopsWhereItGainsTooLittle) {
 struct Chosen {
   explicit Chosen(AssetContents cards, double budget, unsigned threads = 2) : contents(std::move(cards)) {
     Recipe recipe = default_recipe();
-    recipe.order_method = "views";
+    recipe.order_method = OrderMethod::kViews;
     recipe.order_cut_budget = budget;
     recipe.opaque_threshold = 0.95;
     const std::vector<Image> used = {{256, 1, 1, std::vector<std::uint8_t>(256, 255)}};

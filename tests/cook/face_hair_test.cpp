@@ -1,4 +1,5 @@
 #include "cook/strands/face_hair.h"
+#include "cook/recipe/recipe.h"
 
 #include "cook/built_models.h"
 

@@ -1,5 +1,6 @@
 #include "cook/rig/fit_chains.h"
 #include "cook/fitted_wig.h"
+#include "cook/recipe/recipe.h"
 
 #include <gtest/gtest.h>
 

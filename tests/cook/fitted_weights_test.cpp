@@ -1,4 +1,5 @@
 #include "cook/fitted_wig.h"
+#include "cook/recipe/recipe.h"
 #include "cook/rig/fit_chains.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 #include "cook/fitted_wig.h"
 
+#include "cook/recipe/recipe.h"
 #include "cook/rig/skeleton.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 // Strips on a round head, with chains fitted to them.
 
 #include "cook/built_models.h"
+#include "cook/recipe/recipe.h"
 #include "cook/rig/fit_chains.h"
 
 namespace coif {

@@ -1,4 +1,5 @@
 #include "cook/select/head.h"
+#include "cook/recipe/recipe.h"
 
 #include "base/work_limit.h"
 #include "cook/built_models.h"
@@ -257,7 +258,7 @@ TEST(FitHead, IsTheRecipesElseTheHeadsMeshElseTheHairsInside) {
   const Skeleton skeleton = *skeleton_of(wig);
   EXPECT_EQ(head_of(wig, recipe).origin, "the recipe");
   const auto collide = [&] {
-    return told([&](Findings& findings) { return head_colliders(head_of(wig, recipe), skeleton, recipe, findings); });
+    return told([&](Findings& findings) { return head_colliders(head_of(wig, recipe), skeleton, findings); });
   };
   EXPECT_TRUE(collide().warnings.empty());
   recipe.head_radii = {0.25, 0.25, 0.25};
@@ -270,7 +271,7 @@ TEST(FitHead, IsTheRecipesElseTheHeadsMeshElseTheHairsInside) {
   EXPECT_NE(collide().warnings[0].find(fmt::format("a bone ends {:.0f} % of the radius inside it", 100 * (1 - share))),
             std::string::npos)
       << collide().warnings[0];
-  recipe.head_shape = "none";
+  recipe.head_shape = HeadShape::kNothing;
   EXPECT_TRUE(collide().made.shapes.empty());
 }
 
@@ -307,7 +308,7 @@ TEST(FitHead, AFittedHeadLeavesEveryParticleOutside) {
   head.center = {0, 1.6, 0};
   head.radii.setConstant(0.15);  // The first bone ends 0.141 m away.
   Findings findings;
-  const Colliders colliders = head_colliders(head, *skeleton, default_recipe(), findings);
+  const Colliders colliders = head_colliders(head, *skeleton, findings);
   EXPECT_FALSE(findings.warnings.empty()) << "it had to shrink";
   const HeadCollider& collider = colliders.shapes.at(0);
   for (const SkeletonBone& bone : skeleton->bones) {

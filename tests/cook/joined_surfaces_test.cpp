@@ -1,5 +1,6 @@
 #include "cook/built_models.h"
 #include "cook/image_files.h"
+#include "cook/recipe/recipe.h"
 #include "cook/texture/base_color.h"
 
 #include <coif/asset_records.h>

@@ -2,9 +2,10 @@
 
 #include "cook/built_models.h"
 #include "cook/dynamics/bake_dynamics.h"
-#include "cook/dynamics/rest_shape.h"
 #include "cook/dynamics/choose_model.h"
+#include "cook/dynamics/rest_shape.h"
 #include "cook/dynamics/settle_model.h"
+#include "cook/recipe/recipe.h"
 #include "cook/told.h"
 #include "lab/rig.h"
 #include "lab/runtime_solver.h"

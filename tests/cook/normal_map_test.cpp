@@ -1,4 +1,5 @@
 #include "cook/texture/normal_map.h"
+#include "cook/recipe/recipe.h"
 
 #include "cook/built_models.h"
 #include "cook/image_files.h"
@@ -179,7 +180,7 @@ HairMesh whole_image() { return hair_from(strip_over({0.02f, 0.02f}, {0.98f, 0.9
 TEST(BakeRelief, StoresBothMapsWithMipsAndNothingThatSaysNothing) {
   Findings findings;
   const Image normals = read(map_of(ridges(30), GreenAxis::kUp));
-  for (const char* format : {"eac", "rg8"}) {
+  for (const ShiftMaskFormat format : {ShiftMaskFormat::kEac, ShiftMaskFormat::kRg8}) {
     Recipe recipe = default_recipe();
     recipe.shift_mask_format = format;
     const StoredTextures stored = bake_relief(&normals, nullptr, whole_image(), recipe, 2, findings);

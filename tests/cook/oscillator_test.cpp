@@ -1,6 +1,7 @@
 // What an artist's resistance is baked into, against the recurrence that it is defined by.
 
 #include "cook/dynamics/bake_dynamics.h"
+#include "cook/recipe/recipe.h"
 #include "cook/told.h"
 #include "write/pose_oscillator.h"
 

@@ -1,6 +1,7 @@
 #include "cook/strands/patches.h"
 #include "cook/built_models.h"
 #include "cook/order/choose_order.h"
+#include "cook/recipe/recipe.h"
 #include "cook/select/mesh_topology.h"
 #include "cook/select/select_hair.h"
 
@@ -34,7 +35,7 @@ std::size_t published_group_count(const HairMesh& mesh) {
   return groups.size();
 }
 
-ExtractedPatches patches_of(const HairMesh& mesh, const std::string& connectivity) {
+ExtractedPatches patches_of(const HairMesh& mesh, Connectivity connectivity) {
   return extract_patches(mesh, weld_places(mesh.positions, 1.0e-5), connectivity);
 }
 
@@ -47,7 +48,7 @@ TEST(ExtractPatches, AgreesWithThePublishedAlgorithmOnRandomMeshes) {
     for (std::uint32_t v = 0; v < vertices; ++v) mesh.positions.emplace_back(float(v), 0.0f, 0.0f);
     const std::uint32_t corners = 3 * (5 + random() % 40);
     for (std::uint32_t i = 0; i < corners; ++i) mesh.triangles.push_back(random() % vertices);
-    const ExtractedPatches patches = patches_of(mesh, "index");
+    const ExtractedPatches patches = patches_of(mesh, Connectivity::kIndex);
     EXPECT_EQ(patches.patches.count, published_group_count(mesh)) << "round " << round;
     EXPECT_EQ(patches.by_index, patches.patches.count);
     for (std::uint32_t patch : patches.patches.patch_of) EXPECT_LT(patch, patches.patches.count);
@@ -56,7 +57,7 @@ TEST(ExtractPatches, AgreesWithThePublishedAlgorithmOnRandomMeshes) {
 
 TEST(ExtractPatches, TrianglesThatShareAVertexAreInOnePatch) {
   HairMesh mesh = hair_from(make_strip({}));
-  const ExtractedPatches patches = patches_of(mesh, "index");
+  const ExtractedPatches patches = patches_of(mesh, Connectivity::kIndex);
   EXPECT_EQ(patches.patches.count, 1u);
   EXPECT_EQ(patches.patches.patch_of.size(), 8u);
 }
@@ -72,27 +73,27 @@ SourceMesh flat_shaded_strip() {
 TEST(ExtractPatches, AutoSeesThroughFlatShading) {
   HairMesh mesh = hair_from(flat_shaded_strip());
   weld_vertices(mesh);
-  const ExtractedPatches patches = patches_of(mesh, "auto");
+  const ExtractedPatches patches = patches_of(mesh, Connectivity::kAuto);
   EXPECT_GT(patches.by_index, 1u);
   EXPECT_EQ(patches.by_position, 1u);
   EXPECT_EQ(patches.by_island, 1u);
-  EXPECT_EQ(patches.chosen, "island");
+  EXPECT_EQ(patches.chosen, Connectivity::kIsland);
   EXPECT_EQ(patches.patches.count, 1u);
-  EXPECT_EQ(patches_of(mesh, "index").patches.count, patches.by_index) << "the recipe decides";
+  EXPECT_EQ(patches_of(mesh, Connectivity::kIndex).patches.count, patches.by_index) << "the recipe decides";
 }
 
 TEST(ExtractPatches, AutoSeesThroughFlatShadingWithoutTextureCoordinates) {
   HairMesh mesh = hair_from(flat_shaded_strip());
   mesh.uvs.clear();
-  EXPECT_EQ(patches_of(mesh, "auto").chosen, "position");
-  EXPECT_EQ(patches_of(mesh, "auto").patches.count, 1u);
+  EXPECT_EQ(patches_of(mesh, Connectivity::kAuto).chosen, Connectivity::kPosition);
+  EXPECT_EQ(patches_of(mesh, Connectivity::kAuto).patches.count, 1u);
 }
 
 TEST(ExtractPatches, StripsThatTouchAlongAnEdgeAreTwoIslands) {
   // Side by side with a common edge, both unwrapped over the whole texture, as cards of one texture are.
   SourceMesh strips = make_strip({.across = {0.05f, 0, 0}, .rows = 10});
   append_piece(strips, make_strip({.root = {0.05f, 1.6f, -0.1f}, .across = {0.05f, 0, 0}, .rows = 10}), 0);
-  const ExtractedPatches patches = patches_of(hair_from(strips), "auto");
+  const ExtractedPatches patches = patches_of(hair_from(strips), Connectivity::kAuto);
   EXPECT_EQ(patches.by_position, 1u);
   EXPECT_EQ(patches.patches.count, 2u);
 }
@@ -100,7 +101,7 @@ TEST(ExtractPatches, StripsThatTouchAlongAnEdgeAreTwoIslands) {
 TEST(ExtractPatches, StripsThatMeetInOnePointAreTwoIslands) {
   SourceMesh strips = make_strip({.rows = 10});
   append_piece(strips, make_strip({.root = {0.05f, 1.9f, -0.1f}, .rows = 10}), 0);
-  const ExtractedPatches patches = patches_of(hair_from(strips), "auto");
+  const ExtractedPatches patches = patches_of(hair_from(strips), Connectivity::kAuto);
   EXPECT_EQ(patches.by_position, 1u);
   EXPECT_EQ(patches.patches.count, 2u);
 }
@@ -108,23 +109,23 @@ TEST(ExtractPatches, StripsThatMeetInOnePointAreTwoIslands) {
 TEST(ExtractPatches, AStripUnwrappedFaceByFaceIsOnePatch) {
   SourceMesh strip = flat_shaded_strip();
   for (std::size_t v = 0; v < strip.uvs.size(); ++v) strip.uvs[v] += Eigen::Vector2f(float(v / 3), 0);
-  const ExtractedPatches patches = patches_of(hair_from(strip), "auto");
+  const ExtractedPatches patches = patches_of(hair_from(strip), Connectivity::kAuto);
   EXPECT_EQ(patches.by_island, 20u);
-  EXPECT_EQ(patches.chosen, "position");
+  EXPECT_EQ(patches.chosen, Connectivity::kPosition);
   EXPECT_EQ(patches.patches.count, 1u);
 }
 
 TEST(ExtractPatches, TheOrderOfTrianglesChangesNoGroup) {
   SourceMesh strips = make_strip({.rows = 10});
   append_piece(strips, make_strip({.root = {0.05f, 1.6f, -0.1f}, .rows = 10}), 0);
-  const std::uint32_t count = patches_of(hair_from(strips), "auto").patches.count;
+  const std::uint32_t count = patches_of(hair_from(strips), Connectivity::kAuto).patches.count;
   std::vector<std::uint32_t> reversed;
   for (std::size_t t = strips.triangles.size(); t >= 3; t -= 3) {
     reversed.insert(reversed.end(), strips.triangles.begin() + std::ptrdiff_t(t - 3),
                     strips.triangles.begin() + std::ptrdiff_t(t));
   }
   strips.triangles = reversed;
-  EXPECT_EQ(patches_of(hair_from(strips), "auto").patches.count, count);
+  EXPECT_EQ(patches_of(hair_from(strips), Connectivity::kAuto).patches.count, count);
 }
 
 TEST(Weld, TheAutomaticDistanceGrowsWithTheModel) {

@@ -54,7 +54,7 @@ const RealFile kFiles[] = {
 /// Without the search for draw orders, which takes most of a cook's time and changes none of what most tests look at.
 Recipe in_head_order() {
   Recipe recipe = default_recipe();
-  recipe.order_method = "head";
+  recipe.order_method = OrderMethod::kHead;
   return recipe;
 }
 

@@ -184,7 +184,7 @@ TEST(LongSample, CooksWithoutWarningsIntoAHundredChainsOfSixteenBones) {
   ASSERT_TRUE(source) << source.error().message;
   auto recipe = read_recipe(kFolder + "long.recipe.json");
   ASSERT_TRUE(recipe) << recipe.error().message;
-  recipe->order_method = "head";  // spares the search for orders, which says nothing of chains
+  recipe->order_method = OrderMethod::kHead;  // spares the search for orders, which says nothing of chains
   const auto cooked = cook(*source, *recipe, {.threads = 2, .recipe_directory = {}});
   ASSERT_TRUE(cooked) << cooked.error().message;
   EXPECT_TRUE(cooked->report.warnings.empty()) << cooked->report.warnings[0];

@@ -1,5 +1,6 @@
 #include "cook/select/select_hair.h"
 #include "cook/built_models.h"
+#include "cook/recipe/recipe.h"
 #include "cook/rig/skeleton.h"
 #include "cook/select/hair_evidence.h"
 

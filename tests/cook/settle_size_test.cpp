@@ -3,6 +3,7 @@
 #include "cook/size/settle_size.h"
 #include "cook/built_models.h"
 #include "cook/fitted_wig.h"
+#include "cook/recipe/recipe.h"
 #include "cook/size/up_evidence.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 #include "cook/rig/skeleton.h"
+#include "cook/recipe/recipe.h"
 #include "cook/rig/colliders.h"
 #include "cook/select/head.h"
 #include "cook/select/select_hair.h"
@@ -158,9 +159,9 @@ TEST(BuildSkeleton, ABoneAloneBelowTheHeadIsSimulated) {
 
 TEST(BuildSkeleton, TheRecipeMovesTheBorderBetweenScalpAndChain) {
   Recipe recipe = default_recipe();
-  recipe.scalp = "none";
+  recipe.scalp = ScalpRule::kNoScalp;
   EXPECT_EQ(skeleton_of(make_wig(), recipe)->chains[0].bone_count, 3u);
-  recipe.scalp = "pattern";
+  recipe.scalp = ScalpRule::kPattern;
   recipe.scalp_bones = {"scalp", "HAIR_1"};
   EXPECT_EQ(skeleton_of(make_wig(), recipe)->chains[0].bone_count, 1u);
 }
@@ -245,13 +246,13 @@ TEST(HeadColliders, HaveTheShapeThatTheRecipeWants) {
   Recipe recipe = default_recipe();
   recipe.head_center = {0, 1.6, 0};
   recipe.head_radii = {0.05, 0.08, 0.06};
-  const auto shape = [&](const char* name) {
-    recipe.head_shape = name;
-    return head_colliders(head_of(wig, recipe), *skeleton_of(wig), recipe, unheard()).shapes.at(0);
+  const auto shape = [&](HeadShape wanted) {
+    recipe.head_shape = wanted;
+    return head_colliders(head_of(wig, recipe), *skeleton_of(wig), unheard()).shapes.at(0);
   };
-  EXPECT_EQ(shape("auto").shape, ColliderShape::kEllipsoid);
-  EXPECT_EQ(shape("sphere").shape, ColliderShape::kSphere);
-  const HeadCollider capsule = shape("capsule");
+  EXPECT_EQ(shape(HeadShape::kAuto).shape, ColliderShape::kEllipsoid);
+  EXPECT_EQ(shape(HeadShape::kSphere).shape, ColliderShape::kSphere);
+  const HeadCollider capsule = shape(HeadShape::kCapsule);
   EXPECT_EQ(capsule.shape, ColliderShape::kCapsule);
   EXPECT_NEAR(capsule.center.y() - capsule.radii.x(), 1.52, 1.0e-9) << "as low as the ellipsoid";
   EXPECT_NEAR(capsule.center.y() + capsule.axis.y() + capsule.radii.x(), 1.68, 1.0e-9) << "as high";
@@ -265,7 +266,7 @@ TEST(HeadColliders, AHeadThatShrinksFarEnoughSaysNothingOfBonesInside) {
   for (const auto& [share, inside] : {std::pair{0.75, false}, {0.5, false}, {0.4, true}}) {
     head.center = skeleton.bones[2].tail + Eigen::Vector3d(0, 0, share * 0.25);
     Findings findings;
-    (void)head_colliders(head, skeleton, default_recipe(), findings);
+    (void)head_colliders(head, skeleton, findings);
     ASSERT_EQ(findings.warnings.size(), 1u);
     const std::string percent = share == 0.75 ? "75 %" : "50 %";
     EXPECT_NE(findings.warnings[0].find("shrunk to " + percent), std::string::npos) << findings.warnings[0];
@@ -278,16 +279,16 @@ TEST(ColliderReach, BonesThatCannotGetThereAreNeverTested) {
   FittedHead head;
   head.center = {0, 1.6, 0};
   head.radii.setConstant(0.05);
-  Colliders near = head_colliders(head, skeleton, default_recipe(), unheard());
+  Colliders near = head_colliders(head, skeleton, unheard());
   drop_colliders_out_of_reach(skeleton, near);
   EXPECT_EQ(near.of_bone.at(2), 1u) << "0.1 m long, 0.05 m away";
   head.center.x() = 1;
-  Colliders far = head_colliders(head, skeleton, default_recipe(), unheard());
+  Colliders far = head_colliders(head, skeleton, unheard());
   drop_colliders_out_of_reach(skeleton, far);
   for (const std::uint32_t set : far.of_bone) EXPECT_EQ(set, 0u);
   // Halfway: the chain's end gets there, its first bone does not.
   head.center.x() = 0.22;
-  Colliders between = head_colliders(head, skeleton, default_recipe(), unheard());
+  Colliders between = head_colliders(head, skeleton, unheard());
   drop_colliders_out_of_reach(skeleton, between);
   EXPECT_EQ(between.of_bone.at(2), 0u);
   EXPECT_EQ(between.of_bone.at(3), 1u);

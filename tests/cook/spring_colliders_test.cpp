@@ -1,3 +1,4 @@
+#include "cook/recipe/recipe.h"
 #include "cook/rig/colliders.h"
 
 #include "cook/built_models.h"

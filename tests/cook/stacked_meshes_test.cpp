@@ -1,6 +1,7 @@
 // Meshes of the hair that seem to be levels of detail of each other.
 
 #include "cook/built_models.h"
+#include "cook/recipe/recipe.h"
 #include "cook/select/select_hair.h"
 #include "cook/told.h"
 

@@ -3,6 +3,7 @@
 
 #include "cook/built_models.h"
 #include "cook/hair_styles.h"
+#include "cook/recipe/recipe.h"
 #include "cook/select/select_hair.h"
 #include "cook/strands/patches.h"
 #include "cook/strands/strand_direction.h"
@@ -48,9 +49,9 @@ Found find(HairMesh mesh, const BaseColor& color, const FittedHead& head, std::s
   Found found;
   found.hair.mesh = std::move(mesh);
   found.hair.welded = weld_places(found.hair.mesh.positions, 0);
-  const ExtractedPatches extracted = find_patches(found.hair, "auto", unheard());
+  const ExtractedPatches extracted = find_patches(found.hair, Connectivity::kAuto, unheard());
   StrandSettings settings;
-  settings.trust_texture = extracted.chosen != "position";
+  settings.trust_texture = extracted.chosen != Connectivity::kPosition;
   settings.depth_of_node.assign(nodes, 0.0f);
   if (settings.trust_texture) (void)split_folds(found.hair, unheard());
   found.hair.complete_normals();

@@ -18,7 +18,7 @@ FittedHead head_of_hair() {
 }
 
 /// Ready for strands, cut into patches by `connectivity`.
-HairStrips patched(const HairMesh& mesh, const std::string& connectivity) {
+HairStrips patched(const HairMesh& mesh, Connectivity connectivity) {
   HairStrips hair = strips_from(mesh);
   hair.complete_normals();
   hair.patches = extract_patches(hair.mesh, hair.welded, connectivity).patches;
@@ -27,7 +27,7 @@ HairStrips patched(const HairMesh& mesh, const std::string& connectivity) {
 
 StrandField strands_of(const HairMesh& mesh, StrandSettings settings = {}) {
   if (settings.depth_of_node.empty()) settings.depth_of_node.assign(10, 0.0f);
-  return find_strand_direction(patched(mesh, "index"), head_of_hair(), settings, unheard());
+  return find_strand_direction(patched(mesh, Connectivity::kIndex), head_of_hair(), settings, unheard());
 }
 
 class StrandConventions : public testing::TestWithParam<std::tuple<bool, bool, bool>> {};
@@ -144,8 +144,9 @@ TEST(StrandDirection, PatchesThatNothingTellsAboutAreNamedByTheirNumbers) {
   mesh.uvs.clear();
   StrandSettings settings;
   settings.depth_of_node.assign(1, 0.0f);
-  const auto said =
-      told([&](Findings& f) { return find_strand_direction(patched(mesh, "index"), head_of_hair(), settings, f); });
+  const auto said = told([&](Findings& f) {
+    return find_strand_direction(patched(mesh, Connectivity::kIndex), head_of_hair(), settings, f);
+  });
   ASSERT_EQ(said.notes.size(), 1u);
   EXPECT_TRUE(said.notes[0].ends_with("1 unsure: 0 of 'coif cook --list patches'")) << said.notes[0];
   EXPECT_EQ(said.made.unsure, std::vector<std::uint32_t>{0});
@@ -242,7 +243,7 @@ TEST(SmoothNormals, GivenNormalsAreKept) {
 
 /// Cuts what is wider than `widest` metres.
 struct Shell : HairStrips {
-  Shell(const SourceMesh& source, double widest) : HairStrips(patched(hair_from(source), "auto")) {
+  Shell(const SourceMesh& source, double widest) : HairStrips(patched(hair_from(source), Connectivity::kAuto)) {
     StrandSettings settings;
     settings.depth_of_node = {0};
     strands = find_strand_direction(*this, head_of_hair(), settings, unheard());

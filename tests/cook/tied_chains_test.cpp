@@ -1,6 +1,7 @@
 #include "cook/dynamics/tied_chains.h"
 
 #include "cook/built_models.h"
+#include "cook/recipe/recipe.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 #include "cook/texture/transparency.h"
 #include "cook/built_models.h"
 #include "cook/image_files.h"
+#include "cook/recipe/recipe.h"
 
 #include <gtest/gtest.h>
 

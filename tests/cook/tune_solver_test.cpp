@@ -3,6 +3,7 @@
 #include "cook/dynamics/settle_dynamics.h"
 
 #include "cook/dynamics/chain_groups.h"
+#include "cook/recipe/recipe.h"
 #include "cook/told.h"
 #include "cook/vrm_chain.h"
 #include "lab/reference_solver.h"

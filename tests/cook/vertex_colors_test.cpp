@@ -1,4 +1,5 @@
 #include "cook/texture/vertex_colors.h"
+#include "cook/recipe/recipe.h"
 
 #include "base/srgb.h"
 #include "cook/built_models.h"
@@ -136,7 +137,7 @@ TEST_F(VertexColors, AllBlackOrAllClearOnesAreNumbersUnlessTheRecipeInsists) {
     ASSERT_EQ(findings_.warnings.size(), 1u);
     EXPECT_NE(findings_.warnings[0].find("\"textures.vertex_colors\""), std::string::npos);
     Recipe recipe = default_recipe();
-    recipe.vertex_colors = "multiply";
+    recipe.vertex_colors = coif::VertexColors::kMultiply;
     EXPECT_EQ(cooked(recipe).factor, nothing);
   }
 }
@@ -144,7 +145,7 @@ TEST_F(VertexColors, AllBlackOrAllClearOnesAreNumbersUnlessTheRecipeInsists) {
 TEST_F(VertexColors, TheRecipeDoesWithoutThem) {
   add("hair", true, [](const auto&) { return Eigen::Vector4f(0.5f, 0.25f, 0.125f, 0.75f); });
   Recipe recipe = default_recipe();
-  recipe.vertex_colors = "ignore";
+  recipe.vertex_colors = coif::VertexColors::kIgnore;
   EXPECT_EQ(cooked(recipe).factor, Eigen::Vector4f::Ones());
   EXPECT_TRUE(findings_.warnings.empty());
 }

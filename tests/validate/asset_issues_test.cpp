@@ -131,7 +131,8 @@ TEST_P(RealAssets, AreCookedWithoutAWarning) {
   const RealAsset& tested = GetParam();
   if (!fs::exists(tested.source)) GTEST_SKIP() << tested.source << ": no corpus of artists' files here";
   auto recipe = tested.recipe.empty() ? default_recipe() : *read_recipe(tested.recipe);
-  recipe.order_method = "head";  // The search takes most of a cook's time and finds orders that are all in use.
+  recipe.order_method =
+      OrderMethod::kHead;  // The search takes most of a cook's time and finds orders that are all in use.
   const auto source = import_model(tested.source);
   ASSERT_TRUE(source) << source.error().message;
   Codes of_source = above_notes(find_source_issues(*source, recipe));

@@ -1,5 +1,6 @@
 #include "cook/built_models.h"
 #include "cook/pack/pack.h"
+#include "cook/recipe/recipe.h"
 #include "validate/doubtful_asset.h"
 #include "validate/find_issues.h"
 
@@ -26,28 +27,28 @@ std::vector<Issue> recook(const AssetContents& then, const AssetContents& now) {
 using Codes = std::set<std::string>;
 
 TEST(OriginIssues, SameOriginHasNone) {
-  const ProvenanceRecord record = make_provenance({}, default_recipe(), 7);
+  const ProvenanceRecord record = make_provenance({}, recipe_hash(default_recipe()), 7);
   EXPECT_EQ(differences(record, record), Codes{});
 }
 
 TEST(OriginIssues, OtherSourceAndRecipeAreNamed) {
-  const ProvenanceRecord then = make_provenance({}, default_recipe(), 7);
+  const ProvenanceRecord then = make_provenance({}, recipe_hash(default_recipe()), 7);
   Recipe recipe = default_recipe();
   recipe.friction = 3;
-  EXPECT_EQ(differences(then, make_provenance({}, default_recipe(), 8)), Codes{"R101"});
-  EXPECT_EQ(differences(then, make_provenance({}, recipe, 7)), Codes{"R102"});
-  EXPECT_EQ(differences(then, make_provenance({}, recipe, 8)), (Codes{"R101", "R102"}));
+  EXPECT_EQ(differences(then, make_provenance({}, recipe_hash(default_recipe()), 8)), Codes{"R101"});
+  EXPECT_EQ(differences(then, make_provenance({}, recipe_hash(recipe), 7)), Codes{"R102"});
+  EXPECT_EQ(differences(then, make_provenance({}, recipe_hash(recipe), 8)), (Codes{"R101", "R102"}));
 }
 
 TEST(OriginIssues, ADraftIsNeverWhatAFullCookGives) {
-  const ProvenanceRecord now = make_provenance({}, default_recipe(), 7);
-  ProvenanceRecord draft = make_provenance({}, draft_of(default_recipe()), 7);
+  const ProvenanceRecord now = make_provenance({}, recipe_hash(default_recipe()), 7);
+  ProvenanceRecord draft = make_provenance({}, recipe_hash(draft_of(default_recipe())), 7);
   draft.flags = kProvenanceDraft;
   EXPECT_EQ(differences(draft, now), Codes{"R107"});
 }
 
 TEST(OriginIssues, VersionsMatterWhereAllElseIsEqual) {
-  const ProvenanceRecord then = make_provenance({}, default_recipe(), 7);
+  const ProvenanceRecord then = make_provenance({}, recipe_hash(default_recipe()), 7);
   ProvenanceRecord now = then;
   ++now.tool_version[1];
   EXPECT_EQ(differences(then, now), Codes{"R103"});
@@ -146,7 +147,7 @@ TEST(SourceIssues, HairWithoutBonesIsToldThatChainsAreFitted) {
   model.meshes[0].influence_begin.clear();
   EXPECT_EQ(codes_of(model), Codes{"S204"});
   Recipe recipe = default_recipe();
-  recipe.chain_source = "none";
+  recipe.chain_source = ChainSource::kNoChains;
   EXPECT_EQ(codes_of(model, recipe), Codes{});
 }
 
@@ -177,7 +178,7 @@ TEST(SourceIssues, HairInFragmentsIsSeen) {
   strip.node = 1;
   model.meshes = {strip};
   Recipe recipe = default_recipe();
-  recipe.patch_connectivity = "island";
+  recipe.patch_connectivity = Connectivity::kIsland;
   EXPECT_TRUE(codes_of(model, recipe).contains("S206"));
   EXPECT_FALSE(codes_of(model).contains("S206")) << "left to itself, the cooker joins them by place";
 }

@@ -1,4 +1,5 @@
 #include "view/page/asset_motion.h"
+#include "cook/recipe/recipe.h"
 
 #include "base/json.h"
 #include "cook/dynamics/bake_dynamics.h"

@@ -1,4 +1,5 @@
 #include "view/server/live_cook.h"
+#include "cook/recipe/recipe.h"
 
 #include "base/work_limit.h"
 

@@ -1,4 +1,5 @@
 #include "view/server/live_recipe.h"
+#include "cook/recipe/recipe.h"
 
 #include "cook/recipe/recipe_keys.h"
 
@@ -60,7 +61,7 @@ TEST_F(LiveRecipeTest, ShortPatchesMerge) {
   const auto merged = live_recipe(file_, *read_changes("{\"patches\": {\"connectivity\": \"index\"}}"));
   ASSERT_TRUE(merged) << merged.error().message;
   EXPECT_EQ(merged->recipe.patch_overrides.size(), 1u);
-  EXPECT_EQ(merged->recipe.patch_connectivity, "index");
+  EXPECT_EQ(merged->recipe.patch_connectivity, Connectivity::kIndex);
 }
 
 TEST_F(LiveRecipeTest, FaultsAreToldAsOfAFile) {

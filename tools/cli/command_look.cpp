@@ -40,7 +40,7 @@ tl::expected<LookedAt, ToolError> asset_of(const LookOptions& options, const Mes
   if (!is_source(options.file, bytes->span())) return LookedAt{std::move(*bytes), {}, {}};
   auto choice = choose_recipe(options.file, options.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
-  choice->recipe.order_method = "head";
+  choice->recipe.order_method = OrderMethod::kHead;
   CookOptions cook;
   cook.sources = {options.file};
   cook.roots = options.roots;

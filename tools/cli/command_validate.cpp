@@ -81,7 +81,7 @@ Found compare_with_origin(const Asset& asset, const OriginOptions& options, cons
                        {options.limits.of_import(import_settings(choice->recipe, options.roots), messages),
                         choice->directory, all_threads(), [&work](const char* part) { work.begin(part); }});
   if (!model) return tl::unexpected(model.error());
-  const ProvenanceRecord now = make_provenance(*model, choice->recipe, xxh64(bytes->span()));
+  const ProvenanceRecord now = make_provenance(*model, recipe_hash(choice->recipe), xxh64(bytes->span()));
   std::vector<Issue> issues = find_origin_issues(asset, now);
   if (!options.recook) return issues;
   auto differences = compare_with_new_cook(asset, *model, *choice, now.source_hash, work);
@@ -106,7 +106,7 @@ Found validate_asset(std::span<const std::byte> bytes, const OriginOptions& orig
 /// Cooks it, but for what takes longest and warns of nothing: the search for draw orders.
 std::vector<Issue> issues_of_a_cook(const fs::path& path, Recipe recipe, const fs::path& recipe_directory,
                                     const OriginOptions& options, const Messages& messages) {
-  recipe.order_method = "head";
+  recipe.order_method = OrderMethod::kHead;
   recipe.occlusion_strength = 0;
   LimitedWork work(path.string(), options.limits, all_threads(), messages, options.end);
   CookSettings settings;

@@ -129,9 +129,9 @@ ImportSettings import_settings(const Recipe& recipe, std::vector<fs::path> roots
   if (recipe.metres_per_unit > 0) settings.metres_per_unit = recipe.metres_per_unit;
   settings.variant = recipe.source_variant;
   settings.meshes = recipe.hair_meshes;
-  if (recipe.up_axis == "x") settings.up_axis = UpAxis::kX;
-  if (recipe.up_axis == "y") settings.up_axis = UpAxis::kY;
-  if (recipe.up_axis == "z") settings.up_axis = UpAxis::kZ;
+  if (recipe.up_axis == RecipeUpAxis::kX) settings.up_axis = UpAxis::kX;
+  if (recipe.up_axis == RecipeUpAxis::kY) settings.up_axis = UpAxis::kY;
+  if (recipe.up_axis == RecipeUpAxis::kZ) settings.up_axis = UpAxis::kZ;
   return settings;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "base/tool_error.h"
-#include "cook/order/order_figures.h"
-#include "cook/recipe/findings.h"
+#include "cook/recipe/cook_settings.h"
 #include "cook/recipe/recipe.h"
+#include "cook/stages/cook_log.h"
 #include "cook/strands/choose_patches.h"
 #include "cook/texture/source_images.h"
 #include "import/source_model.h"
@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <string>
 #include <vector>
 
 namespace coif {
@@ -29,25 +28,6 @@ struct CookInputs {
   std::vector<std::filesystem::path> named_files;
 };
 
-struct PassTime {
-  std::string name;  ///< Each once.
-  double ms = 0;
-};
-
-/// What the passes found, and figures of what they made.
-struct CookReport : Findings {
-  std::vector<PassTime> passes;
-  std::uint32_t triangles = 0;
-  std::uint32_t vertices = 0;
-  std::uint32_t patches = 0;
-  std::uint32_t patches_by_index = 0;
-  std::uint32_t patches_by_position = 0;
-  std::uint32_t chains = 0;
-  std::uint32_t bones = 0;
-  std::uint32_t simulated_bones = 0;
-  OrderFigures order;
-};
-
 /// The patches as people know them: by numbers that do not depend on what else is said in the recipe.
 struct ListedPatches {
   std::vector<PatchListing> patches;           ///< By number.
@@ -61,7 +41,7 @@ struct CookResult {
   ListedPatches patches;  ///< Empty unless asked for.
 };
 
-/// Runs every pass on a source model. Pure: same model, recipe and settings give the same bytes.
+/// Runs the five stages on a source model (cook/stages). Pure: same model, recipe and settings give the same bytes.
 tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe& recipe, const CookSettings& settings);
 
 }  // namespace coif

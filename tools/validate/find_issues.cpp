@@ -109,7 +109,7 @@ void note_meshes(const SourceModel& source, const HairMesh& hair, const Recipe& 
     add_issue(issues, "S203", fmt::format("mesh '{}'", source.meshes[mesh].name),
               "no texture coordinates; unwrap the strips along their length");
   }
-  if (!rigid || !source.springs.empty() || recipe.chain_source == "none") return;
+  if (!rigid || !source.springs.empty() || recipe.chain_source == ChainSource::kNoChains) return;
   add_issue(issues, "S204", "", "the hair follows no bone; chains will be fitted to it");
 }
 

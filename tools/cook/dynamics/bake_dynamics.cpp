@@ -2,6 +2,7 @@
 
 #include "base/geometry.h"
 #include "cook/recipe/hair_preset.h"
+#include "cook/recipe/rig_recipe.h"
 
 #include <fmt/format.h>
 
@@ -22,7 +23,7 @@ double middle_place(const Skeleton& skeleton, const SkeletonBone& bone) {
   return 0.5 * (root_place + bone.place);
 }
 
-DynamicsRecord dynamics_by_curve(double place, const Recipe& recipe) {
+DynamicsRecord dynamics_by_curve(double place, const RigRecipe& recipe) {
   DynamicsRecord record{};
   if (!recipe.resistance.empty()) record.resistance = float(evaluate_curve(recipe.resistance, place));
   record.friction =
@@ -33,13 +34,13 @@ DynamicsRecord dynamics_by_curve(double place, const Recipe& recipe) {
 }
 
 /// What the recipe says of critical damping at this place; none: nothing.
-std::optional<double> said_ratio(const Recipe& recipe, double place) {
+std::optional<double> said_ratio(const RigRecipe& recipe, double place) {
   if (recipe.damping_ratio) return evaluate(*recipe.damping_ratio, place);
   return recipe.liveliness ? std::optional(1 - *recipe.liveliness) : std::nullopt;
 }
 
 /// What the runtime's default solver moves by; see runtime/docs/MODEL.md.
-void bake_motion(const Recipe& recipe, std::optional<double> ratio, double length, DynamicsRecord& record) {
+void bake_motion(const RigRecipe& recipe, std::optional<double> ratio, double length, DynamicsRecord& record) {
   bake_oscillator(ratio, length, record);
   record.torsion = float(recipe.torsion.value_or(kUsualTorsion));
   record.angle_limit = std::min(float(recipe.angle_limit * kDegree), kNoAngleLimit);
@@ -54,7 +55,7 @@ struct Sayer {
 };
 
 /// What is said of a chain alone holds before the file's springs, too.
-MotionSource source_of(const SkeletonBone& bone, const Sayer& sayer, const Recipe& recipe) {
+MotionSource source_of(const SkeletonBone& bone, const Sayer& sayer, const RigRecipe& recipe) {
   if (bone.kind != BoneKind::kSimulated) return MotionSource::kRigid;
   const bool has_curve = sayer.said != nullptr && sayer.said->resistance;
   const bool has_preset = sayer.said != nullptr && sayer.said->preset;
@@ -64,10 +65,10 @@ MotionSource source_of(const SkeletonBone& bone, const Sayer& sayer, const Recip
   return curve.empty() ? MotionSource::kPreset : MotionSource::kCurve;
 }
 
-std::vector<Sayer> sayers_of(const SourceModel& source, const Skeleton& skeleton, const Recipe& recipe,
+std::vector<Sayer> sayers_of(const SourceModel& source, const Skeleton& skeleton, const RigRecipe& recipe,
                              std::span<const PatchOverride> of_chain) {
   std::vector<BoneJoint> joints(skeleton.bones.size());
-  if (recipe.dynamics_source != "curves") joints = joints_of_bones(source, skeleton);
+  if (recipe.dynamics_source != DynamicsSource::kCurves) joints = joints_of_bones(source, skeleton);
   std::vector<Sayer> sayers;
   for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
     const SkeletonBone& bone = skeleton.bones[b];
@@ -80,7 +81,7 @@ std::vector<Sayer> sayers_of(const SourceModel& source, const Skeleton& skeleton
 }
 
 /// What a bone's recipe, in which what is said of its chain holds, and the file say of it.
-void add_motion(const Skeleton& skeleton, const SkeletonBone& bone, const Sayer& sayer, const Recipe& recipe,
+void add_motion(const Skeleton& skeleton, const SkeletonBone& bone, const Sayer& sayer, const RigRecipe& recipe,
                 SaidMotion& motion) {
   const double place = middle_place(skeleton, bone);
   const std::optional<double> ratio = said_ratio(recipe, place);
@@ -95,13 +96,13 @@ void add_motion(const Skeleton& skeleton, const SkeletonBone& bone, const Sayer&
   motion.damping_ratios.push_back(ratio.value_or(preset_of(recipe).damping_ratio));
 }
 
-void report_sources(const std::vector<MotionSource>& sources, std::size_t simulated, const Recipe& recipe,
+void report_sources(const std::vector<MotionSource>& sources, std::size_t simulated, const RigRecipe& recipe,
                     Findings& findings) {
   const auto by_spring = std::size_t(std::ranges::count(sources, MotionSource::kSpring));
   if (by_spring != 0) {
     findings.note(fmt::format("{} of {} simulated bones move by the file's spring bones", by_spring, simulated));
   }
-  if (recipe.dynamics_source == "springs" && by_spring < simulated) {
+  if (recipe.dynamics_source == DynamicsSource::kSprings && by_spring < simulated) {
     findings.warn("C133", fmt::format("\"dynamics.source\" is \"springs\", but {} of {} simulated bones have no spring "
                                       "in the file; they move by the recipe's curves",
                                       simulated - by_spring, simulated));
@@ -138,7 +139,7 @@ void warn_of_lost_settings(const SourceModel& source, std::span<const Sayer> say
 
 }  // namespace
 
-SaidMotion bake_dynamics(const SourceModel& source, const Skeleton& skeleton, const Recipe& recipe,
+SaidMotion bake_dynamics(const SourceModel& source, const Skeleton& skeleton, const RigRecipe& recipe,
                          std::span<const PatchOverride> of_chain, Findings& findings) {
   if (skeleton.chains.empty()) return {};
   const std::vector<Sayer> sayers = sayers_of(source, skeleton, recipe, of_chain);
@@ -148,7 +149,7 @@ SaidMotion bake_dynamics(const SourceModel& source, const Skeleton& skeleton, co
       add_motion(skeleton, skeleton.bones[b], sayers[b], recipe, motion);
       continue;
     }
-    Recipe of_bone = recipe;
+    RigRecipe of_bone = recipe;
     sayers[b].said->apply_motion(of_bone);
     if (sayers[b].source == MotionSource::kPreset) of_bone.resistance.clear();
     if (sayers[b].said->liveliness && !sayers[b].said->damping_ratio) of_bone.damping_ratio.reset();
@@ -171,7 +172,7 @@ DynamicsRecord dynamics_of_joint(const SourceSpringJoint& joint, double length) 
   return record;
 }
 
-float air_lag(const Recipe& recipe, const SaidMotion& said) {
+float air_lag(const RigRecipe& recipe, const SaidMotion& said) {
   if (recipe.air_follow) return float(1 - *recipe.air_follow);
   const auto count = [&](MotionSource source) { return std::ranges::count(said.sources, source); };
   const auto presets = count(MotionSource::kPreset), springs = count(MotionSource::kSpring),

@@ -36,7 +36,6 @@
 #include "cook/dynamics/bone_motion.h"
 #include "cook/recipe/findings.h"
 #include "cook/recipe/hair_preset.h"
-#include "cook/recipe/recipe.h"
 #include "cook/rig/skeleton.h"
 #include "import/source_model.h"
 
@@ -45,6 +44,8 @@
 #include <vector>
 
 namespace coif {
+
+struct RigRecipe;
 
 inline constexpr double kSpringRate = 60;  ///< Frames per second at which spring bones have their look.
 
@@ -74,13 +75,13 @@ struct SaidMotion {
 /// The asset's SkeletonRecord::air_lag: what the recipe says, else what is usual for where most of the hair's numbers come from. VRM
 /// brakes velocities in the world; Algorithm 1's friction is taken against air that goes along; and human hair has its head's
 /// air about it, but not all of it.
-[[nodiscard]] float air_lag(const Recipe& recipe, const SaidMotion& said);
+[[nodiscard]] float air_lag(const RigRecipe& recipe, const SaidMotion& said);
 
 /// How each bone moves: as the file's spring bones say or by the recipe's curves, as "dynamics.source" has it. By its curve a
 /// bone takes the values at its middle, so that a chain of one bone has the mean and not the tip's value. `of_chain`, empty or
 /// one for each chain, is what the recipe says of its motion alone, before the file's springs. Notes how many have springs;
 /// warns of what springs lose.
-[[nodiscard]] SaidMotion bake_dynamics(const SourceModel& source, const Skeleton& skeleton, const Recipe& recipe,
+[[nodiscard]] SaidMotion bake_dynamics(const SourceModel& source, const Skeleton& skeleton, const RigRecipe& recipe,
                                        std::span<const PatchOverride> of_chain, Findings& findings);
 
 }  // namespace coif

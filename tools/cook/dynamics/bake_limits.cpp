@@ -2,6 +2,7 @@
 
 #include "base/geometry.h"
 #include "base/text.h"
+#include "cook/recipe/rig_recipe.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -73,9 +74,9 @@ std::string moving_names(const Skeleton& skeleton) {
 }  // namespace
 
 tl::expected<std::vector<LimitRecord>, ToolError> bake_limits(const SourceModel& source, const Skeleton& skeleton,
-                                                              const Recipe& recipe, Findings& findings) {
+                                                              const RigRecipe& recipe, Findings& findings) {
   std::vector<LimitRecord> limits(skeleton.bones.size(), no_limit());
-  if (recipe.dynamics_source != "curves") {
+  if (recipe.dynamics_source != DynamicsSource::kCurves) {
     const std::vector<BoneJoint> joints = joints_of_bones(source, skeleton);
     for (std::size_t b = 0; b < joints.size(); ++b) {
       if (!joints[b]) continue;

@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "cook/dynamics/chain_groups.h"
 #include "cook/dynamics/link_forest.h"
+#include "cook/recipe/rig_recipe.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -109,7 +110,7 @@ void report(const AssetContents& contents, const LinkForest& forest, Findings& f
 
 tl::expected<std::vector<LinkRecord>, ToolError> bake_links(const std::string& source, const HairStrips& hair,
                                                             const HairRig& rig, const AssetContents& contents,
-                                                            const Recipe& recipe, Findings& findings) {
+                                                            const RigRecipe& recipe, Findings& findings) {
   LinkedDepths pairs;
   if (!recipe.links.pairs.empty()) {
     Pairs named = pairs_of_recipe(source, contents, recipe.links);

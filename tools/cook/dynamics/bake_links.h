@@ -2,7 +2,6 @@
 
 #include "base/tool_error.h"
 #include "cook/recipe/findings.h"
-#include "cook/recipe/recipe.h"
 #include "cook/rig/skeleton.h"
 #include "cook/strands/hair_strips.h"
 #include "write/asset_writer.h"
@@ -14,6 +13,8 @@
 
 namespace coif {
 
+struct RigRecipe;
+
 /// Which bones of neighbouring chains stay together, as the recipe says it of the bones packed in `contents`.
 /// Empty where it wants none, and then a note tells of strips that hang on two chains. Error (kBadInput): the
 /// recipe names bones that are not there or do not move, or two of one chain, or more pairs than anybody means.
@@ -21,6 +22,6 @@ namespace coif {
 [[nodiscard]] tl::expected<std::vector<LinkRecord>, ToolError> bake_links(const std::string& source,
                                                                           const HairStrips& hair, const HairRig& rig,
                                                                           const AssetContents& contents,
-                                                                          const Recipe& recipe, Findings& findings);
+                                                                          const RigRecipe& recipe, Findings& findings);
 
 }  // namespace coif

@@ -3,6 +3,7 @@
 #include "base/parallel_for.h"
 #include "cook/dynamics/settle_dynamics.h"
 #include "cook/dynamics/settle_model.h"
+#include "cook/recipe/rig_recipe.h"
 #include "lab/passive_model.h"
 #include "lab/rig.h"
 
@@ -113,7 +114,7 @@ Verdict judge_preset(const BothModels& both, const ChainGroup& group, unsigned t
   return verdict;
 }
 
-AssetContents settled(const Recipe& recipe, const SaidMotion& said, std::span<const ChainModel> models,
+AssetContents settled(const RigRecipe& recipe, const SaidMotion& said, std::span<const ChainModel> models,
                       AssetContents contents) {
   Findings unheard;
   settle_model(recipe, said, models, contents, unheard);
@@ -137,21 +138,22 @@ std::vector<IllPosedChains> find_ill_posed(const AssetContents& contents, unsign
   return found;
 }
 
-std::vector<ChainModel> models_by_rule(const Recipe& recipe, const SaidMotion& said, const AssetContents& contents) {
+std::vector<ChainModel> models_by_rule(const RigRecipe& recipe, const SaidMotion& said, const AssetContents& contents) {
   std::vector<ChainModel> models;
   for (const ChainRecord& chain : contents.chains) {
     const auto sources = std::span(said.sources).subspan(chain.first_bone, chain.bone_count);
     const bool by_preset = std::ranges::find(sources, MotionSource::kPreset) != sources.end();
-    const bool passive = recipe.dynamics_model == "passive" || (recipe.dynamics_model == "auto" && by_preset);
+    const bool passive = recipe.dynamics_model == DynamicsModel::kPassive ||
+                         (recipe.dynamics_model == DynamicsModel::kAuto && by_preset);
     models.push_back(passive ? ChainModel::kPassive : ChainModel::kCascade);
   }
   return models;
 }
 
-ModelChoice choose_models(const Recipe& recipe, const SaidMotion& said, const AssetContents& contents, unsigned threads,
-                          Findings& findings) {
+ModelChoice choose_models(const RigRecipe& recipe, const SaidMotion& said, const AssetContents& contents,
+                          unsigned threads, Findings& findings) {
   ModelChoice choice{models_by_rule(recipe, said, contents), {}};
-  if (recipe.dynamics_model == "passive") return choice;
+  if (recipe.dynamics_model == DynamicsModel::kPassive) return choice;
   const std::size_t count = contents.chains.size();
   const AssetContents by_rule = settled(recipe, said, choice.models, contents);
   const BothModels both{settled(recipe, said, std::vector(count, ChainModel::kCascade), contents),
@@ -164,7 +166,7 @@ ModelChoice choose_models(const Recipe& recipe, const SaidMotion& said, const As
   parallel_for(groups.size(), threads, [&](std::size_t g) {
     const bool by_preset = by_rule.chains[groups[g].chains[0]].model == ChainModel::kPassive;
     verdicts[g] = by_preset ? judge_preset(both, groups[g], of_group)
-                            : judge_given(both, groups[g], recipe.dynamics_model == "auto", of_group);
+                            : judge_given(both, groups[g], recipe.dynamics_model == DynamicsModel::kAuto, of_group);
   });
   for (std::size_t g = 0; g < groups.size(); ++g) {
     for (const std::uint32_t chain : groups[g].chains) choice.models[chain] = verdicts[g].model;

@@ -4,13 +4,14 @@
 #include "cook/dynamics/chain_groups.h"
 #include "cook/dynamics/chain_trial.h"
 #include "cook/recipe/findings.h"
-#include "cook/recipe/recipe.h"
 #include "write/asset_writer.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace coif {
+
+struct RigRecipe;
 
 /// Chains that have no one motion as a cascade, and stay one.
 struct IllPosedChains {
@@ -29,7 +30,7 @@ struct ModelChoice {
 
 /// By which model each chain moves where nothing is run: as "dynamics.model" says; if that leaves it open, a chain with a bone
 /// that a preset moves by the passive one, others as a cascade.
-[[nodiscard]] std::vector<ChainModel> models_by_rule(const Recipe& recipe, const SaidMotion& said,
+[[nodiscard]] std::vector<ChainModel> models_by_rule(const RigRecipe& recipe, const SaidMotion& said,
                                                      const AssetContents& contents);
 
 /// By which model each chain moves, after running the telling ones in both:
@@ -39,7 +40,7 @@ struct ModelChoice {
 /// - One of a preset is passive, unless a cascade moves it within two percent of its length like that, or it is too stiff
 ///   to swing.
 /// Notes say why. `contents` as settle_model() wants it.
-[[nodiscard]] ModelChoice choose_models(const Recipe& recipe, const SaidMotion& said, const AssetContents& contents,
+[[nodiscard]] ModelChoice choose_models(const RigRecipe& recipe, const SaidMotion& said, const AssetContents& contents,
                                         unsigned threads, Findings& findings);
 
 }  // namespace coif

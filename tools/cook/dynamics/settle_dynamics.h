@@ -3,7 +3,6 @@
 #include "base/tool_error.h"
 #include "cook/dynamics/choose_model.h"
 #include "cook/recipe/findings.h"
-#include "cook/recipe/recipe.h"
 #include "write/asset_writer.h"
 
 #include <tl/expected.hpp>
@@ -12,6 +11,8 @@
 #include <vector>
 
 namespace coif {
+
+struct RigRecipe;
 
 // The passes below run a rig through the motions of the suite as a game would. `contents` holds skeleton, dynamics and
 // colliders, and opens as an asset; results do not depend on `threads`.
@@ -51,7 +52,7 @@ struct TunedSolver {
 /// (chain_groups.h). Costs are nominal, so the result repeats. kOverBudget, with what is missing, where nothing meets it. A
 /// recipe that asks for nothing gets 0.7 % if that can be had, else the best; one that asks for a cost alone gets what of
 /// that it buys.
-[[nodiscard]] tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, const Recipe& recipe,
+[[nodiscard]] tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, const RigRecipe& recipe,
                                                                unsigned threads, Findings& findings);
 
 }  // namespace coif

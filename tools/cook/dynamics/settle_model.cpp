@@ -2,6 +2,7 @@
 
 #include "cook/dynamics/natural_dynamics.h"
 #include "cook/dynamics/rest_shape.h"
+#include "cook/recipe/rig_recipe.h"
 
 #include <algorithm>
 #include <vector>
@@ -9,7 +10,8 @@
 namespace coif {
 namespace {
 
-void set_models(const Recipe& recipe, std::span<const ChainModel> models, AssetContents& contents, Findings& findings) {
+void set_models(const RigRecipe& recipe, std::span<const ChainModel> models, AssetContents& contents,
+                Findings& findings) {
   for (std::size_t c = 0; c < models.size(); ++c) {
     ChainRecord& chain = contents.chains[c];
     chain.model = models[c];
@@ -25,7 +27,7 @@ void set_models(const Recipe& recipe, std::span<const ChainModel> models, AssetC
 
 }  // namespace
 
-void settle_model(const Recipe& recipe, const SaidMotion& said, std::span<const ChainModel> models,
+void settle_model(const RigRecipe& recipe, const SaidMotion& said, std::span<const ChainModel> models,
                   AssetContents& contents, Findings& findings) {
   std::vector<bool> keeps_shape;
   for (const MotionSource source : said.sources) {

@@ -1,6 +1,7 @@
 #include "cook/dynamics/tied_chains.h"
 
 #include "base/text.h"
+#include "cook/recipe/rig_recipe.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -142,7 +143,7 @@ std::vector<bool> find_tied_chains(const HairStrips& hair, const HairRig& rig) {
   return tied;
 }
 
-void loosen_tied_chains(const Skeleton& skeleton, const std::vector<bool>& tied, const Recipe& recipe,
+void loosen_tied_chains(const Skeleton& skeleton, const std::vector<bool>& tied, const RigRecipe& recipe,
                         std::span<const PatchOverride> of_chain, SaidMotion& motion, Findings& findings) {
   motion.tied.assign(motion.records.size(), false);
   std::vector<std::string> names;

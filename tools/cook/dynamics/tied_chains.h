@@ -9,6 +9,8 @@
 
 namespace coif {
 
+struct RigRecipe;
+
 /// For each chain of the rig, whether its hair is tied: a pony tail, a pigtail or a braid, which hangs free as one round bundle. Loose
 /// hair hangs in sheets, or beside other locks.
 ///
@@ -19,7 +21,7 @@ namespace coif {
 
 /// Lets the bones of tied chains that a preset moves swing as tied hair does, where neither the recipe nor `of_chain` (empty, or one for
 /// each chain) says a friction or a damping of their own. Notes which chains are tied.
-void loosen_tied_chains(const Skeleton& skeleton, const std::vector<bool>& tied, const Recipe& recipe,
+void loosen_tied_chains(const Skeleton& skeleton, const std::vector<bool>& tied, const RigRecipe& recipe,
                         std::span<const PatchOverride> of_chain, SaidMotion& motion, Findings& findings);
 
 }  // namespace coif

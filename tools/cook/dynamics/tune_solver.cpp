@@ -1,6 +1,7 @@
 #include "cook/dynamics/chain_trial.h"
 #include "cook/dynamics/settle_dynamics.h"
 #include "cook/dynamics/tuning_bench.h"
+#include "cook/recipe/rig_recipe.h"
 
 #include <fmt/format.h>
 
@@ -20,7 +21,7 @@ constexpr double kDearSteps = 4 * kUsualRate;
 constexpr double kWorthwhile = 0.9;  ///< Of an error that is too large: dearer settings leave no more of it.
 constexpr std::uint32_t kParts[] = {1, 2, 3, 4, 6, 8, 12, 16};
 
-std::vector<std::uint32_t> frame_rates(const Recipe& recipe) {
+std::vector<std::uint32_t> frame_rates(const RigRecipe& recipe) {
   const auto slowest = std::uint32_t(std::lround(std::min(recipe.slowest_rate, recipe.fastest_rate)));
   const auto fastest = std::uint32_t(std::lround(std::max(recipe.slowest_rate, recipe.fastest_rate)));
   std::vector<std::uint32_t> rates{slowest};
@@ -51,7 +52,7 @@ struct Budget {
   }
 };
 
-Budget budget_of(const Recipe& recipe, double longest) {
+Budget budget_of(const RigRecipe& recipe, double longest) {
   Budget budget{.error = recipe.budget_error / 100,
                 .max_error = recipe.budget_max_error / 100,
                 .worst_second = recipe.budget_worst_second / 100,
@@ -148,8 +149,8 @@ std::vector<MotionNameRecord> suite_names() {
 
 }  // namespace
 
-tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, const Recipe& recipe, unsigned threads,
-                                                 Findings& findings) {
+tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, const RigRecipe& recipe,
+                                                 unsigned threads, Findings& findings) {
   if (contents.chains.empty()) return TunedSolver{};
   const std::vector<std::uint32_t> rates = frame_rates(recipe);
   TuningBench bench(contents, rates, threads);

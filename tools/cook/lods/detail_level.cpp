@@ -1,5 +1,7 @@
 #include "cook/lods/detail_level.h"
 
+#include "cook/recipe/drawn_recipe.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -62,7 +64,7 @@ std::string cost_in_bytes(std::span<const DetailLevel> levels) {
 
 }  // namespace
 
-LodSettings lod_settings(const Recipe& recipe, unsigned threads) {
+LodSettings lod_settings(const DrawnRecipe& recipe, unsigned threads) {
   LodSettings settings;
   settings.levels = recipe.lod_levels;
   settings.ratio = recipe.lod_ratio;
@@ -151,7 +153,7 @@ LeftOut level_left_out(const DetailLevel& level, std::size_t number, const char*
 
 }  // namespace
 
-void leave_out_levels(const Recipe& recipe, std::vector<DetailLevel>& levels, Findings& findings) {
+void leave_out_levels(const DrawnRecipe& recipe, std::vector<DetailLevel>& levels, Findings& findings) {
   const std::size_t first = first_used(levels, recipe.scene_largest_size);
   const std::size_t end = end_of_used(levels, first, recipe.scene_smallest_size);
   for (std::size_t i = 0; i < levels.size(); ++i) {

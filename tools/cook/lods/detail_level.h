@@ -1,7 +1,6 @@
 #pragma once
 
 #include "cook/recipe/findings.h"
-#include "cook/recipe/recipe.h"
 #include "cook/rig/skeleton.h"
 #include "cook/strands/hair_strips.h"
 
@@ -10,6 +9,8 @@
 #include <vector>
 
 namespace coif {
+
+struct DrawnRecipe;
 
 /// One level of detail: what it draws of each patch, and the bones that move on their own.
 struct DetailLevel {
@@ -38,7 +39,7 @@ struct LodSettings {
   unsigned threads = 1;      ///< The result does not depend on it.
 };
 
-[[nodiscard]] LodSettings lod_settings(const Recipe& recipe, unsigned threads);
+[[nodiscard]] LodSettings lod_settings(const DrawnRecipe& recipe, unsigned threads);
 
 inline constexpr double kScreenLines = 1080;
 
@@ -61,6 +62,6 @@ void describe_levels(std::span<const DetailLevel> levels, Findings& findings);
 /// Leaves levels out that are too fine or too coarse for every size at which the recipe's scene shows the head. One always
 /// stays. The finest that stays simulates every bone and is what errors are measured from: those of the others grow by its
 /// own at most, and are given so.
-void leave_out_levels(const Recipe& recipe, std::vector<DetailLevel>& levels, Findings& findings);
+void leave_out_levels(const DrawnRecipe& recipe, std::vector<DetailLevel>& levels, Findings& findings);
 
 }  // namespace coif

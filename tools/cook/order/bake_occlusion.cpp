@@ -1,6 +1,7 @@
 #include "base/geometry.h"
 #include "base/parallel_for.h"
 #include "cook/order/choose_order.h"
+#include "cook/recipe/drawn_recipe.h"
 #include "lab/rig.h"
 #include "visibility/fragment_view.h"
 #include "visibility/hair_surface.h"
@@ -208,7 +209,7 @@ void write_level(const Gathered& gathered, double strength, std::vector<VertexRe
 
 }  // namespace
 
-void bake_occlusion(const Recipe& recipe, unsigned threads, AssetContents& contents, Findings& findings) {
+void bake_occlusion(const DrawnRecipe& recipe, unsigned threads, AssetContents& contents, Findings& findings) {
   if (contents.vertices.empty() || recipe.occlusion_strength <= 0) return;
   const OpenedAsset opened(contents);
   const Asset& asset = opened.asset();

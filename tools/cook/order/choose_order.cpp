@@ -5,6 +5,7 @@
 #include "cook/order/order_notes.h"
 #include "cook/order/order_poses.h"
 #include "cook/order/threshold_alpha.h"
+#include "cook/recipe/drawn_recipe.h"
 #include "lab/rig.h"
 #include "visibility/order_search.h"
 
@@ -50,7 +51,7 @@ UnitOrder by_head_distance(std::span<const PatchRecord> patches) {
 class OrderChoice {
  public:
   /// `asset`: the contents, opened.
-  OrderChoice(const Recipe& recipe, unsigned threads, const AssetContents& contents, const Asset& asset,
+  OrderChoice(const DrawnRecipe& recipe, unsigned threads, const AssetContents& contents, const Asset& asset,
               std::span<const HairPositions> poses, ThresholdAlpha& alpha)
       : recipe_(recipe),
         contents_(contents),
@@ -60,7 +61,7 @@ class OrderChoice {
         head_(by_head_distance(asset.lod_patches(0))),
         usual_threshold_(contents.material.front().opaque_threshold) {
     settings_.max_orders = most_orders();
-    settings_.min_gain = recipe.order_method == "views" ? 0 : recipe.order_min_gain;
+    settings_.min_gain = recipe.order_method == OrderMethod::kViews ? 0 : recipe.order_min_gain;
     settings_.threads = threads;
     // What each pair of triangles wants is seen from so many sides as there are triangles to be told apart.
     const std::size_t triangles = contents.indices.size() / 3;
@@ -146,7 +147,7 @@ class OrderChoice {
   }
 
   [[nodiscard]] std::size_t most_orders() const {
-    if (recipe_.order_method == "single") return 1;
+    if (recipe_.order_method == OrderMethod::kSingle) return 1;
     const std::size_t bytes_of_order = contents_.indices.size() / 3 * sizeof(std::uint32_t);
     return std::min<std::size_t>(recipe_.order_max, 1 + recipe_.order_max_bytes / bytes_of_order);
   }
@@ -222,7 +223,7 @@ class OrderChoice {
     return best;
   }
 
-  const Recipe& recipe_;
+  const DrawnRecipe& recipe_;
   const AssetContents& contents_;
   std::span<const HairPositions> poses_;
   ThresholdAlpha& alpha_;
@@ -236,11 +237,11 @@ class OrderChoice {
 
 }  // namespace
 
-tl::expected<OrderFigures, ToolError> choose_order(const Recipe& recipe, std::span<const Image> used, unsigned threads,
-                                                   AssetContents& contents, Findings& findings) {
-  if (!recipe.scene_draw || recipe.order_method == "head" || !is_blended(contents)) return {};
+tl::expected<OrderFigures, ToolError> choose_order(const DrawnRecipe& recipe, std::span<const Image> used,
+                                                   unsigned threads, AssetContents& contents, Findings& findings) {
+  if (recipe.order_method == OrderMethod::kHead || !is_blended(contents)) return {};
   const std::size_t triangles = contents.indices.size() / 3;
-  if (recipe.order_method == "auto" && triangles > kMostTriangles) {
+  if (recipe.order_method == OrderMethod::kAuto && triangles > kMostTriangles) {
     findings.note(
         fmt::format("draw order: by distance from the head; {} triangles are more than the {} that are "
                     "searched for a better one unless \"order.method\" says so",

@@ -3,7 +3,6 @@
 #include "base/tool_error.h"
 #include "cook/order/order_figures.h"
 #include "cook/recipe/findings.h"
-#include "cook/recipe/recipe.h"
 #include "cook/strands/hair_strips.h"
 #include "cook/texture/image.h"
 #include "visibility/order_search.h"
@@ -15,6 +14,8 @@
 #include <vector>
 
 namespace coif {
+
+struct DrawnRecipe;
 
 struct PatchOrder {
   std::vector<std::uint32_t> patch;  ///< Draw position -> patch, inner ones first.
@@ -38,8 +39,8 @@ void apply_orders(const FoundOrders& found, AssetContents& contents);
 /// tried with those that keep_coverage() would make for it with `used`. Before that, cuts triangles of the finest level where they
 /// cross (cook/cuts), as far as "order.cut_budget" allows. Notes what was chosen, with figures. Errors: kBadInput for hair that the
 /// runtime cannot simulate.
-tl::expected<OrderFigures, ToolError> choose_order(const Recipe& recipe, std::span<const Image> used, unsigned threads,
-                                                   AssetContents& contents, Findings& findings);
+tl::expected<OrderFigures, ToolError> choose_order(const DrawnRecipe& recipe, std::span<const Image> used,
+                                                   unsigned threads, AssetContents& contents, Findings& findings);
 
 /// Writes into each vertex which share of the light from everywhere reaches it in the rest pose
 /// (VertexRecord::normal[3]): over the 96 directions of view_cells.h, each as wide as its cell, the mean of what the
@@ -48,6 +49,6 @@ tl::expected<OrderFigures, ToolError> choose_order(const Recipe& recipe, std::sp
 /// painted, so this comes before keep_coverage(). Recipe: "occlusion.strength". Notes the mean and the least.
 ///
 /// Source of the idea: Zhukov, Iones, Kronin 1998, "An ambient light illumination model".
-void bake_occlusion(const Recipe& recipe, unsigned threads, AssetContents& contents, Findings& findings);
+void bake_occlusion(const DrawnRecipe& recipe, unsigned threads, AssetContents& contents, Findings& findings);
 
 }  // namespace coif

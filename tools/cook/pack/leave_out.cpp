@@ -1,4 +1,5 @@
 #include "cook/pack/pack.h"
+#include "cook/recipe/scene_recipe.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +18,7 @@ std::uint64_t clear_shift_mask(AssetContents& contents) {
 
 }  // namespace
 
-void leave_out_parts(const Recipe& recipe, AssetContents& contents, Findings& findings) {
+void leave_out_parts(const SceneRecipe& recipe, AssetContents& contents, Findings& findings) {
   const auto note = [&](const char* what, const char* key, std::uint64_t bytes) {
     if (bytes > 0) findings.leave_out({what, fmt::format("\"scene.{}\" is false", key), bytes, 0});
   };

@@ -3,7 +3,6 @@
 #include "cook/lods/detail_level.h"
 #include "cook/order/choose_order.h"
 #include "cook/recipe/findings.h"
-#include "cook/recipe/recipe.h"
 #include "cook/rig/skeleton.h"
 #include "cook/strands/hair_strips.h"
 #include "cook/texture/bake_textures.h"
@@ -16,6 +15,9 @@
 #include <vector>
 
 namespace coif {
+
+struct SceneRecipe;
+struct DrawnRecipe;
 
 /// Writes vertices, skin, indices and patches of `contents`: patches contiguous in draw order, triangles inside a patch
 /// ordered for the vertex cache, vertices in order of first use. Positions move to head space.
@@ -36,14 +38,15 @@ void pack_mesh(const HairStrips& hair, const HairRig& rig, std::span<const Detai
 /// The recipe's material; its base colour times `color`'s factor, thresholds as chosen, highlights with the shift and mask
 /// that all strands have in common.
 [[nodiscard]] MaterialRecord pack_material(const BaseColor& color, const BakedTextures& textures, const HairMesh& hair,
-                                           const Recipe& recipe);
+                                           const DrawnRecipe& recipe);
 
-/// What a cook by this version of the tool says of its origin. `source_hash`: XXH64 of the source file's bytes.
-[[nodiscard]] ProvenanceRecord make_provenance(const SourceModel& source, const Recipe& recipe,
+/// What a cook by this version of the tool says of its origin. `recipe_hash`: recipe_hash(). `source_hash`: XXH64 of the source
+/// file's bytes.
+[[nodiscard]] ProvenanceRecord make_provenance(const SourceModel& source, std::uint64_t recipe_hash,
                                                std::uint64_t source_hash);
 
 /// Takes the parts out of `contents` that the recipe's "scene" is without: bone names, quality, provenance, shift and mask,
 /// all that is drawn.
-void leave_out_parts(const Recipe& recipe, AssetContents& contents, Findings& findings);
+void leave_out_parts(const SceneRecipe& recipe, AssetContents& contents, Findings& findings);
 
 }  // namespace coif

@@ -1,7 +1,7 @@
 #include "base/geometry.h"
 #include "base/hair_runtime.h"
 #include "cook/pack/pack.h"
-#include "payload_hash.h"
+#include "cook/recipe/drawn_recipe.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ void store(const std::array<double, kCount>& value, float (&out)[kCount]) {
 }
 
 /// After the colours, from which the cut follows.
-void pack_shading(const Recipe& recipe, MaterialRecord& record) {
+void pack_shading(const DrawnRecipe& recipe, MaterialRecord& record) {
   record.shading = shading_model(recipe.shading).value_or(ShadingModel::kThesis);
   record.tilt = float(recipe.tilt * kDegree);
   record.roughness = float(recipe.roughness * kDegree);
@@ -25,13 +25,13 @@ void pack_shading(const Recipe& recipe, MaterialRecord& record) {
   record.glow = float(recipe.glow);
   record.root_shade = float(recipe.root_shade);
   record.variation = float(recipe.variation);
-  if (recipe.energy == "bounded") record.light_cut = bounding_cut(record);
+  if (recipe.energy == ShadingEnergy::kBounded) record.light_cut = bounding_cut(record);
 }
 
 }  // namespace
 
 MaterialRecord pack_material(const BaseColor& color, const BakedTextures& textures, const HairMesh& hair,
-                             const Recipe& recipe) {
+                             const DrawnRecipe& recipe) {
   constexpr double kMostShift = 10;  // that an asset holds
   MaterialRecord record{};
   store(recipe.base_color, record.base_color);
@@ -47,7 +47,7 @@ MaterialRecord pack_material(const BaseColor& color, const BakedTextures& textur
   for (float& c : record.secondary_color) c *= float(textures.constant_mask);
   record.opaque_threshold = float(textures.transparency.opaque_threshold);
   record.discard_threshold = float(textures.transparency.discard_threshold);
-  const bool both = recipe.sides == "both" || (recipe.sides == "auto" && hair.double_sided);
+  const bool both = recipe.sides == Sides::kBoth || (recipe.sides == Sides::kAuto && hair.double_sided);
   if (both) record.flags |= kMaterialDoubleSided;
   for (int k = 0; k < 4; ++k) record.base_color[k] *= color.factor[k];
   pack_shading(recipe, record);
@@ -101,19 +101,10 @@ double furnace_bound(const MaterialRecord& material) {
 
 float bounding_cut(const MaterialRecord& material) { return float(1 - 1 / std::max(1.0, furnace_bound(material))); }
 
-namespace {
-
-std::uint64_t recipe_hash(const Recipe& recipe) {
-  const std::string text = canonical_recipe(recipe);
-  return xxh64(std::as_bytes(std::span(text.data(), text.size())));
-}
-
-}  // namespace
-
-ProvenanceRecord make_provenance(const SourceModel& source, const Recipe& recipe, std::uint64_t source_hash) {
+ProvenanceRecord make_provenance(const SourceModel& source, std::uint64_t recipe_hash, std::uint64_t source_hash) {
   ProvenanceRecord record{};
   record.source_hash = source_hash;
-  record.recipe_hash = recipe_hash(recipe);
+  record.recipe_hash = recipe_hash;
   record.tool_version[0] = COIF_VERSION_MAJOR;
   record.tool_version[1] = COIF_VERSION_MINOR;
   record.tool_version[2] = COIF_VERSION_PATCH;

@@ -16,7 +16,7 @@ constexpr HairPreset kPresets[] = {{"natural", 0.08, 0.45, 2.2},
 
 std::span<const HairPreset> hair_presets() { return kPresets; }
 
-const HairPreset& preset_of(const Recipe& recipe) {
+const HairPreset& preset_of(const RigRecipe& recipe) {
   const auto is_meant = [&](const HairPreset& preset) { return recipe.dynamics_preset == preset.name; };
   const auto* const found = std::find_if(std::begin(kPresets), std::end(kPresets), is_meant);
   return found != std::end(kPresets) ? *found : kPresets[0];

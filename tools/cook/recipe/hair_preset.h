@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cook/recipe/recipe.h"
+#include "cook/recipe/rig_recipe.h"
 
 #include <span>
 
@@ -15,6 +15,6 @@ struct HairPreset {
 };
 
 [[nodiscard]] std::span<const HairPreset> hair_presets();
-[[nodiscard]] const HairPreset& preset_of(const Recipe& recipe);
+[[nodiscard]] const HairPreset& preset_of(const RigRecipe& recipe);
 
 }  // namespace coif

@@ -19,7 +19,7 @@ constexpr std::size_t kMostOverrides = 4096;
 
 // Words that patches have and the whole hair has not. Their fields are borrowed.
 constexpr RecipeKey kRoot{"", "root", &R::strand_root, "", 0, 0, "auto|low_u|high_u|low_v|high_v|swap", "", ""};
-constexpr RecipeKey kChain{"", "chain", &R::chain_source, "", 0, 0, "auto|none", "", ""};
+constexpr RecipeKey kChain{"", "chain", &R::strand_root, "", 0, 0, "auto|none", "", ""};
 
 const RecipeKey& key_at(const char* path) {
   return *std::ranges::find_if(recipe_keys(), [path](const RecipeKey& key) { return key.path() == path; });
@@ -55,7 +55,7 @@ using O = PatchOverride;
 const OverrideKey kOverrideKeys[] = {
     override_key<&R::strand_root, &O::root>(
         "root", []() -> const RecipeKey& { return kRoot; }, false),
-    override_key<&R::chain_source, &O::chain>(
+    override_key<&R::strand_root, &O::chain>(
         "chain", []() -> const RecipeKey& { return kChain; }, false),
     override_key<&R::resistance, &O::resistance>(
         "resistance", []() -> const RecipeKey& { return key_at("dynamics.resistance"); }, true),
@@ -186,10 +186,14 @@ void PatchOverride::add_motion(const PatchOverride& later) {
   }
 }
 
-void PatchOverride::apply_motion(Recipe& recipe) const {
+void PatchOverride::apply_motion(RigRecipe& recipe) const {
+  Recipe whole;
+  RigRecipe& of_rig = whole;
+  of_rig = std::move(recipe);
   for (const OverrideKey& key : kOverrideKeys) {
-    if (key.of_motion) key.give(*this, recipe);
+    if (key.of_motion) key.give(*this, whole);
   }
+  recipe = std::move(of_rig);
 }
 
 Outcome read_overrides(const json& value, std::vector<PatchOverride>& out) {

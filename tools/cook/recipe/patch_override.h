@@ -12,7 +12,7 @@
 
 namespace coif {
 
-struct Recipe;
+struct RigRecipe;
 
 /// Which patches are meant: those for which all that is given holds. 'coif cook --list patches' prints what there is.
 struct PatchSelection {
@@ -34,7 +34,7 @@ struct PatchSelection {
 struct PatchOverride {
   PatchSelection select;
   std::optional<bool> keep;          ///< False: no hair, and left out.
-  std::optional<std::string> root;   ///< As Recipe::strand_root; "swap": the other end than the cook would take.
+  std::optional<std::string> root;   ///< As StripRecipe::strand_root; "swap": the other end than the cook would take.
   std::optional<std::string> chain;  ///< "auto"; "none": rigid with the head.
   // Of the chains that carry mostly these patches.
   std::optional<std::vector<CurvePoint>> resistance;
@@ -49,7 +49,7 @@ struct PatchOverride {
   /// Adds what a later one says of motion, which holds where both say something.
   void add_motion(const PatchOverride& later);
   /// Puts what is said of motion in place of what `recipe` says.
-  void apply_motion(Recipe& recipe) const;
+  void apply_motion(RigRecipe& recipe) const;
 };
 
 }  // namespace coif

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "cook/recipe/recipe_keys.h"
 #include "cook/recipe/recipe_preset.h"
+#include "payload_hash.h"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <span>
 #include <sstream>
 
 namespace coif {
@@ -131,10 +133,10 @@ Recipe default_recipe() {
 
 Recipe draft_of(Recipe recipe) {
   constexpr std::uint32_t kDraftTexels = 512;
-  recipe.order_method = "head";
+  recipe.order_method = OrderMethod::kHead;
   recipe.lod_levels = 1;
   recipe.texture_max_size = std::min(texture_limit(recipe), kDraftTexels);
-  recipe.shift_mask_format = "rg8";
+  recipe.shift_mask_format = ShiftMaskFormat::kRg8;
   recipe.occlusion_strength = 0;
   recipe.cards_rounds = std::min(recipe.cards_rounds, 1u);
   return recipe;
@@ -188,5 +190,10 @@ bool is_recipe_file(const std::filesystem::path& path) { return path.filename().
 std::string print_recipe(const Recipe& recipe) { return commented(recipe, true); }
 
 std::string canonical_recipe(const Recipe& recipe) { return commented(recipe, false); }
+
+std::uint64_t recipe_hash(const Recipe& recipe) {
+  const std::string text = canonical_recipe(recipe);
+  return xxh64(std::as_bytes(std::span(text.data(), text.size())));
+}
 
 }  // namespace coif

@@ -41,7 +41,7 @@ const RecipeKey kCookKeys[] = {
 
   {"source", "metres_per_unit", &R::metres_per_unit, "0", 0, 1000, nullptr, "m",
    "size of the file's unit; 0 takes the file's own, unless the model's size speaks clearly for another; OBJ has none"},
-  {"source", "up_axis", &R::up_axis, "\"file\"", 0, 0, "file|x|y|z", "",
+  {"source", "up_axis", choice_of<&R::up_axis>, "\"file\"", 0, 0, "file|x|y|z", "",
    "axis that points up in the file; file: the one it says, unless bones and hair speak clearly for another"},
   {"source", "variant", &R::source_variant, "\"\"", 0, 0, nullptr, "",
    "which look of a glTF with KHR_materials_variants, by its name; empty: the materials that its meshes have", "", false, nullptr, kIsLater},
@@ -59,7 +59,7 @@ const RecipeKey kCookKeys[] = {
 
   {"skeleton", "head", &R::head_bone, "\"\"", 0, 0, nullptr, "",
    "name of the head bone; empty: found by its name above the hair bones"},
-  {"skeleton", "scalp", &R::scalp, "\"thesis\"", 0, 0, "thesis|none|pattern", "",
+  {"skeleton", "scalp", choice_of<&R::scalp>, "\"thesis\"", 0, 0, "thesis|none|pattern", "",
    "rigid bones: 'thesis' the first bone of each chain below the head, 'none', or 'pattern' those in scalp_bones"},
   {"skeleton", "scalp_bones", &R::scalp_bones, "[]", 0, 0, nullptr, "",
    "names of the bones that stay rigid with the head, where scalp is 'pattern'"},
@@ -81,7 +81,7 @@ const RecipeKey kCookKeys[] = {
   {"cards", "follow_radius", &R::cards_follow_radius, "0", 0, 0.1, nullptr, "m",
    "how far from it; 0: as far as they need to cover the scalp between the file's strands"},
 
-  {"chains", "source", &R::chain_source, "\"auto\"", 0, 0, "auto|file|fit|none", "",
+  {"chains", "source", choice_of<&R::chain_source>, "\"auto\"", 0, 0, "auto|file|fit|none", "",
    "where moving bones come from: the file, fitted to the hair, or neither; auto: fitted where the file has none"},
   {"chains", "max_count", &R::chain_max_count, "16", 1, 128, nullptr, "chains",
    "most chains that are fitted"},
@@ -96,7 +96,7 @@ const RecipeKey kCookKeys[] = {
   {"chains", "exclude", &R::chain_exclude, "[]", 0, 0, nullptr, "",
    "names of the meshes or materials that stay rigid with the head"},
 
-  {"patches", "connectivity", &R::patch_connectivity, "\"auto\"", 0, 0, "auto|island|index|position", "",
+  {"patches", "connectivity", choice_of<&R::patch_connectivity>, "\"auto\"", 0, 0, "auto|island|index|position", "",
    "triangles are one patch when they share a texture island, vertices (index) or places; auto: what does not shatter"},
   {"patches", "widest", &R::patch_widest, "0", 0, 100, nullptr, "m",
    "patches wider than this across their strands are cut along them; 0: three quarters of the head's radius"},
@@ -109,14 +109,14 @@ const RecipeKey kCookKeys[] = {
   {"strands", "root", &R::strand_root, "\"auto\"", 0, 0, "auto|low_u|high_u|low_v|high_v", "",
    "side of the texture where the roots are; auto: found for each patch ('coif render --component direction' shows it)"},
 
-  {"dynamics", "source", &R::dynamics_source, "\"auto\"", 0, 0, "auto|curves|springs", "",
+  {"dynamics", "source", choice_of<&R::dynamics_source>, "\"auto\"", 0, 0, "auto|curves|springs", "",
    "auto: the file's spring bones (VRM) where a bone has one, else the curve and numbers here; springs: the same, and a"
    " warning where one is missing; curves: never the file's"},
   {"dynamics", "preset", &R::dynamics_preset, "\"natural\"", 0, 0, "natural|stiff|heavy|bouncy|wet", "",
    "what hair it is, where neither the file nor \"resistance\" says how it moves: how long it has to be to hang, and how it swings"},
   {"dynamics", "liveliness", &R::liveliness, "null", 0, 1, nullptr, "",
    "0: no bone swings past where it rests, 1: only the air stops it; null: the preset's, or what a resistance or spring brings"},
-  {"dynamics", "model", &R::dynamics_model, "\"auto\"", 0, 0, "auto|cascade|passive", "",
+  {"dynamics", "model", choice_of<&R::dynamics_model>, "\"auto\"", 0, 0, "auto|cascade|passive", "",
    "passive: bones hold back the one before, which soft hair needs to swing; cascade: they do not, at half the price; auto:"
    " passive for presets; for springs and resistances cascade, unless hair that soft would have to be damped as one"},
   {"dynamics", "resistance", &R::resistance, "[]", 0, 1, nullptr, "per step",
@@ -136,7 +136,7 @@ const RecipeKey kCookKeys[] = {
   {"dynamics", "damping_ratio", &R::damping_ratio, "null", 0, 10, nullptr, "",
    "the same as a share of what would keep a bone from swinging past its pose, the air's friction included; null: as"
    " \"liveliness\" says", "; one number, or points [place along the chain from root 0 to tip 1, value 0..10]"},
-  {"dynamics", "conditioning", &R::conditioning, "\"auto\"", 0, 0, "auto|off", "",
+  {"dynamics", "conditioning", choice_of<&R::conditioning>, "\"auto\"", 0, 0, "auto|off", "",
    "auto: where a chain's motion would not be the same twice, damps it, by what changes it least, and says so; off: never"},
   {"dynamics", "torsion", &R::torsion, "null", 0, 1.0e6, nullptr, "1/s",
    "how fast a twist of a bone against its parent goes back; 1e6: there never is one; null: 20 for chains that fold back"
@@ -171,7 +171,7 @@ const RecipeKey kCookKeys[] = {
   {"budget", "fastest_rate", &R::fastest_rate, "120", 10, 1000, nullptr, "1/s",
    "highest frame rate at which the budget holds"},
 
-  {"head", "shape", &R::head_shape, "\"auto\"", 0, 0, "auto|ellipsoid|sphere|capsule|none", "",
+  {"head", "shape", choice_of<&R::head_shape>, "\"auto\"", 0, 0, "auto|ellipsoid|sphere|capsule|none", "",
    "what hair stays out of; auto: the file's spring colliders on the head, else an ellipsoid"},
   {"head", "center", &R::head_center, "null", -1000, 1000, nullptr, "m",
    "centre of the head in the model, metres, Y up; null: fitted"},
@@ -195,7 +195,7 @@ const RecipeKey kCookKeys[] = {
   {"lods", "still_pixels", &R::lod_still_pixels, "24", 0, 10000, nullptr, "pixels",
    "on such a screen hair of a coarser level that hangs free for less than this is rigid"},
 
-  {"order", "method", &R::order_method, "\"auto\"", 0, 0, "auto|head|single|views", "",
+  {"order", "method", choice_of<&R::order_method>, "\"auto\"", 0, 0, "auto|head|single|views", "",
    "how blended hair is sorted: by distance from the head, in the best single order of patches, or in orders of triangles for"
    " directions to look from; auto: what comes closest to the exact picture, but by distance above 250000 triangles"},
   {"order", "max_orders", &R::order_max, "8", 1, 32, nullptr, "orders",
@@ -223,20 +223,20 @@ const RecipeKey kCookKeys[] = {
   {"textures", "root_to_tip", &R::root_to_tip_texture, "\"\"", 0, 0, nullptr, "",
    "image that grows from 0 at the root to 1 at the tip, as packed hair atlases have it: says which end of each card is the root",
    kOrChannel, kNamesFile, nullptr, kIsLater},
-  {"textures", "vertex_colors", &R::vertex_colors, "\"auto\"", 0, 0, "auto|multiply|ignore", "",
+  {"textures", "vertex_colors", choice_of<&R::vertex_colors>, "\"auto\"", 0, 0, "auto|multiply|ignore", "",
    "whether the source's vertex colours multiply colour and alpha, as glTF says; auto: unless all are black or clear, which are"
    " numbers for something else", "", false, nullptr, kIsLater},
   {"textures", "normal", &R::normal_texture, "\"\"", 0, 0, nullptr, "",
    "image of normals or heights that the hair is lit by; empty: the source's own", "", kNamesFile},
   {"textures", "normal_strength", &R::normal_strength, "1", 0, 16, nullptr, "",
    "multiplies the slopes of that image; 0: none is used"},
-  {"textures", "normal_green", &R::normal_green, "\"auto\"", 0, 0, "auto|up|down", "",
+  {"textures", "normal_green", choice_of<&R::normal_green>, "\"auto\"", 0, 0, "auto|up|down", "",
    "where green of it leads, up the image (OpenGL) or down (DirectX); auto: up in glTF, else what its slopes show"},
   {"textures", "max_size", &R::texture_max_size, "null", 1, 16384, nullptr, "texels",
    "larger images are reduced to this", "; null: 1024, and cards of strands get all of cards.texels", false, "1024"},
   {"textures", "seed", &R::texture_seed, "1", 0, 4294967295.0, nullptr, "",
    "start of the generated shift and mask"},
-  {"textures", "shift_mask_format", &R::shift_mask_format, "\"eac\"", 0, 0, "eac|rg8", "",
+  {"textures", "shift_mask_format", choice_of<&R::shift_mask_format>, "\"eac\"", 0, 0, "eac|rg8", "",
    "how shift and mask, normals and strands are stored: eac takes half the bytes, rg8 keeps every value"},
 
   {"occlusion", "strength", &R::occlusion_strength, "1", 0, 1, nullptr, "",
@@ -246,7 +246,7 @@ const RecipeKey kCookKeys[] = {
    "multiplies the base texture (red, green, blue, alpha)"},
   {"material", "ambient", &R::ambient, "[0.09, 0.09, 0.1]", 0, 100, nullptr, "linear",
    "light from everywhere, times the base colour"},
-  {"material", "sides", &R::sides, "\"auto\"", 0, 0, "auto|both|front", "",
+  {"material", "sides", choice_of<&R::sides>, "\"auto\"", 0, 0, "auto|both|front", "",
    "which sides of the triangles are seen; auto: both, unless the file has closed pieces or says single-sided"},
   {"material", "opaque_threshold", &R::opaque_threshold, "0", 0, 1, nullptr, "alpha",
    "texels from this alpha on are drawn opaque, the others are blended; 0: the material's, else chosen from the texture, then for"
@@ -280,7 +280,7 @@ const RecipeKey kCookKeys[] = {
    "share of their colour that strands lack at the root, as hair does that has grown since it was dyed or lies deep"},
   {"material", "variation", &R::variation, "0", 0, 1, nullptr, "",
    "share by which strands are lighter and darker than each other, where a texture tells them apart"},
-  {"material", "energy", &R::energy, "\"published\"", 0, 0, "published|bounded", "",
+  {"material", "energy", choice_of<&R::energy>, "\"published\"", 0, 0, "published|bounded", "",
    "bounded: lights add less, so that hair never reflects more light than it gets however many there are; published: as"
    " the model's authors have it"},
 };

@@ -8,10 +8,24 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
 namespace coif {
+
+/// A value that is one of a few words: an enumeration, whose numbers are the words' places in RecipeKey::choices.
+struct ChoiceField {
+  std::size_t (*get)(const Recipe&);
+  void (*set)(Recipe&, std::size_t);
+};
+
+template <auto kMember>
+inline constexpr ChoiceField choice_of = {[](const Recipe& recipe) { return std::size_t(recipe.*kMember); },
+                                          [](Recipe& recipe, std::size_t choice) {
+                                            using Choice = std::remove_reference_t<decltype(recipe.*kMember)>;
+                                            recipe.*kMember = Choice(choice);
+                                          }};
 
 using RecipeField =
     std::variant<bool Recipe::*, double Recipe::*, std::uint32_t Recipe::*, std::string Recipe::*,
@@ -20,7 +34,7 @@ using RecipeField =
                  std::optional<NumberOrCurve> Recipe::*, std::optional<std::array<double, 3>> Recipe::*,
                  std::optional<std::array<double, 2>> Recipe::*, std::optional<std::uint32_t> Recipe::*,
                  std::vector<PatchOverride> Recipe::*, std::vector<RecipeBodyCollider> Recipe::*,
-                 std::vector<RecipeBoneLimit> Recipe::*, RecipeLinks Recipe::*, RecipeTexture Recipe::*>;
+                 std::vector<RecipeBoneLimit> Recipe::*, RecipeLinks Recipe::*, RecipeTexture Recipe::*, ChoiceField>;
 
 /// One key of a recipe: everything that reading, checking and printing it needs.
 struct RecipeKey {

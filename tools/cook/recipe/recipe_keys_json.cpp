@@ -9,13 +9,11 @@ namespace coif {
 namespace {
 
 const char* kind_of(const RecipeKey& key) {
-  const auto holds = [&]<typename Field>(Field Recipe::*) {
-    return std::holds_alternative<Field Recipe::*>(key.field);
-  };
-  if (holds(&Recipe::scene_draw)) return "switch";
-  if (holds(&Recipe::gravity_scale) || holds(&Recipe::friction)) return "number";
-  if (holds(&Recipe::lod_levels) || holds(&Recipe::texture_max_size)) return "whole";
-  return key.choices != nullptr && holds(&Recipe::up_axis) ? "choice" : "other";
+  const auto holds = [&]<typename Field>() { return std::holds_alternative<Field Recipe::*>(key.field); };
+  if (holds.operator()<bool>()) return "switch";
+  if (holds.operator()<double>() || holds.operator()<std::optional<double>>()) return "number";
+  if (holds.operator()<std::uint32_t>() || holds.operator()<std::optional<std::uint32_t>>()) return "whole";
+  return key.choices != nullptr ? "choice" : "other";
 }
 
 }  // namespace

@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <sstream>
+#include <type_traits>
 
 namespace coif {
 namespace {
@@ -20,12 +21,19 @@ bool allowed(const RecipeKey& key, const json& value) {
   return value.is_number() && value.get<double>() >= key.low && value.get<double>() <= key.high;
 }
 
-bool is_choice(const char* choices, const std::string& word) {
-  std::istringstream list(choices);
-  for (std::string choice; std::getline(list, choice, '|');) {
-    if (choice == word) return true;
-  }
-  return false;
+std::vector<std::string> words_of(const RecipeKey& key) {
+  std::vector<std::string> words;
+  std::istringstream list(key.choices);
+  for (std::string word; std::getline(list, word, '|');) words.push_back(word);
+  return words;
+}
+
+/// The place of the word among those of `key`.
+tl::expected<std::size_t, std::string> read_choice(const RecipeKey& key, const json& value) {
+  const std::vector<std::string> words = words_of(key);
+  const auto found = value.is_string() ? std::ranges::find(words, value.get<std::string>()) : words.end();
+  if (found != words.end()) return std::size_t(found - words.begin());
+  return value.is_string() ? wants(fmt::format("one of {}", key.choices), value) : wants("a text", value);
 }
 
 Outcome read(const RecipeKey&, const json& value, bool& out) {
@@ -48,8 +56,8 @@ Outcome read(const RecipeKey& key, const json& value, std::uint32_t& out) {
 
 Outcome read(const RecipeKey& key, const json& value, std::string& out) {
   if (!value.is_string()) return wants("a text", value);
-  if (key.choices != nullptr && !is_choice(key.choices, value.get<std::string>())) {
-    return wants(fmt::format("one of {}", key.choices), value);
+  if (key.choices != nullptr) {
+    if (const auto choice = read_choice(key, value); !choice) return tl::unexpected(choice.error());
   }
   out = value.get<std::string>();
   return {};
@@ -180,11 +188,25 @@ Outcome read_patterns(const json& value, std::vector<std::string>& out) {
 }
 
 Outcome read_value(const RecipeKey& key, const json& json, Recipe& recipe) {
-  return std::visit([&](auto field) { return read(key, json, recipe.*field); }, key.field);
+  const auto read_field = [&](auto field) -> Outcome {
+    if constexpr (std::is_same_v<decltype(field), ChoiceField>) {
+      return read_choice(key, json).map([&](std::size_t choice) { field.set(recipe, choice); });
+    } else {
+      return read(key, json, recipe.*field);
+    }
+  };
+  return std::visit(read_field, key.field);
 }
 
 json write_value(const RecipeKey& key, const Recipe& recipe) {
-  return std::visit([&](auto field) { return write(recipe.*field); }, key.field);
+  const auto write_field = [&](auto field) -> json {
+    if constexpr (std::is_same_v<decltype(field), ChoiceField>) {
+      return words_of(key)[field.get(recipe)];
+    } else {
+      return write(recipe.*field);
+    }
+  };
+  return std::visit(write_field, key.field);
 }
 
 }  // namespace coif

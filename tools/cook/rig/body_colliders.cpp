@@ -2,6 +2,7 @@
 
 #include "base/geometry.h"
 #include "base/text.h"
+#include "cook/recipe/rig_recipe.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -74,7 +75,7 @@ void grow(HeadCollider& shape, double hit_radius) {
 class BodyPass {
  public:
   BodyPass(const SourceModel& source, const HeadBone& head_bone, const Skeleton& skeleton, const Colliders& of_head,
-           const Recipe& recipe, Findings& findings)
+           const RigRecipe& recipe, Findings& findings)
       : source_(source),
         head_node_(head_bone.node),
         skeleton_(skeleton),
@@ -87,7 +88,7 @@ class BodyPass {
     for (std::size_t i = 0; i < recipe_.body_colliders.size(); ++i) {
       if (Done done = add_recipe(recipe_.body_colliders[i], i); !done) return tl::unexpected(done.error());
     }
-    if (recipe_.dynamics_source != "curves") add_springs();
+    if (recipe_.dynamics_source != DynamicsSource::kCurves) add_springs();
     keep_the_nearest();
     for (const BodyCandidate& candidate : candidates_) keep(candidate);
     tell();
@@ -251,7 +252,7 @@ class BodyPass {
   std::uint32_t head_node_;
   const Skeleton& skeleton_;
   bool is_thick_;  // bones have hit radii
-  const Recipe& recipe_;
+  const RigRecipe& recipe_;
   Findings& findings_;
   std::vector<BodyCandidate> candidates_;
   std::map<std::uint32_t, std::uint32_t> bone_of_;  // of nodes
@@ -262,7 +263,7 @@ class BodyPass {
 
 tl::expected<BodyColliders, ToolError> find_body_colliders(const SourceModel& source, const HeadBone& head_bone,
                                                            const Skeleton& skeleton, const Colliders& of_head,
-                                                           const Recipe& recipe, Findings& findings) {
+                                                           const RigRecipe& recipe, Findings& findings) {
   tl::expected<BodyColliders, ToolError> body = BodyPass(source, head_bone, skeleton, of_head, recipe, findings).run();
   if (body && !body->shapes.empty()) {
     body->hit_radius = of_head.hit_radius;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/tool_error.h"
 #include "cook/rig/colliders.h"
 
 #include <Eigen/Geometry>
@@ -8,6 +9,8 @@
 #include <vector>
 
 namespace coif {
+
+struct RigRecipe;
 
 /// A bone of the body at rest, in model space, metres.
 struct BodyBone {
@@ -30,8 +33,8 @@ struct BodyColliders : Colliders {
 [[nodiscard]] tl::expected<BodyColliders, ToolError> find_body_colliders(const SourceModel& source,
                                                                          const HeadBone& head_bone,
                                                                          const Skeleton& skeleton,
-                                                                         const Colliders& of_head, const Recipe& recipe,
-                                                                         Findings& findings);
+                                                                         const Colliders& of_head,
+                                                                         const RigRecipe& recipe, Findings& findings);
 
 /// Writes body bones, their names, colliders and sets of `contents`, in head space. Does nothing without a collider.
 void pack_body(const Skeleton& skeleton, const BodyColliders& body, AssetContents& contents);

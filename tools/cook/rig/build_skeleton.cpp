@@ -1,4 +1,5 @@
 #include "base/text.h"
+#include "cook/recipe/rig_recipe.h"
 #include "cook/rig/skeleton.h"
 #include "cook/select/hair_evidence.h"
 #include "cook/select/head.h"
@@ -71,7 +72,7 @@ Skeleton only_head(const SourceModel& source, const HeadBone& head) {
 
 class SkeletonBuilder {
  public:
-  SkeletonBuilder(const SourceModel& source, const HairMesh& hair, const Recipe& recipe, const HeadBone& head)
+  SkeletonBuilder(const SourceModel& source, const HairMesh& hair, const RigRecipe& recipe, const HeadBone& head)
       : source_(source),
         hair_(hair),
         recipe_(recipe),
@@ -90,12 +91,12 @@ class SkeletonBuilder {
  private:
   /// Where the recipe heeds spring bones: artists let hair swing from its first joint.
   [[nodiscard]] bool swings(std::uint32_t node) const {
-    return recipe_.dynamics_source != "curves" && is_spring_[node];
+    return recipe_.dynamics_source != DynamicsSource::kCurves && is_spring_[node];
   }
 
   [[nodiscard]] bool is_scalp(std::uint32_t node, std::uint32_t parent_bone) const {
-    if (recipe_.scalp == "pattern") return matches_any(source_.nodes[node].name, recipe_.scalp_bones);
-    return recipe_.scalp == "thesis" && parent_bone == 0 && !children_[node].empty() && !swings(node);
+    if (recipe_.scalp == ScalpRule::kPattern) return matches_any(source_.nodes[node].name, recipe_.scalp_bones);
+    return recipe_.scalp == ScalpRule::kThesis && parent_bone == 0 && !children_[node].empty() && !swings(node);
   }
 
   /// Scalp bones depth first; remembers where chains start, since all rigid bones come before them.
@@ -172,7 +173,7 @@ class SkeletonBuilder {
 
   const SourceModel& source_;
   const HairMesh& hair_;
-  const Recipe& recipe_;
+  const RigRecipe& recipe_;
   std::vector<bool> is_spring_;
   Children children_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> chain_roots_;  ///< Node, rigid bone that carries it.
@@ -216,7 +217,7 @@ void warn_of_foreign_weight(const SourceModel& source, const NodeWeights& weight
 }  // namespace
 
 tl::expected<Skeleton, ToolError> build_skeleton(const SourceModel& source, const HairMesh& hair, const HeadBone& head,
-                                                 const Recipe& recipe, Findings& findings) {
+                                                 const RigRecipe& recipe, Findings& findings) {
   Skeleton skeleton = SkeletonBuilder(source, hair, recipe, head).finish();
   if (skeleton.bones.size() > kMaxBones) {
     return tl::unexpected(ToolError{

@@ -32,19 +32,18 @@ Carried carried_hair(const HairStrips& hair, const HairRig& rig) {
 
 }  // namespace
 
-std::vector<PatchOverride> chain_overrides(const HairStrips& hair, const HairRig& rig, const Recipe& recipe,
-                                           Findings& findings) {
+std::vector<PatchOverride> chain_overrides(const HairStrips& hair, const HairRig& rig, Findings& findings) {
   std::vector<PatchOverride> of_chain(rig.skeleton.chains.size());
-  if (hair.overridden_by.empty()) return of_chain;
+  if (hair.overrides.of_patch.empty()) return of_chain;
   const Carried carried = carried_hair(hair, rig);
   std::vector<double> all(of_chain.size(), 0);
   for (const auto& [key, area] : carried) all[key.first] += area;
-  for (std::uint32_t o = 0; o < recipe.patch_overrides.size(); ++o) {
-    const PatchOverride& said = recipe.patch_overrides[o];
+  for (std::uint32_t o = 0; o < hair.overrides.said.size(); ++o) {
+    const PatchOverride& said = hair.overrides.said[o];
     if (!said.is_of_motion()) continue;
     std::vector<double> selected(of_chain.size(), 0);
     for (const auto& [key, area] : carried) {
-      if (std::ranges::find(hair.overridden_by[key.second], o) != hair.overridden_by[key.second].end()) {
+      if (std::ranges::find(hair.overrides.of_patch[key.second], o) != hair.overrides.of_patch[key.second].end()) {
         selected[key.first] += area;
       }
     }

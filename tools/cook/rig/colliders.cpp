@@ -1,5 +1,8 @@
 #include "cook/rig/colliders.h"
 
+#include "cook/recipe/hair_recipe.h"
+#include "cook/recipe/rig_recipe.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -86,13 +89,13 @@ std::vector<BoneReach> reach_of_bones(const Skeleton& skeleton) {
   return reach;
 }
 
-Colliders head_colliders(const FittedHead& head, const Skeleton& skeleton, const Recipe& recipe, Findings& findings) {
+Colliders head_colliders(const FittedHead& head, const Skeleton& skeleton, Findings& findings) {
   Colliders colliders;
   colliders.of_bone.assign(skeleton.bones.size(), 0);
-  if (recipe.head_shape == "none") return colliders;
+  if (head.shape == HeadShape::kNothing) return colliders;
   const Vector3d radii = head.radii * share_kept(head, skeleton, findings);
-  colliders.shapes.push_back(recipe.head_shape == "capsule" ? upright_capsule(head.center, radii)
-                                                            : ellipsoid(head.center, radii));
+  colliders.shapes.push_back(head.shape == HeadShape::kCapsule ? upright_capsule(head.center, radii)
+                                                               : ellipsoid(head.center, radii));
   for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
     colliders.of_bone[b] = skeleton.bones[b].kind == BoneKind::kSimulated ? 1 : 0;
   }
@@ -160,14 +163,14 @@ void leave_out_colliders(Colliders& colliders, Findings& findings) {
 }
 
 Colliders find_colliders(const SourceModel& source, const HeadBone& head_bone, const FittedHead& head,
-                         const Skeleton& skeleton, const Recipe& recipe, Findings& findings) {
+                         const Skeleton& skeleton, const RigRecipe& recipe, Findings& findings) {
   Findings told;
   Colliders colliders;
-  if (recipe.dynamics_source != "curves" && recipe.head_shape == "auto" && !head.declared) {
+  if (recipe.dynamics_source != DynamicsSource::kCurves && head.shape == HeadShape::kAuto && !head.declared) {
     colliders = spring_colliders(source, head_bone.node, skeleton, findings);
   }
   if (colliders.shapes.empty()) {
-    colliders = head_colliders(head, skeleton, recipe, told);
+    colliders = head_colliders(head, skeleton, told);
   } else {
     told.note(fmt::format("colliders: {} of the file's spring bones on the head", colliders.shapes.size()));
   }

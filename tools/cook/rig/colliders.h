@@ -12,6 +12,8 @@
 
 namespace coif {
 
+struct RigRecipe;
+
 /// A body that moves with a rigid bone. Model space, metres; the meaning of each field is ColliderRecord's.
 struct HeadCollider : ColliderSize {
   std::uint32_t bone = 0;
@@ -27,8 +29,7 @@ struct Colliders {
 
 /// The head as a collider, unless the recipe wants none. A fitted head shrinks until no particle is inside it at rest,
 /// since it would push the modelled pose about; a declared one is left alone. Warns of either.
-[[nodiscard]] Colliders head_colliders(const FittedHead& head, const Skeleton& skeleton, const Recipe& recipe,
-                                       Findings& findings);
+[[nodiscard]] Colliders head_colliders(const FittedHead& head, const Skeleton& skeleton, Findings& findings);
 
 /// The shapes on the head that the springs of the skeleton's bones collide with, each bone with its own spring's set and its
 /// joint's hit radius; empty sets and no shapes where no spring of the hair collides with anything there. Shapes that are not on
@@ -72,7 +73,7 @@ void leave_out_colliders(Colliders& colliders, Findings& findings);
 
 /// All of the above: the file's own colliders where its springs use any that the head carries, else the head as fitted.
 [[nodiscard]] Colliders find_colliders(const SourceModel& source, const HeadBone& head_bone, const FittedHead& head,
-                                       const Skeleton& skeleton, const Recipe& recipe, Findings& findings);
+                                       const Skeleton& skeleton, const RigRecipe& recipe, Findings& findings);
 
 /// Writes skeleton, bones, names, chains and colliders of `contents`, in head space, and the hit radius of the dynamics
 /// that are there. Rest directions are in the parent's frame, which at rest has the axes of the model.

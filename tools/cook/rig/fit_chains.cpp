@@ -1,6 +1,7 @@
 #include "cook/rig/fit_chains.h"
 
 #include "base/text.h"
+#include "cook/recipe/rig_recipe.h"
 #include "cook/select/mesh_topology.h"
 
 #include <fmt/format.h>
@@ -19,7 +20,7 @@ constexpr double kDiagonal = 0.41;  ///< Tangent of 22.5 degrees: eight directio
 constexpr double kBlend = 0.3;      ///< Of the head's radius: width over which one lock's weights become the next's.
 
 /// Triangles of meshes, materials and patches that the recipe gives chains.
-std::vector<bool> movable_triangles(const SourceModel& source, const HairStrips& strips, const Recipe& recipe) {
+std::vector<bool> movable_triangles(const SourceModel& source, const HairStrips& strips, const RigRecipe& recipe) {
   const HairMesh& hair = strips.mesh;
   std::vector<bool> of_mesh(source.meshes.size(), true);
   for (std::size_t m = 0; m < source.meshes.size(); ++m) {
@@ -32,7 +33,7 @@ std::vector<bool> movable_triangles(const SourceModel& source, const HairStrips&
   }
   std::vector<bool> movable(hair.triangle_count(), true);
   for (std::size_t t = 0; t < hair.mesh_of_triangle.size(); ++t) movable[t] = of_mesh[hair.mesh_of_triangle[t]];
-  const std::vector<bool> held = held_patches(strips, recipe);
+  const std::vector<bool> held = held_patches(strips);
   for (std::size_t t = 0; t < strips.patches.patch_of.size(); ++t) {
     if (held[strips.patches.patch_of[t]]) movable[t] = false;
   }
@@ -80,7 +81,7 @@ struct FittedChain {
 };
 
 std::vector<FittedChain> fit_curves(const HangingHair& hair, const std::vector<HairLock>& locks, const FittedHead& head,
-                                    const Recipe& recipe) {
+                                    const RigRecipe& recipe) {
   const auto moving = std::size_t(std::ranges::count(locks, true, &HairLock::moves));
   const std::size_t room = (kMaxBones - 1) / std::max<std::size_t>(moving, 1);
   const std::size_t most_bones = std::min<std::size_t>(recipe.chain_max_bones, room);
@@ -131,7 +132,7 @@ std::string describe(const FittedChain& chain) {
 }  // namespace
 
 HairRig fit_chains(const SourceModel& source, const HairStrips& hair, const FittedHead& head, const Skeleton& rigid,
-                   const Recipe& recipe, Findings& findings) {
+                   const RigRecipe& recipe, Findings& findings) {
   const double radius = head.radii.mean();
   const std::vector<bool> movable = movable_triangles(source, hair, recipe);
   const std::vector<bool> is_rigid = rigid_vertices(hair, movable);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "cook/recipe/findings.h"
-#include "cook/recipe/recipe.h"
 #include "cook/rig/hair_cells.h"
 #include "cook/rig/skeleton.h"
 #include "cook/select/head.h"
@@ -9,6 +8,8 @@
 #include <vector>
 
 namespace coif {
+
+struct RigRecipe;
 
 /// Hair that moves as one.
 struct HairLock {
@@ -26,7 +27,7 @@ struct HairLock {
 /// local maximum of depth) has a strand, its way to the scalp. Strands are one lock where they run together: near each
 /// other on the average of their common length, and nearer where the hair between them has gaps. Then the nearest and
 /// shortest are merged until the budget holds. `head_radius` in metres sets the scale.
-[[nodiscard]] std::vector<HairLock> group_locks(const HangingHair& hair, double head_radius, const Recipe& recipe);
+[[nodiscard]] std::vector<HairLock> group_locks(const HangingHair& hair, double head_radius, const RigRecipe& recipe);
 
 /// The bones of one lock as a line of joints: bone i goes from joint i to joint i + 1.
 struct LockCurve {
@@ -38,7 +39,7 @@ struct LockCurve {
 /// `recipe.chain_bone_length` or, where that would be more than `most_bones`, into longer equal bones. Joints are outside
 /// of the head, so that its collider does not push the modelled pose.
 [[nodiscard]] LockCurve fit_lock_curve(const HangingHair& hair, const HairLock& lock, const FittedHead& head,
-                                       const Recipe& recipe, std::size_t most_bones);
+                                       const RigRecipe& recipe, std::size_t most_bones);
 
 /// Weights that change smoothly in space, so that no two vertices at one place move apart: along a chain from bone to
 /// bone, from the head to its first bone, and from lock to lock over `blend` metres of connected hair.
@@ -51,6 +52,6 @@ struct LockCurve {
 /// its tip, and blends skin weights along and between chains. `rigid` has the head bone, the file's map from nodes to it,
 /// and nothing that moves. Notes what was fitted where.
 [[nodiscard]] HairRig fit_chains(const SourceModel& source, const HairStrips& hair, const FittedHead& head,
-                                 const Skeleton& rigid, const Recipe& recipe, Findings& findings);
+                                 const Skeleton& rigid, const RigRecipe& recipe, Findings& findings);
 
 }  // namespace coif

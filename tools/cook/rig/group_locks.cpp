@@ -1,4 +1,5 @@
 #include "base/work_limit.h"
+#include "cook/recipe/rig_recipe.h"
 #include "cook/rig/fit_chains.h"
 #include "cook/rig/hair_cells.h"
 #include "cook/select/mesh_topology.h"
@@ -172,7 +173,7 @@ std::vector<HairLock> collect_locks(const HangingHair& hair, const StrandTips& t
 
 }  // namespace
 
-std::vector<HairLock> group_locks(const HangingHair& hair, double head_radius, const Recipe& recipe) {
+std::vector<HairLock> group_locks(const HangingHair& hair, double head_radius, const RigRecipe& recipe) {
   const StrandTips tips = find_strand_tips(hair, kTipsApart * head_radius, kMostTips);
   if (tips.cell.empty()) return {};
   const double step = std::max(hair.depth[tips.cell.front()] / double(kLevels), 1.0e-9);

@@ -1,3 +1,4 @@
+#include "cook/recipe/rig_recipe.h"
 #include "cook/rig/skeleton.h"
 
 #include <fmt/format.h>
@@ -81,33 +82,34 @@ std::vector<bool> moving_bones(const Skeleton& skeleton, double still_length) {
   return moves;
 }
 
-bool wants_fitted_chains(const Recipe& recipe, const Skeleton& of_file) {
-  return recipe.chain_source == "fit" || (recipe.chain_source == "auto" && of_file.chains.empty());
+bool wants_fitted_chains(const RigRecipe& recipe, const Skeleton& of_file) {
+  return recipe.chain_source == ChainSource::kFit ||
+         (recipe.chain_source == ChainSource::kAuto && of_file.chains.empty());
 }
 
-std::vector<bool> held_patches(const HairStrips& hair, const Recipe& recipe) {
+std::vector<bool> held_patches(const HairStrips& hair) {
   std::vector<bool> held(hair.patches.count, false);
   for (std::uint32_t p = 0; p < held.size(); ++p) {
-    const std::string* chain = hair.said_of(recipe, p, &PatchOverride::chain);
+    const std::string* chain = hair.said_of(p, &PatchOverride::chain);
     held[p] = chain != nullptr && *chain == "none";
   }
   return held;
 }
 
 tl::expected<HairRig, ToolError> rig_of_file(const SourceModel& source, const HairStrips& hair, const HeadBone& head,
-                                             const Recipe& recipe, Findings& findings) {
+                                             const RigRecipe& recipe, Findings& findings) {
   Findings of_file;
   auto skeleton = build_skeleton(source, hair.mesh, head, recipe, of_file);
   if (!skeleton) return tl::unexpected(skeleton.error());
   HairRig rig;
-  if (recipe.chain_source == "none" || wants_fitted_chains(recipe, *skeleton)) {
+  if (recipe.chain_source == ChainSource::kNoChains || wants_fitted_chains(recipe, *skeleton)) {
     rig.skeleton = head_alone(source, head);
   } else {
     rig.skeleton = std::move(*skeleton);
     findings.append(of_file);
   }
   rig.weights = weights_of_source(hair.mesh, rig.skeleton);
-  const std::vector<bool> held = held_patches(hair, recipe);
+  const std::vector<bool> held = held_patches(hair);
   for (std::size_t i = 0; i < hair.mesh.triangles.size(); ++i) {
     if (held[hair.patches.patch_of[i / 3]]) rig.weights[hair.mesh.triangles[i]].clear();
   }
@@ -135,7 +137,7 @@ void leave_out_motion(HairRig& rig, Findings& findings) {
 
 }  // namespace
 
-void settle_rig(const Recipe& recipe, HairRig& rig, Findings& findings) {
+void settle_rig(const RigRecipe& recipe, HairRig& rig, Findings& findings) {
   if (!recipe.scene_simulate) leave_out_motion(rig, findings);
   const std::vector<std::uint32_t> moved_to = order_bones(rig.skeleton);
   for (auto& of_vertex : rig.weights) {

@@ -1,3 +1,4 @@
+#include "cook/recipe/rig_recipe.h"
 #include "cook/rig/fit_chains.h"
 
 #include <algorithm>
@@ -101,7 +102,7 @@ CurvePoint3 point_at(const Curve& curve, const std::vector<double>& arc, double 
 
 }  // namespace
 
-LockCurve fit_lock_curve(const HangingHair& hair, const HairLock& lock, const FittedHead& head, const Recipe& recipe,
+LockCurve fit_lock_curve(const HangingHair& hair, const HairLock& lock, const FittedHead& head, const RigRecipe& recipe,
                          std::size_t most_bones) {
   LockCurve result;
   Curve curve = slice_means(hair, lock);

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/tool_error.h"
 #include "cook/recipe/findings.h"
-#include "cook/recipe/recipe.h"
 #include "cook/select/head.h"
 #include "cook/strands/hair_strips.h"
 #include "import/source_model.h"
@@ -16,6 +16,8 @@
 #include <vector>
 
 namespace coif {
+
+struct RigRecipe;
 
 struct SkeletonBone {
   std::string name;
@@ -49,7 +51,7 @@ struct Skeleton {
 /// that carry no hair are left out, but a last joint below a hair bone says where that bone ends. Warns of hair that
 /// follows the head rigidly. Errors: kBadInput for patterns without a match, kUnsupported above kMaxBones bones.
 tl::expected<Skeleton, ToolError> build_skeleton(const SourceModel& source, const HairMesh& hair, const HeadBone& head,
-                                                 const Recipe& recipe, Findings& findings);
+                                                 const RigRecipe& recipe, Findings& findings);
 
 /// The head bone, everything rigid to it: what chains are fitted to.
 [[nodiscard]] Skeleton head_alone(const SourceModel& source, const HeadBone& head);
@@ -98,27 +100,27 @@ struct HairRig {
 [[nodiscard]] std::vector<std::uint32_t> order_bones(Skeleton& skeleton);
 
 /// True where the recipe wants chains that the file does not have.
-[[nodiscard]] bool wants_fitted_chains(const Recipe& recipe, const Skeleton& of_file);
+[[nodiscard]] bool wants_fitted_chains(const RigRecipe& recipe, const Skeleton& of_file);
 
 /// Which patches the recipe holds to the head, one value for each.
-[[nodiscard]] std::vector<bool> held_patches(const HairStrips& hair, const Recipe& recipe);
+[[nodiscard]] std::vector<bool> held_patches(const HairStrips& hair);
 
 /// The file's bones with the artist's weights, but for patches that are held; the head alone where the recipe wants no chains,
 /// or fitted ones. Errors and warnings are build_skeleton()'s.
 tl::expected<HairRig, ToolError> rig_of_file(const SourceModel& source, const HairStrips& hair, const HeadBone& head,
-                                             const Recipe& recipe, Findings& findings);
+                                             const RigRecipe& recipe, Findings& findings);
 
 /// For each chain what the recipe says of the motion of patches that are more than half of the hair that it carries, by
 /// weight and area; empty where nothing is said. Warns of what is said in vain.
 [[nodiscard]] std::vector<PatchOverride> chain_overrides(const HairStrips& hair, const HairRig& rig,
-                                                         const Recipe& recipe, Findings& findings);
+                                                         Findings& findings);
 
 /// For each patch, by its number below `count`, the chain that carries most of it; kNone: the head.
 [[nodiscard]] std::vector<std::uint32_t> chain_of_patches(const HairStrips& hair, const HairRig& rig,
                                                           std::size_t count);
 
 /// The rig as the asset has it: the head alone for a scene that does not simulate, else with its bones in order_bones().
-void settle_rig(const Recipe& recipe, HairRig& rig, Findings& findings);
+void settle_rig(const RigRecipe& recipe, HairRig& rig, Findings& findings);
 
 /// What swings a bone in a file with spring bones.
 struct BoneJoint {

@@ -1,4 +1,5 @@
 #include "base/text.h"
+#include "cook/recipe/hair_recipe.h"
 #include "cook/select/bare_body.h"
 #include "cook/select/hair_core.h"
 #include "cook/select/hair_evidence.h"
@@ -50,7 +51,7 @@ tl::expected<void, ToolError> check_patterns(const SourceModel& source, const ch
   return {};
 }
 
-tl::expected<void, ToolError> check_all_patterns(const SourceModel& source, const Recipe& recipe) {
+tl::expected<void, ToolError> check_all_patterns(const SourceModel& source, const HairRecipe& recipe) {
   std::set<std::string> meshes, materials, nodes;
   for (const SourceMesh& mesh : source.meshes) {
     meshes.insert(mesh.name);
@@ -65,7 +66,7 @@ tl::expected<void, ToolError> check_all_patterns(const SourceModel& source, cons
 /// Collects a choice mesh by mesh.
 class Chooser {
  public:
-  Chooser(const SourceModel& source, const Recipe& recipe, Findings& findings)
+  Chooser(const SourceModel& source, const HairRecipe& recipe, Findings& findings)
       : source_(source), recipe_(recipe), findings_(findings) {
     choice_.taken.resize(source.meshes.size());
   }
@@ -120,13 +121,13 @@ class Chooser {
   }
 
   const SourceModel& source_;
-  const Recipe& recipe_;
+  const HairRecipe& recipe_;
   Findings& findings_;
   HairChoice choice_;
   std::size_t found_ = 0;
 };
 
-void choose_by_recipe(const SourceModel& source, const Recipe& recipe, Chooser& chooser) {
+void choose_by_recipe(const SourceModel& source, const HairRecipe& recipe, Chooser& chooser) {
   std::vector<bool> bones;
   for (const SourceNode& node : source.nodes) bones.push_back(matches_any(node.name, recipe.hair_bones));
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
@@ -267,7 +268,8 @@ void take_everything(const SourceModel& source, std::uint32_t head, Chooser& cho
 
 }  // namespace
 
-tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const Recipe& recipe, Findings& findings) {
+tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const HairRecipe& recipe,
+                                                Findings& findings) {
   if (auto ok = check_all_patterns(source, recipe); !ok) return tl::unexpected(ok.error());
   Chooser chooser(source, recipe, findings);
   if (!recipe.hair_meshes.empty() || !recipe.hair_materials.empty() || !recipe.hair_bones.empty()) {

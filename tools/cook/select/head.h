@@ -2,7 +2,6 @@
 
 #include "base/tool_error.h"
 #include "cook/recipe/findings.h"
-#include "cook/recipe/recipe.h"
 #include "cook/select/hair_mesh.h"
 #include "cook/select/head_room.h"
 
@@ -14,6 +13,9 @@
 #include <vector>
 
 namespace coif {
+
+struct HairRecipe;
+enum class HeadShape;
 
 /// Where the head bone is in the rest pose, model space.
 struct HeadBone {
@@ -44,6 +46,7 @@ tl::expected<HeadBone, ToolError> find_head_bone(const SourceModel& source, cons
 /// The head as the cooker sees it: an ellipsoid. Roots are near it, patches are sorted by the distance from its centre,
 /// and unless there are better colliders hair stays out of it.
 struct FittedHead : HeadEllipsoid {
+  HeadShape shape{};      ///< What the recipe wants hair to stay out of.
   std::string origin;     ///< Where it comes from, for the report.
   bool declared = false;  ///< By the recipe: not to be shrunk.
   bool faces_backwards = false;  ///< Looks along -Z instead of +Z.
@@ -68,6 +71,6 @@ struct HeadSign {
 /// of the hair is deep inside of them, as in a hood), or without such ones the hair's upper part, say of it, moved and resized until the hair agrees (fit_head_room()) and then shrunk until
 /// hardly any hair is inside. Notes where it is and how much hair is inside; warns where that is much.
 [[nodiscard]] FittedHead fit_head(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone,
-                                  const Recipe& recipe, Findings& findings);
+                                  const HairRecipe& recipe, Findings& findings);
 
 }  // namespace coif

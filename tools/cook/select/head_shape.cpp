@@ -1,5 +1,6 @@
 #include "base/geometry.h"
 #include "base/text.h"
+#include "cook/recipe/hair_recipe.h"
 #include "cook/select/head.h"
 
 #include <fmt/format.h>
@@ -188,9 +189,10 @@ HeadSign first_sign_of_head(const SourceModel& source, const HairMesh& hair, con
   return {guess.like.shape, guess.is_mesh};
 }
 
-FittedHead fit_head(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone, const Recipe& recipe,
-                    Findings& findings) {
+FittedHead fit_head(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone,
+                    const HairRecipe& recipe, Findings& findings) {
   FittedHead head;
+  head.shape = recipe.head_shape;
   double least = 1;
   if (recipe.head_center && recipe.head_radii) {
     head.center = Vector3d(recipe.head_center->data());
@@ -204,7 +206,7 @@ FittedHead fit_head(const SourceModel& source, const HairMesh& hair, const HeadB
     static_cast<HeadEllipsoid&>(head) = fit_head_room(hair, guess.like);
     least = guess.is_mesh ? kLeastOfMesh : kLeastOfHair;
   }
-  if (recipe.head_shape == "sphere") head.radii.setConstant(head.radii.mean());
+  if (head.shape == HeadShape::kSphere) head.radii.setConstant(head.radii.mean());
   if (!head.declared) make_room(hair, least, head, findings);
   const HairInside inside = hair_inside(hair, head);
   findings.note(

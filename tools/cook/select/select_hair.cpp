@@ -1,5 +1,6 @@
 #include "cook/select/select_hair.h"
 
+#include "cook/recipe/hair_recipe.h"
 #include "cook/select/mesh_topology.h"
 #include "cook/select/stacked_meshes.h"
 
@@ -161,7 +162,7 @@ std::optional<std::string> why_damaged(const SourceModel& source, const HairMesh
       size / 1000, source.space.metres_per_unit);
 }
 
-std::size_t merge_faces(const Recipe& recipe, HairMesh& mesh, Findings& findings) {
+std::size_t merge_faces(const HairRecipe& recipe, HairMesh& mesh, Findings& findings) {
   const std::vector<std::uint32_t> place = weld_places(mesh.positions, recipe.patch_weld_distance);
   const MergedFaces merged = merge_back_faces(mesh, place);
   if (merged.back_faces > 0) {
@@ -177,7 +178,7 @@ std::size_t merge_faces(const Recipe& recipe, HairMesh& mesh, Findings& findings
 
 }  // namespace
 
-tl::expected<HairMesh, ToolError> select_hair(const SourceModel& source, const Recipe& recipe, Findings& findings) {
+tl::expected<HairMesh, ToolError> select_hair(const SourceModel& source, const HairRecipe& recipe, Findings& findings) {
   const auto choice = choose_hair(source, recipe, findings);
   if (!choice) return tl::unexpected(choice.error());
   Gathered gathered = gather(source, *choice, findings);

@@ -2,7 +2,6 @@
 
 #include "base/tool_error.h"
 #include "cook/recipe/findings.h"
-#include "cook/recipe/recipe.h"
 #include "cook/select/hair_mesh.h"
 #include "import/source_model.h"
 
@@ -11,6 +10,8 @@
 #include <vector>
 
 namespace coif {
+
+struct HairRecipe;
 
 /// Which triangles of a source are hair: per mesh and triangle; empty for a mesh without hair.
 struct HairChoice {
@@ -26,10 +27,11 @@ struct HairChoice {
 /// a transparent material on the head that no lid or brow moves; the whole model, if it is none of a body with limbs. Caps under
 /// that hair and cores inside it are hair as well. Notes why for each mesh that gave hair,
 /// and what of the others was left out. Errors (kBadInput): a pattern that matches nothing, or a character of which nothing is known to be hair, with the names there are.
-tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const Recipe& recipe, Findings& findings);
+tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const HairRecipe& recipe,
+                                                Findings& findings);
 
 /// Cuts the hair that choose_hair() finds out of the model and joins it: welded, without degenerate triangles. Errors
 /// (kBadInput): those of choose_hair(); nothing left.
-tl::expected<HairMesh, ToolError> select_hair(const SourceModel& source, const Recipe& recipe, Findings& findings);
+tl::expected<HairMesh, ToolError> select_hair(const SourceModel& source, const HairRecipe& recipe, Findings& findings);
 
 }  // namespace coif

@@ -1,6 +1,7 @@
 #include "cook/size/measured_model.h"
 
 #include "base/text.h"
+#include "cook/recipe/hair_recipe.h"
 #include "cook/select/hair_evidence.h"
 #include "cook/select/select_hair.h"
 
@@ -58,7 +59,7 @@ bool is_on_face(const SourceModel& model, const HairMesh& hair) {
 
 }  // namespace
 
-KnownModel know_model(const SourceModel& source, const Recipe& recipe) {
+KnownModel know_model(const SourceModel& source, const HairRecipe& recipe) {
   KnownModel known{without_images(source), 1, {}, {}, false};
   const double size = size_of_model(source);
   if (size > 0 && !(size >= kLeastSize && size <= kMostSize)) {

@@ -3,7 +3,6 @@
 // What a model has that people know the size and the attitude of.
 
 #include "cook/recipe/findings.h"
-#include "cook/recipe/recipe.h"
 #include "cook/select/hair_mesh.h"
 #include "cook/select/head.h"
 #include "import/source_model.h"
@@ -14,6 +13,8 @@
 #include <vector>
 
 namespace coif {
+
+struct HairRecipe;
 
 /// What select_hair() gave and said.
 struct SelectedHair {
@@ -30,7 +31,7 @@ struct KnownModel {
   bool on_face = false;  ///< The hair is called brows, lashes or beard.
 };
 
-[[nodiscard]] KnownModel know_model(const SourceModel& source, const Recipe& recipe);
+[[nodiscard]] KnownModel know_model(const SourceModel& source, const HairRecipe& recipe);
 
 /// Turns nodes, meshes, springs and colliders, and multiplies their lengths: what an import with another unit and axis
 /// would have given.

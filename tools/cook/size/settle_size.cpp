@@ -1,6 +1,7 @@
 #include "cook/size/settle_size.h"
 
 #include "base/text.h"
+#include "cook/recipe/hair_recipe.h"
 #include "cook/size/size_evidence.h"
 #include "cook/size/trust.h"
 #include "cook/size/up_evidence.h"
@@ -81,7 +82,7 @@ void say_doubtful_unit(const SourceSpace& space, const std::vector<SizeEvidence>
                          unit_text(space, 1), space.unit_words, now, unit_text(space, other), then)});
 }
 
-void judge_unit(const KnownModel& known, const Recipe& recipe, JudgedSize& judged) {
+void judge_unit(const KnownModel& known, const HairRecipe& recipe, JudgedSize& judged) {
   const SourceSpace& space = known.model.space;
   const std::vector<SizeEvidence> evidence = measure_model(known, recipe);
   if (evidence.empty()) return;
@@ -174,7 +175,7 @@ void judge_up(const KnownModel& known, JudgedSize& judged) {
 
 }  // namespace
 
-JudgedSize judge_size(const SourceModel& source, const Recipe& recipe) {
+JudgedSize judge_size(const SourceModel& source, const HairRecipe& recipe) {
   JudgedSize judged;
   KnownModel known = know_model(source, recipe);
   judge_up(known, judged);
@@ -204,7 +205,7 @@ const char* code_of(SizeDoubt::Of of) {
   return "S210";
 }
 
-SettledSource settle_size(const SourceModel& source, const Recipe& recipe, Findings& findings) {
+SettledSource settle_size(const SourceModel& source, const HairRecipe& recipe, Findings& findings) {
   JudgedSize size = judge_size(source, recipe);
   for (const std::string& note : size.notes) findings.note(note);
   for (const SizeDoubt& doubt : size.doubts) findings.warn(code_of(doubt.of), doubt.text);

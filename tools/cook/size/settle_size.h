@@ -4,7 +4,6 @@
 // all that a model shows, of which the file's own word is one vote.
 
 #include "cook/recipe/findings.h"
-#include "cook/recipe/recipe.h"
 #include "cook/size/measured_model.h"
 #include "import/source_model.h"
 
@@ -15,6 +14,8 @@
 #include <vector>
 
 namespace coif {
+
+struct HairRecipe;
 
 /// What an artist should look at, one sentence each.
 struct SizeDoubt {
@@ -44,7 +45,7 @@ struct JudgedSize {
 /// Compares what the file says (SourceModel::space) with head, body, named joints, hair and strips. The file's word
 /// holds unless what the model shows is clearly against it and clearly for another common unit or axis; what the caller gave
 /// holds always. Without anything known to be hair the body alone is looked at.
-[[nodiscard]] JudgedSize judge_size(const SourceModel& source, const Recipe& recipe);
+[[nodiscard]] JudgedSize judge_size(const SourceModel& source, const HairRecipe& recipe);
 
 /// The model with that applied.
 [[nodiscard]] SourceModel settled(SourceModel source, const JudgedSize& size);
@@ -56,6 +57,6 @@ struct SettledSource {
 };
 
 /// Judges a model and applies what comes out. Appends what is to be said.
-[[nodiscard]] SettledSource settle_size(const SourceModel& source, const Recipe& recipe, Findings& findings);
+[[nodiscard]] SettledSource settle_size(const SourceModel& source, const HairRecipe& recipe, Findings& findings);
 
 }  // namespace coif

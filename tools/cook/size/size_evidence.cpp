@@ -1,5 +1,6 @@
 #include "cook/size/size_evidence.h"
 
+#include "cook/recipe/hair_recipe.h"
 #include "cook/select/hair_evidence.h"
 #include "cook/select/mesh_topology.h"
 
@@ -46,7 +47,7 @@ class SizeMeasures {
   std::vector<SizeEvidence> evidence_;
 };
 
-void measure_head(const KnownModel& known, const Recipe& recipe, SizeMeasures& measures) {
+void measure_head(const KnownModel& known, const HairRecipe& recipe, SizeMeasures& measures) {
   const Vector3d size = known.hair.box().sizes();
   const double narrow = std::min(size.x(), size.z()), wide = std::max(size.x(), size.z());
   const auto head_bone = find_head_bone(known.model, known.hair, recipe.head_bone);
@@ -137,7 +138,7 @@ void measure_hair(const KnownModel& known, SizeMeasures& measures) {
 
 }  // namespace
 
-std::vector<SizeEvidence> measure_model(const KnownModel& known, const Recipe& recipe) {
+std::vector<SizeEvidence> measure_model(const KnownModel& known, const HairRecipe& recipe) {
   SizeMeasures measures(known.scale);
   if (!known.hair.triangles.empty()) {
     measure_head(known, recipe, measures);

@@ -7,6 +7,8 @@
 
 namespace coif {
 
+struct HairRecipe;
+
 /// One length of a model beside what it usually is.
 struct SizeEvidence {
   const char* what;        ///< "the head's radius".
@@ -18,7 +20,7 @@ struct SizeEvidence {
 };
 
 /// Of a model with Y up: head, body, skeleton, hair and the width of its strips, as far as it has them.
-[[nodiscard]] std::vector<SizeEvidence> measure_model(const KnownModel& known, const Recipe& recipe);
+[[nodiscard]] std::vector<SizeEvidence> measure_model(const KnownModel& known, const HairRecipe& recipe);
 
 /// Logarithm of how likely all lengths are, multiplied with `factor`: 0 where each is a usual one, else less. Between
 /// the lengths of people and those of dolls and giants it falls as a normal distribution of their logarithms, to a floor.

@@ -1,6 +1,7 @@
 #include "cook/size/trust.h"
 
 #include "base/text.h"
+#include "cook/recipe/hair_recipe.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +54,7 @@ std::vector<UnitPrior> customs(double scalp_radius) {
 
 }  // namespace
 
-std::vector<UnitPrior> unit_priors(const SourceModel& model, const Recipe& recipe, double scalp_radius) {
+std::vector<UnitPrior> unit_priors(const SourceModel& model, const HairRecipe& recipe, double scalp_radius) {
   const SourceSpace& space = model.space;
   if (space.unit == Statement::kUnsaid) return customs(scalp_radius);
   double trust = trust_in(space.unit);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "cook/recipe/recipe.h"
 #include "cook/size/up_evidence.h"
 #include "import/source_model.h"
 
@@ -8,6 +7,8 @@
 #include <vector>
 
 namespace coif {
+
+struct HairRecipe;
 
 /// A unit that a model may be in, and the logarithm of how likely that is before the model is looked at; 0 for the
 /// file's own.
@@ -21,7 +22,8 @@ struct UnitPrior {
 /// that somebody chose, the value that every exporter writes, the output of a converter that knows no units. A file without a unit may
 /// be in one of its own, that of the head that its strands grew on: the one that makes their scalp a usual one, to two digits.
 /// `scalp_radius`: of these, as it was imported; 0: not known.
-[[nodiscard]] std::vector<UnitPrior> unit_priors(const SourceModel& model, const Recipe& recipe, double scalp_radius);
+[[nodiscard]] std::vector<UnitPrior> unit_priors(const SourceModel& model, const HairRecipe& recipe,
+                                                 double scalp_radius);
 
 /// The same for each direction of up_direction().
 [[nodiscard]] std::array<double, kUps> up_priors(const SourceModel& model);

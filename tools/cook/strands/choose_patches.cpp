@@ -1,6 +1,7 @@
 #include "cook/strands/choose_patches.h"
 
 #include "base/text.h"
+#include "cook/recipe/strip_recipe.h"
 #include "cook/select/triangle_distance.h"
 
 #include <fmt/format.h>
@@ -126,7 +127,7 @@ std::vector<PatchListing> list_patches(const SourceModel& source, const HairStri
   return listings;
 }
 
-tl::expected<void, ToolError> choose_patches(const SourceModel& source, const Recipe& recipe, bool only_lists,
+tl::expected<void, ToolError> choose_patches(const SourceModel& source, const StripRecipe& recipe, bool only_lists,
                                              HairStrips& hair, std::vector<PatchListing>& listings,
                                              Findings& findings) {
   const std::vector<PatchView> views = hair.views();
@@ -141,10 +142,11 @@ tl::expected<void, ToolError> choose_patches(const SourceModel& source, const Re
     for (const std::uint32_t p : patches) listings[p].overrides.push_back(o);
     findings.note(fmt::format("\"patches.overrides\" [{}]: {}", o, patches_text(patches)));
   }
-  for (const PatchListing& patch : listings) hair.overridden_by.push_back(patch.overrides);
+  hair.overrides.said = recipe.patch_overrides;
+  for (const PatchListing& patch : listings) hair.overrides.of_patch.push_back(patch.overrides);
   std::vector<bool> dropped;
   for (PatchListing& patch : listings) {
-    const bool* keep = hair.said_of(recipe, patch.number, &PatchOverride::keep);
+    const bool* keep = hair.said_of(patch.number, &PatchOverride::keep);
     patch.kept = keep == nullptr || *keep;
     dropped.push_back(!patch.kept);
   }

@@ -10,6 +10,8 @@
 
 namespace coif {
 
+struct StripRecipe;
+
 /// One patch as it is told to whoever wants to say something of it alone.
 struct PatchListing {
   std::uint32_t number = 0;
@@ -33,7 +35,7 @@ struct PatchListing {
 /// Finds out which patches the recipe's overrides select, writes that to `hair` and `listings`, and leaves out what the
 /// recipe does not keep. Errors (kBadInput): an override selects nothing, or nothing is kept. With `only_lists` the first is a
 /// warning, since it is by the list that such a recipe is mended.
-tl::expected<void, ToolError> choose_patches(const SourceModel& source, const Recipe& recipe, bool only_lists,
+tl::expected<void, ToolError> choose_patches(const SourceModel& source, const StripRecipe& recipe, bool only_lists,
                                              HairStrips& hair, std::vector<PatchListing>& listings, Findings& findings);
 
 /// Fills in `root` of each listing: on which side of the texture strands start.

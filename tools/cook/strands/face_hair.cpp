@@ -1,6 +1,7 @@
 #include "cook/strands/face_hair.h"
 
 #include "base/text.h"
+#include "cook/recipe/strip_recipe.h"
 
 #include <fmt/format.h>
 
@@ -90,8 +91,8 @@ FaceHair find_face_hair(const SourceModel& source, const HairStrips& hair, const
   return found;
 }
 
-tl::expected<void, ToolError> choose_face_hair(const SourceModel& source, const Recipe& recipe, const FittedHead& head,
-                                               HairStrips& hair, Findings& findings) {
+tl::expected<void, ToolError> choose_face_hair(const SourceModel& source, const StripRecipe& recipe,
+                                               const FittedHead& head, HairStrips& hair, Findings& findings) {
   const FaceHair found = find_face_hair(source, hair, head);
   std::vector<bool> dropped(hair.patches.count, false);
   const auto choose = [&](const char* name, const char* key, const std::vector<std::uint32_t>& patches, bool keeps) {

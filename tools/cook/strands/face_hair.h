@@ -1,11 +1,14 @@
 #pragma once
 
+#include "base/tool_error.h"
 #include "cook/select/head.h"
 #include "cook/strands/hair_strips.h"
 
 #include <vector>
 
 namespace coif {
+
+struct StripRecipe;
 
 /// Patches that are hair of the face, ascending.
 struct FaceHair {
@@ -18,7 +21,7 @@ struct FaceHair {
 [[nodiscard]] FaceHair find_face_hair(const SourceModel& source, const HairStrips& hair, const FittedHead& head);
 
 /// Notes what there is, and leaves out what the recipe does not keep (hair.brows, hair.beard). Error (kBadInput): nothing else is left.
-tl::expected<void, ToolError> choose_face_hair(const SourceModel& source, const Recipe& recipe, const FittedHead& head,
-                                               HairStrips& hair, Findings& findings);
+tl::expected<void, ToolError> choose_face_hair(const SourceModel& source, const StripRecipe& recipe,
+                                               const FittedHead& head, HairStrips& hair, Findings& findings);
 
 }  // namespace coif

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cook/recipe/recipe.h"
+#include "cook/recipe/patch_override.h"
 #include "cook/select/hair_mesh.h"
 
 #include <cstdint>
@@ -24,8 +24,12 @@ struct PatchView {
   std::vector<std::uint32_t> vertices;  ///< Ascending, each once.
 };
 
-/// For each patch, by its number, which of the recipe's overrides select it, ascending; empty: there are none.
-using PatchOverrides = std::vector<std::vector<std::uint32_t>>;
+/// What the recipe says of some patches alone.
+struct PatchOverrides {
+  std::vector<PatchOverride> said;
+  /// For each patch, by its number, which of them select it, ascending; empty: none was looked for.
+  std::vector<std::vector<std::uint32_t>> of_patch;
+};
 
 /// The hair as strips. What is known of its vertices and triangles keeps in step: once the patches are found, vertices
 /// are added and triangles regrouped by the functions below alone. What no pass has found yet is empty.
@@ -34,7 +38,7 @@ struct HairStrips {
   std::vector<std::uint32_t> welded;  ///< For each vertex the one that stands for its place (weld_places()).
   PatchSet patches;                   ///< Of the mesh's triangles.
   StrandField strands;
-  PatchOverrides overridden_by{};
+  PatchOverrides overrides{};
   bool is_part = false;  ///< Patches were left out.
 
   /// Every patch's triangles and vertices.
@@ -42,12 +46,11 @@ struct HairStrips {
 
   /// What the recipe says of one patch alone, the last override that says it; null: nothing.
   template <typename Value>
-  [[nodiscard]] const Value* said_of(const Recipe& recipe, std::uint32_t patch,
-                                     std::optional<Value> PatchOverride::*what) const {
-    if (overridden_by.empty()) return nullptr;
+  [[nodiscard]] const Value* said_of(std::uint32_t patch, std::optional<Value> PatchOverride::*what) const {
+    if (overrides.of_patch.empty()) return nullptr;
     const Value* said = nullptr;
-    for (const std::uint32_t o : overridden_by[patches.number_of(patch)]) {
-      if (const auto& value = recipe.patch_overrides[o].*what) said = &*value;
+    for (const std::uint32_t o : overrides.of_patch[patches.number_of(patch)]) {
+      if (const auto& value = overrides.said[o].*what) said = &*value;
     }
     return said;
   }

@@ -1,5 +1,8 @@
 #include "cook/strands/odd_hair.h"
 
+#include "cook/recipe/strip_recipe.h"
+#include "cook/strands/patches.h"
+
 #include <fmt/format.h>
 
 namespace coif {
@@ -14,11 +17,11 @@ void warn_of_odd_size(const HairMesh& hair, Findings& findings) {
                   largest_side(box)));
 }
 
-void warn_of_fragments(const HairMesh& hair, std::size_t patches, const std::string& by, Findings& findings) {
+void warn_of_fragments(const HairMesh& hair, std::size_t patches, Connectivity by, Findings& findings) {
   if (!is_shattered(hair.triangle_count(), patches)) return;
   findings.warn("S206", fmt::format("{} triangles fall into {} patches by {}; set \"patches.connectivity\" to "
                                     "\"position\" or \"index\" in the recipe",
-                                    hair.triangle_count(), patches, by));
+                                    hair.triangle_count(), patches, word_of(by)));
 }
 
 }  // namespace coif

@@ -4,9 +4,10 @@
 #include "cook/select/hair_mesh.h"
 
 #include <cstddef>
-#include <string>
 
 namespace coif {
+
+enum class Connectivity;
 
 /// Between a doll's tuft and a wig to the ankles: what is outside of it was written in another unit than was read.
 constexpr bool is_hair_sized(float metres) { return metres >= 0.05f && metres <= 3.0f; }
@@ -24,7 +25,7 @@ constexpr bool is_shattered(std::size_t triangles, std::size_t patches) {
 /// Warns of hair that is not of a head's size.
 void warn_of_odd_size(const HairMesh& hair, Findings& findings);
 
-/// Warns of hair in fragments. `by`: what the patches were told from each other by.
-void warn_of_fragments(const HairMesh& hair, std::size_t patches, const std::string& by, Findings& findings);
+/// Warns of hair in fragments. `by`: what makes triangles one patch.
+void warn_of_fragments(const HairMesh& hair, std::size_t patches, Connectivity by, Findings& findings);
 
 }  // namespace coif

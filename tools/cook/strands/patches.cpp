@@ -1,5 +1,6 @@
 #include "cook/strands/patches.h"
 
+#include "cook/recipe/strip_recipe.h"
 #include "cook/select/mesh_topology.h"
 
 #include <fmt/format.h>
@@ -99,16 +100,26 @@ double fragment_share(const PatchSet& patches, const PatchSet& by_position) {
 void choose(const HairMesh& mesh, const PatchSet& finest, const PatchSet& by_position, ExtractedPatches& result) {
   const double fragments = fragment_share(finest, by_position);
   const bool shattered = fragments > kMostFragments;
-  const std::string fine = mesh.uvs.empty() ? "index" : "island";
-  result.chosen = shattered ? "position" : fine;
-  result.reason = fmt::format("by {}: {:.0f} % of the triangles are in fragments {}", result.chosen, 100 * fragments,
-                              mesh.uvs.empty() ? "by index" : "by texture island");
+  const Connectivity fine = mesh.uvs.empty() ? Connectivity::kIndex : Connectivity::kIsland;
+  result.chosen = shattered ? Connectivity::kPosition : fine;
+  result.reason = fmt::format("by {}: {:.0f} % of the triangles are in fragments {}", word_of(result.chosen),
+                              100 * fragments, mesh.uvs.empty() ? "by index" : "by texture island");
 }
 
 }  // namespace
 
+const char* word_of(Connectivity connectivity) {
+  switch (connectivity) {
+    case Connectivity::kAuto: return "auto";
+    case Connectivity::kIsland: return "island";
+    case Connectivity::kIndex: return "index";
+    case Connectivity::kPosition: break;
+  }
+  return "position";
+}
+
 ExtractedPatches extract_patches(const HairMesh& mesh, std::span<const std::uint32_t> welded,
-                                 const std::string& connectivity) {
+                                 Connectivity connectivity) {
   std::vector<std::uint32_t> identity(mesh.positions.size());
   std::iota(identity.begin(), identity.end(), 0u);
   PatchSet by_index = group_by_corners(mesh, identity);
@@ -120,15 +131,15 @@ ExtractedPatches extract_patches(const HairMesh& mesh, std::span<const std::uint
   result.by_position = by_position.count;
   result.by_island = by_island.count;
   result.chosen = connectivity;
-  result.reason = fmt::format("by {}: the recipe says so", connectivity);
-  if (connectivity == "auto") choose(mesh, mesh.uvs.empty() ? by_index : by_island, by_position, result);
-  result.patches = std::move(result.chosen == "position" ? by_position
-                             : result.chosen == "index"  ? by_index
-                                                         : by_island);
+  result.reason = fmt::format("by {}: the recipe says so", word_of(connectivity));
+  if (connectivity == Connectivity::kAuto) choose(mesh, mesh.uvs.empty() ? by_index : by_island, by_position, result);
+  result.patches = std::move(result.chosen == Connectivity::kPosition ? by_position
+                             : result.chosen == Connectivity::kIndex  ? by_index
+                                                                      : by_island);
   return result;
 }
 
-ExtractedPatches find_patches(HairStrips& hair, const std::string& connectivity, Findings& findings) {
+ExtractedPatches find_patches(HairStrips& hair, Connectivity connectivity, Findings& findings) {
   ExtractedPatches extracted = extract_patches(hair.mesh, hair.welded, connectivity);
   hair.patches = extracted.patches;
   hair.separate_patches();

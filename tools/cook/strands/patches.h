@@ -8,29 +8,34 @@
 
 namespace coif {
 
+enum class Connectivity;
+
+/// As in a recipe.
+[[nodiscard]] const char* word_of(Connectivity connectivity);
+
 struct ExtractedPatches {
   PatchSet patches;
   std::uint32_t by_index = 0;     ///< Groups of triangles that share vertices.
   std::uint32_t by_position = 0;  ///< Groups of triangles that share places.
   std::uint32_t by_island = 0;    ///< Groups of triangles that share an edge and its texture coordinates.
-  std::string chosen;             ///< "index", "position" or "island".
+  Connectivity chosen{};          ///< Not kAuto.
   std::string reason;             ///< Why, for the report.
 };
 
 /// Algorithm 2 of the thesis, connected triangles are one patch, by union-find: near-linear where the published form
 /// compares each triangle with each group. What counts as connected is `connectivity`:
-///  - "index": shared vertices, as published. Exporters split vertices at hard edges and seams, so this may shatter.
-///  - "position": shared places. Strips whose roots touch, or that lie on each other, become one.
-///  - "island": a shared edge with the same texture coordinates at both ends, whatever its normals. A strip is unwrapped
+///  - kIndex: shared vertices, as published. Exporters split vertices at hard edges and seams, so this may shatter.
+///  - kPosition: shared places. Strips whose roots touch, or that lie on each other, become one.
+///  - kIsland: a shared edge with the same texture coordinates at both ends, whatever its normals. A strip is unwrapped
 ///    in one piece, and two strips that touch are not.
-///  - "auto": islands (indices without texture coordinates), unless more than a quarter of the triangles are then in
+///  - kAuto: islands (indices without texture coordinates), unless more than a quarter of the triangles are then in
 ///    fragments of fewer than 8 whose place has more: such a file is unwrapped face by face, and positions decide.
 /// `welded` as HairStrips has it.
 [[nodiscard]] ExtractedPatches extract_patches(const HairMesh& mesh, std::span<const std::uint32_t> welded,
-                                               const std::string& connectivity);
+                                               Connectivity connectivity);
 
 /// Extracts the patches of hair whose places are known and separates them. Notes what they are connected by.
-ExtractedPatches find_patches(HairStrips& hair, const std::string& connectivity, Findings& findings);
+ExtractedPatches find_patches(HairStrips& hair, Connectivity connectivity, Findings& findings);
 
 /// Cuts patches where their texture turns back: modellers unwrap a strip that runs from ear to ear over the parting, or from the
 /// parting to a band, half by half onto the same strands, so that one of its texture's ends is in the middle. Each half has a

@@ -1,4 +1,5 @@
 #include "base/work_limit.h"
+#include "cook/recipe/strip_recipe.h"
 #include "cook/select/mesh_topology.h"
 #include "cook/strands/strand_direction.h"
 #include "cook/strands/strand_evidence.h"
@@ -233,7 +234,7 @@ Ribbons find_ribbons(const HairStrips& hair, const std::vector<bool>& is_shell) 
 
 }  // namespace
 
-double widest_patch(const Recipe& recipe, const FittedHead& head) {
+double widest_patch(const StripRecipe& recipe, const FittedHead& head) {
   return recipe.patch_widest > 0 ? recipe.patch_widest : kWidestPatch * head.radii.mean();
 }
 

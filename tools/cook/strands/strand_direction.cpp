@@ -3,6 +3,7 @@
 #include "base/parallel_for.h"
 #include "base/text.h"
 #include "base/work_limit.h"
+#include "cook/recipe/strip_recipe.h"
 #include "cook/strands/root_beliefs.h"
 
 #include <fmt/format.h>
@@ -216,11 +217,11 @@ StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head
   return field;
 }
 
-std::vector<std::string> declared_roots(const Recipe& recipe, const SourceModel& source, const HairStrips& hair) {
+std::vector<std::string> declared_roots(const StripRecipe& recipe, const SourceModel& source, const HairStrips& hair) {
   const bool is_known = recipe.strand_root == "auto" && source.made_from_strands;
   std::vector<std::string> roots(hair.patches.count, is_known ? "low_v" : recipe.strand_root);
   for (std::uint32_t p = 0; p < roots.size(); ++p) {
-    if (const std::string* said = hair.said_of(recipe, p, &PatchOverride::root)) roots[p] = *said;
+    if (const std::string* said = hair.said_of(p, &PatchOverride::root)) roots[p] = *said;
   }
   return roots;
 }

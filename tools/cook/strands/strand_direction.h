@@ -11,8 +11,11 @@
 
 namespace coif {
 
+struct StripRecipe;
+
 struct StrandSettings {
-  std::vector<std::string> roots;    ///< Per patch, as Recipe::strand_root or PatchOverride::root; empty: all "auto".
+  std::vector<std::string>
+      roots;  ///< Per patch, as StripRecipe::strand_root or PatchOverride::root; empty: all "auto".
   bool trust_texture = true;         ///< False where patches are not unwrapped in one piece.
   std::vector<float> depth_of_node;  ///< Bones between each node of the source and the head bone.
   std::vector<SeenStrands> seen;     ///< Per patch, what images show of it; empty: nothing is known.
@@ -20,7 +23,7 @@ struct StrandSettings {
 };
 
 /// StrandSettings::roots, of all patches and of each alone: as the recipe says, else as the source knows.
-[[nodiscard]] std::vector<std::string> declared_roots(const Recipe& recipe, const SourceModel& source,
+[[nodiscard]] std::vector<std::string> declared_roots(const StripRecipe& recipe, const SourceModel& source,
                                                       const HairStrips& hair);
 
 /// The direction of the strands on every vertex: along the texture axis that runs down the patch's longer side, or over
@@ -54,6 +57,6 @@ struct ShellSplit {
 ShellSplit split_shells(HairStrips& hair, double widest, Findings& findings);
 
 /// Metres, for split_shells(): the recipe's, else what hides its own back half on a head of this size.
-[[nodiscard]] double widest_patch(const Recipe& recipe, const FittedHead& head);
+[[nodiscard]] double widest_patch(const StripRecipe& recipe, const FittedHead& head);
 
 }  // namespace coif

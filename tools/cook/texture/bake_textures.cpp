@@ -1,6 +1,7 @@
 #include "cook/texture/bake_textures.h"
 
 #include "base/parallel_for.h"
+#include "cook/recipe/drawn_recipe.h"
 #include "cook/texture/relief.h"
 #include "cook/texture/texture_atlas.h"
 #include "cook/texture/texture_channel.h"
@@ -30,7 +31,7 @@ void report_spared(const Image& whole, const DetailedImage& kept, Findings& find
        bytes_with_mips(TexelFormat::kSrgb8Alpha8, whole) - bytes_with_mips(TexelFormat::kSrgb8Alpha8, image)});
 }
 
-BaseMips bake_base(const BaseColor& color, const HairMesh& hair, const Recipe& recipe, Transparency& transparency,
+BaseMips bake_base(const BaseColor& color, const HairMesh& hair, const DrawnRecipe& recipe, Transparency& transparency,
                    Findings& findings) {
   const std::uint32_t max_size = color.max_size.value_or(texture_limit(recipe));
   Image image = *color.image;
@@ -71,7 +72,7 @@ bool is_constant(const Image& image) {
 }
 
 ShiftMask bake_shift_mask(const BaseColor& color, const RecipeImage& shift, const RecipeImage& mask,
-                          bool strands_along_u, const Recipe& recipe) {
+                          bool strands_along_u, const DrawnRecipe& recipe) {
   const std::optional<Image>& strands = color.strand_ids ? color.strand_ids : color.strands;
   if (strands && !shift.image && !mask.image) {
     return {make_mips(shift_mask_of(*strands, recipe.texture_seed), texture_limit(recipe), TexelMeaning::kNumbers),
@@ -98,7 +99,7 @@ void keep_constants(std::span<const Image> mips, TexelFormat format, BakedTextur
 }  // namespace
 
 tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, const HairStrips& hair,
-                                                     const Recipe& recipe, const CookSettings& settings,
+                                                     const DrawnRecipe& recipe, const CookSettings& settings,
                                                      Findings& findings) {
   BakedTextures baked;
   const auto shift = read_recipe_image(recipe.shift_texture, "shift", settings);

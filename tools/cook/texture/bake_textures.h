@@ -1,7 +1,9 @@
 #pragma once
 
+#include "base/tool_error.h"
+#include "cook/recipe/cook_settings.h"
 #include "cook/recipe/findings.h"
-#include "cook/recipe/recipe.h"
+#include "cook/recipe/recipe_texture.h"
 #include "cook/strands/hair_strips.h"
 #include "cook/texture/base_color.h"
 #include "cook/texture/image.h"
@@ -9,6 +11,8 @@
 #include "cook/texture/transparency.h"
 
 namespace coif {
+
+struct DrawnRecipe;
 
 struct RecipeImage {
   std::optional<Image> image;  ///< None where the recipe names none.
@@ -51,7 +55,7 @@ struct BakedTextures {
 /// numbers instead. Relief comes from the source's map of normals (bake_relief()). Without texture coordinates nothing is stored. `hair` has the coordinates that find_base_color
 /// left, and its strands.
 tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, const HairStrips& hair,
-                                                     const Recipe& recipe, const CookSettings& settings,
+                                                     const DrawnRecipe& recipe, const CookSettings& settings,
                                                      Findings& findings);
 
 }  // namespace coif

@@ -1,5 +1,6 @@
 #include "cook/texture/base_color.h"
 
+#include "cook/recipe/drawn_recipe.h"
 #include "cook/texture/bake_textures.h"
 #include "cook/texture/recipe_maps.h"
 #include "cook/texture/source_images.h"
@@ -153,14 +154,14 @@ tl::expected<BaseColor, std::string> joined(SurfaceLooks& looks, std::uint32_t m
   return color;
 }
 
-std::optional<GreenAxis> green_of(const Recipe& recipe) {
-  if (recipe.normal_green == "auto") return std::nullopt;
-  return recipe.normal_green == "up" ? GreenAxis::kUp : GreenAxis::kDown;
+std::optional<GreenAxis> green_of(const DrawnRecipe& recipe) {
+  if (recipe.normal_green == NormalGreen::kAuto) return std::nullopt;
+  return recipe.normal_green == NormalGreen::kUp ? GreenAxis::kUp : GreenAxis::kDown;
 }
 
 /// What the materials say of the hair.
 SurfaceLooks looks_of_materials(const SourceModel& source, SourceImages& images, const HairMesh& hair,
-                                const Recipe& recipe) {
+                                const DrawnRecipe& recipe) {
   const bool are_replaced = !recipe.normal_texture.empty() || recipe.normal_strength <= 0;
   SurfaceLooks looks = find_looks(source, images, hair, {!are_replaced, recipe.opacity_texture.empty()});
   for (SurfaceLook& look : looks.looks) {
@@ -182,7 +183,7 @@ SurfaceLooks looks_of_image(const SourceModel& source, const HairMesh& hair, Ima
 }
 
 /// All looks in one image.
-BaseColor in_one_image(SurfaceLooks& looks, const Recipe& recipe, HairMesh& hair, Findings& findings) {
+BaseColor in_one_image(SurfaceLooks& looks, const DrawnRecipe& recipe, HairMesh& hair, Findings& findings) {
   const bool is_clamped = std::ranges::find(looks.looks[0].wrap, TextureWrap::kClamp) != std::end(looks.looks[0].wrap);
   if (looks.looks.size() == 1 && !(is_clamped && looks.looks[0].image != nullptr && !hair.uvs.empty())) {
     return whole(looks.looks[0], findings);
@@ -197,7 +198,7 @@ BaseColor in_one_image(SurfaceLooks& looks, const Recipe& recipe, HairMesh& hair
   return whole(main, findings);
 }
 
-BaseColor color_of(SurfaceLooks& looks, const Recipe& recipe, HairMesh& hair, Findings& findings) {
+BaseColor color_of(SurfaceLooks& looks, const DrawnRecipe& recipe, HairMesh& hair, Findings& findings) {
   settle_wraps(looks, hair, findings);
   split_by_vertex_colors(looks, hair, texture_limit(recipe), findings);
   return in_one_image(looks, recipe, hair, findings);
@@ -209,7 +210,7 @@ bool is_colourless(const BaseColor& color) {
   return !color.image && rgb.maxCoeff() - rgb.minCoeff() < 0.05f * rgb.maxCoeff() && rgb.minCoeff() > 0.1f;
 }
 
-bool names_color(const Recipe& recipe) {
+bool names_color(const DrawnRecipe& recipe) {
   return std::ranges::any_of(std::span(recipe.base_color).first<3>(), [](double c) { return c != 1; });
 }
 
@@ -222,8 +223,8 @@ void dye(BaseColor& color, Findings& findings) {
 }
 
 /// The recipe's map instead of the source's.
-tl::expected<void, ToolError> take_own_normals(const Recipe& recipe, const CookSettings& settings, BaseColor& color,
-                                               Findings& findings) {
+tl::expected<void, ToolError> take_own_normals(const DrawnRecipe& recipe, const CookSettings& settings,
+                                               BaseColor& color, Findings& findings) {
   auto own = read_recipe_image(recipe.normal_texture, "normal", settings);
   if (!own) return tl::unexpected(own.error());
   if (!own->image) return {};
@@ -244,7 +245,7 @@ tl::expected<void, ToolError> take_own_normals(const Recipe& recipe, const CookS
 
 }  // namespace
 
-tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, HairMesh& hair, const Recipe& recipe,
+tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, HairMesh& hair, const DrawnRecipe& recipe,
                                                    const CookSettings& settings, Findings& findings) {
   auto own = read_recipe_image(recipe.base_color_texture, "base_color", settings);
   if (!own) return tl::unexpected(own.error());

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "base/tool_error.h"
+#include "cook/recipe/cook_settings.h"
 #include "cook/recipe/findings.h"
-#include "cook/recipe/recipe.h"
 #include "cook/select/hair_mesh.h"
 #include "cook/texture/image.h"
 #include "cook/texture/normal_map.h"
@@ -11,6 +12,8 @@
 #include <list>
 
 namespace coif {
+
+struct DrawnRecipe;
 
 /// What a part of the hair looks like: materials that agree in it are one look.
 struct SurfaceLook {
@@ -87,7 +90,7 @@ struct BaseColor {
 /// colours are put together in an atlas, and the texture coordinates of `hair` move into it, which may split vertices; so
 /// this comes before any pass that numbers vertices. Where no atlas can be made the main material is taken for all, with a
 /// warning. Error: an image that the recipe names cannot be read.
-tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, HairMesh& hair, const Recipe& recipe,
+tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, HairMesh& hair, const DrawnRecipe& recipe,
                                                    const CookSettings& settings, Findings& findings);
 
 }  // namespace coif

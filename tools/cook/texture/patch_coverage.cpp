@@ -2,6 +2,7 @@
 
 #include "base/geometry.h"
 #include "base/parallel_for.h"
+#include "cook/recipe/drawn_recipe.h"
 
 #include <Eigen/Geometry>
 
@@ -88,7 +89,7 @@ struct Layer {
 
 }  // namespace
 
-AlphaTest alpha_test(const BaseColor& color, const Transparency& transparency, const Recipe& recipe) {
+AlphaTest alpha_test(const BaseColor& color, const Transparency& transparency, const DrawnRecipe& recipe) {
   AlphaTest test;
   if (color.image && !transparency.ignores_alpha) test.image = &*color.image;
   test.factor = recipe.base_color[3] * double(color.factor[3]);

@@ -10,6 +10,8 @@
 
 namespace coif {
 
+struct DrawnRecipe;
+
 /// Which texels of the base colour count as something: alpha times `factor` from `threshold` on.
 struct AlphaTest {
   const Image* image = nullptr;  ///< RGBA; null: everything counts.
@@ -22,7 +24,7 @@ struct AlphaTest {
 
 /// What counts in the hair: texels at least half opaque, or those that the opaque pass draws where it takes more. Keeps a
 /// pointer to the image of `color`.
-[[nodiscard]] AlphaTest alpha_test(const BaseColor& color, const Transparency& transparency, const Recipe& recipe);
+[[nodiscard]] AlphaTest alpha_test(const BaseColor& color, const Transparency& transparency, const DrawnRecipe& recipe);
 
 /// Low pictures of the hair at rest from all around, to tell which patches matter in them: which are seen, and which have
 /// others behind or before them wherever they are.

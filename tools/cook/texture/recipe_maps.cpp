@@ -1,5 +1,6 @@
 #include "cook/texture/recipe_maps.h"
 
+#include "cook/recipe/drawn_recipe.h"
 #include "cook/texture/bake_textures.h"
 #include "cook/texture/texture_channel.h"
 
@@ -34,7 +35,7 @@ Image as_strand_texture(const Image& numbers) {
 
 }  // namespace
 
-tl::expected<RecipeMaps, ToolError> read_recipe_maps(const Recipe& recipe, const CookSettings& settings) {
+tl::expected<RecipeMaps, ToolError> read_recipe_maps(const DrawnRecipe& recipe, const CookSettings& settings) {
   RecipeMaps maps;
   const auto keep = [&](const RecipeTexture& chosen, const char* key,
                         std::optional<Image>& map) -> tl::expected<void, ToolError> {

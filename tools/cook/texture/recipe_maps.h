@@ -1,8 +1,12 @@
 #pragma once
 
+#include "base/tool_error.h"
+#include "cook/recipe/cook_settings.h"
 #include "cook/texture/base_color.h"
 
 namespace coif {
+
+struct DrawnRecipe;
 
 /// The maps of one number that the recipe names beside the base colour, one channel each: opacity, and what packed atlases of hair
 /// cards know of strands.
@@ -12,7 +16,7 @@ struct RecipeMaps {
 };
 
 /// Error (kBadInput): one of them cannot be read.
-tl::expected<RecipeMaps, ToolError> read_recipe_maps(const Recipe& recipe, const CookSettings& settings);
+tl::expected<RecipeMaps, ToolError> read_recipe_maps(const DrawnRecipe& recipe, const CookSettings& settings);
 
 /// Gives every look the recipe's opacity as its alpha, at the coordinates of its own image.
 void take_opacity(const RecipeMaps& maps, SurfaceLooks& looks, Findings& findings);

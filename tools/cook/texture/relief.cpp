@@ -1,5 +1,6 @@
 #include "cook/texture/relief.h"
 
+#include "cook/recipe/drawn_recipe.h"
 #include "cook/texture/normal_map.h"
 #include "cook/texture/transparency.h"
 
@@ -36,7 +37,11 @@ Image known_axes(const Image& strands) {
 
 }  // namespace
 
-StoredTextures bake_relief(const Image* normals, const Image* strands, const HairMesh& hair, const Recipe& recipe,
+TexelFormat two_channel_format(const DrawnRecipe& recipe) {
+  return recipe.shift_mask_format == ShiftMaskFormat::kEac ? TexelFormat::kRg11Eac : TexelFormat::kRg8;
+}
+
+StoredTextures bake_relief(const Image* normals, const Image* strands, const HairMesh& hair, const DrawnRecipe& recipe,
                            unsigned threads, Findings& findings) {
   StoredTextures stored;
   const TexelFormat format = two_channel_format(recipe);

@@ -1,5 +1,7 @@
 #include "cook/texture/transparency.h"
 
+#include "cook/recipe/drawn_recipe.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,7 +43,7 @@ Transparency as_mask(double cutoff, Findings& findings) {
   return result;
 }
 
-Transparency as_recipe_says(const AlphaHistogram& histogram, const Recipe& recipe, Findings& findings) {
+Transparency as_recipe_says(const AlphaHistogram& histogram, const DrawnRecipe& recipe, Findings& findings) {
   Transparency result;
   result.opaque_threshold = recipe.opaque_threshold;
   result.discard_threshold = recipe.discard_threshold;
@@ -56,7 +58,7 @@ Transparency as_recipe_says(const AlphaHistogram& histogram, const Recipe& recip
   return result;
 }
 
-Transparency as_painted(const AlphaHistogram& histogram, const Recipe& recipe, Findings& findings) {
+Transparency as_painted(const AlphaHistogram& histogram, const DrawnRecipe& recipe, Findings& findings) {
   const OpaqueThreshold chosen = choose_opaque_threshold(histogram, recipe.discard_threshold);
   Transparency result;
   result.opaque_threshold = chosen.value;
@@ -73,8 +75,8 @@ Transparency as_painted(const AlphaHistogram& histogram, const Recipe& recipe, F
 
 }  // namespace
 
-Transparency choose_transparency(const BaseColor& color, const Image* image, const Image& used, const Recipe& recipe,
-                                 Findings& findings) {
+Transparency choose_transparency(const BaseColor& color, const Image* image, const Image& used,
+                                 const DrawnRecipe& recipe, Findings& findings) {
   const double factor = std::clamp(double(color.factor.w()) * recipe.base_color[3], 0.0, 1.0);
   AlphaHistogram histogram{};
   if (image != nullptr) histogram = alpha_histogram(*image, used, factor);

@@ -9,6 +9,8 @@
 
 namespace coif {
 
+struct DrawnRecipe;
+
 /// Which texels of an image the hair shows: one channel, 255 where a triangle touches the texel, else 0. Coordinates
 /// outside 0..1 wrap. An atlas may hold a face too; what is measured of a hair texture is measured over these.
 [[nodiscard]] Image used_texels(const HairMesh& hair, std::uint32_t width, std::uint32_t height);
@@ -47,6 +49,6 @@ struct Transparency {
 /// thresholds. Else chosen from the alpha of the texels in `used` (see choose_opaque_threshold). `image` may be null: one
 /// alpha everywhere. Warns of hair without an opaque core, which no drawing order shows well.
 [[nodiscard]] Transparency choose_transparency(const BaseColor& color, const Image* image, const Image& used,
-                                               const Recipe& recipe, Findings& findings);
+                                               const DrawnRecipe& recipe, Findings& findings);
 
 }  // namespace coif

@@ -1,5 +1,6 @@
 #include "cook/texture/vertex_colors.h"
 
+#include "cook/recipe/drawn_recipe.h"
 #include "cook/select/mesh_topology.h"
 #include "cook/texture/color_islands.h"
 
@@ -139,7 +140,7 @@ bool is_plain(const HairMesh& hair) {
 
 }  // namespace
 
-void judge_vertex_colors(const Recipe& recipe, HairMesh& hair, Findings& findings) {
+void judge_vertex_colors(const DrawnRecipe& recipe, HairMesh& hair, Findings& findings) {
   if (hair.colors.empty()) return;
   float brightest = 0, solidest = 0;
   for (const std::uint32_t v : hair.triangles) {
@@ -147,7 +148,7 @@ void judge_vertex_colors(const Recipe& recipe, HairMesh& hair, Findings& finding
     solidest = std::max(solidest, hair.colors[v].w());
   }
   const char* const nothing = brightest < kNearlyNothing ? "black" : solidest < kNearlyNothing ? "clear" : nullptr;
-  if (recipe.vertex_colors == "auto" && nothing != nullptr) {
+  if (recipe.vertex_colors == VertexColors::kAuto && nothing != nullptr) {
     findings.warn(
         "C152",
         fmt::format(
@@ -155,7 +156,8 @@ void judge_vertex_colors(const Recipe& recipe, HairMesh& hair, Findings& finding
             "them, set \"textures.vertex_colors\" to \"multiply\"",
             nothing));
   }
-  const bool is_used = recipe.vertex_colors == "multiply" || (recipe.vertex_colors == "auto" && nothing == nullptr);
+  const bool is_used = recipe.vertex_colors == VertexColors::kMultiply ||
+                       (recipe.vertex_colors == VertexColors::kAuto && nothing == nullptr);
   if (!is_used || is_plain(hair)) return hair.colors.clear();
   findings.note(
       "vertex colours multiply colour and alpha of the hair; \"textures.vertex_colors\": \"ignore\" does without");

@@ -4,11 +4,13 @@
 
 namespace coif {
 
+struct DrawnRecipe;
+
 // Nothing at run time knows vertex colours: what they say goes into the factor or the texture, so that hair without them pays nothing.
 
 /// Takes `hair.colors` away where the recipe ignores them, or where they are all black or all clear and the recipe does not insist:
 /// such are numbers for a program (wind, masks), not colours.
-void judge_vertex_colors(const Recipe& recipe, HairMesh& hair, Findings& findings);
+void judge_vertex_colors(const DrawnRecipe& recipe, HairMesh& hair, Findings& findings);
 
 /// Readies looks for bake_vertex_colors(). A look of one colour gets it as its factor. Where strips show the same texels in
 /// different colours, the look becomes several of the same image, so that each gets texels of its own in an atlas.

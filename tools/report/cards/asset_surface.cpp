@@ -2,6 +2,7 @@
 
 #include "base/geometry.h"
 #include "cards/make_cards.h"
+#include "cook/recipe/hair_recipe.h"
 #include "cook/size/trust.h"
 #include "cook/size/up_evidence.h"
 

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+/// What hair stays out of.
+enum class HeadShape { kAuto, kEllipsoid, kSphere, kCapsule, kNothing };
+
+/// What a recipe says of which triangles are hair, and of the head that they grow on.
+struct HairRecipe {
+  // Patterns with * and ?, letters of either case.
+  std::vector<std::string> hair_meshes;
+  std::vector<std::string> hair_materials;
+  std::vector<std::string> hair_bones;
+  double patch_weld_distance = 0;  ///< Metres.
+  std::string head_bone;           ///< Pattern; "": found by name and hierarchy.
+  HeadShape head_shape = HeadShape::kAuto;
+  std::optional<std::array<double, 3>> head_center;  ///< Model space, metres.
+  std::optional<std::array<double, 3>> head_radii;   ///< Metres.
+};
+
+}  // namespace coif

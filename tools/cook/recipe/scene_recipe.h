@@ -1,0 +1,15 @@
+#pragma once
+
+namespace coif {
+
+/// What a recipe says that a game's scene needs of an asset.
+struct SceneRecipe {
+  bool scene_draw = false;
+  bool scene_names = false;
+  bool scene_quality = false;
+  bool scene_provenance = false;
+  bool scene_shift_mask = false;
+  bool scene_relief = false;
+};
+
+}  // namespace coif

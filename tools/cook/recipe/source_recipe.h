@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+namespace coif {
+
+enum class RecipeUpAxis { kFile, kX, kY, kZ };
+
+/// What a recipe says of the file that is read.
+struct SourceRecipe {
+  double metres_per_unit = 0;  ///< 0: from the file.
+  RecipeUpAxis up_axis = RecipeUpAxis::kFile;
+  std::string source_variant;  ///< KHR_materials_variants; "": none.
+};
+
+}  // namespace coif

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "base/work_limit.h"
+#include "cook/order/order_figures.h"
+#include "cook/recipe/cook_settings.h"
+#include "cook/recipe/findings.h"
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+struct PassTime {
+  std::string name;  ///< Each once.
+  double ms = 0;
+};
+
+/// What the passes found, and figures of what they made.
+struct CookReport : Findings {
+  std::vector<PassTime> passes;
+  std::uint32_t triangles = 0;
+  std::uint32_t vertices = 0;
+  std::uint32_t patches = 0;
+  std::uint32_t patches_by_index = 0;
+  std::uint32_t patches_by_position = 0;
+  std::uint32_t chains = 0;
+  std::uint32_t bones = 0;
+  std::uint32_t simulated_bones = 0;
+  OrderFigures order;
+};
+
+/// The one place that all stages of a cook tell what they are at, how long it took and what they found.
+class CookLog {
+ public:
+  CookLog(const CookSettings& settings, CookReport& report) : settings_(settings), report_(report) {}
+
+  /// Calls `pass`, and returns what it does. Throws TookTooLong where the time for the cook is over.
+  auto pass(const char* name, const auto& pass) {
+    const Timer timer(*this, name);
+    return pass();
+  }
+
+  [[nodiscard]] Findings& findings() { return report_; }
+  [[nodiscard]] CookReport& report() { return report_; }
+
+ private:
+  /// Tells when a pass begins, and when it has ended.
+  class Timer {
+   public:
+    Timer(CookLog& log, const char* name) : log_(log), name_(name) {
+      if (log.settings_.progress) log.settings_.progress(name);
+      WorkLimit::check();
+      WorkLimit::begin_part();
+    }
+    ~Timer() {
+      const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start_;
+      log_.report_.passes.push_back({name_, elapsed.count()});
+    }
+    Timer(const Timer&) = delete;
+    Timer& operator=(const Timer&) = delete;
+
+   private:
+    CookLog& log_;
+    const char* name_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  };
+
+  const CookSettings& settings_;
+  CookReport& report_;
+};
+
+}  // namespace coif

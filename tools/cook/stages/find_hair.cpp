@@ -1,0 +1,35 @@
+#include "cook/stages/find_hair.h"
+
+#include "cook/select/mesh_topology.h"
+#include "cook/select/select_hair.h"
+#include "cook/size/settle_size.h"
+#include "cook/strands/odd_hair.h"
+
+namespace coif {
+
+tl::expected<SourceHair, ToolError> find_hair(const SourceModel& source, const HairRecipe& recipe,
+                                              const DrawnRecipe& drawn, const CookSettings& settings, CookLog& log) {
+  Findings& findings = log.findings();
+  SettledSource settled = log.pass("size", [&] { return settle_size(source, recipe, findings); });
+  SourceHair hair{std::move(settled.model), {}, {}};
+  const SourceModel& model = hair.model(source);
+
+  // What the size was judged by may be the hair already.
+  auto mesh = log.pass("select", [&]() -> tl::expected<HairMesh, ToolError> {
+    if (!settled.hair) return select_hair(model, recipe, findings);
+    findings.append(settled.hair->findings);
+    return std::move(settled.hair->mesh);
+  });
+  if (!mesh) return tl::unexpected(mesh.error());
+  hair.mesh = std::move(*mesh);
+
+  auto color = log.pass("base color", [&] {
+    warn_of_odd_size(hair.mesh, findings);
+    return find_base_color(model, hair.mesh, drawn, settings, findings);
+  });
+  if (!color) return tl::unexpected(color.error());
+  hair.color = std::move(*color);
+  return hair;
+}
+
+}  // namespace coif
