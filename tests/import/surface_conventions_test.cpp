@@ -87,6 +87,26 @@ TEST_F(SurfaceConventions, VertexColorsOfAnObjMayBeBytes) {
   EXPECT_EQ(first_color("2.5 0 0").x(), 2.5f) << "brighter than white";
 }
 
+TEST_F(SurfaceConventions, VerticesOfAnObjThatHaveNoColorAreWhite) {
+  const std::string head = "o Head\nv 0 0 5\nv 1 0 5 1\nv 0 1 5\nf 1 2 3\n";
+  const auto hair_of = [&](const std::string& color) {
+    const SourceModel model = import_or_fail(folder_.write(
+        "m.obj", head + "o Hair\nv 0 0 0 " + color + "\r\nv 1 0 0\nv\t0 1 0 " + color + "\nf 4 5 6\n"));
+    EXPECT_TRUE(model.meshes.at(0).colors.empty()) << "the head has none";
+    EXPECT_EQ(model.meshes.at(0).positions[1].z(), 5);
+    return model.meshes.at(1);
+  };
+  for (const char* const color : {"1 0 0", "255 0 0", "1 0 0 0.5", "255 0 0 255"}) {
+    const SourceMesh hair = hair_of(color);
+    ASSERT_EQ(hair.colors.size(), 3u) << color;
+    for (int v = 0; v < 3; ++v) {
+      const Eigen::Vector4f wanted = v == 1 ? Eigen::Vector4f(1, 1, 1, 1) : Eigen::Vector4f(1, 0, 0, 1);
+      EXPECT_TRUE(hair.colors[std::size_t(v)].isApprox(wanted, 1e-6f)) << color << ": " << hair.colors[std::size_t(v)];
+    }
+  }
+  EXPECT_EQ(hair_of("2.5 0 0").colors.at(1).y(), 1) << "no bytes: brighter than white";
+}
+
 TEST_F(SurfaceConventions, ColladaSaysWhichNumbersOfATextureAreTheOpacity) {
   const auto material_of = [&](const std::string& opaque) {
     const SourceModel model = import_or_fail(folder_.write(

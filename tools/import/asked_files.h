@@ -7,6 +7,7 @@
 #include <assimp/DefaultIOSystem.h>
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -24,7 +25,7 @@ struct Asked {
 };
 
 /// Files as assimp sees them, with a record: the model, and what really lies in its folders. Nothing else is there for it. Of an OBJ the
-/// model is without a byte order mark, and a library is what find_libraries() and plain_library_text() make of it.
+/// model is without a byte order mark and text_with_even_colors(), and a library is what find_libraries() and plain_library_text() make of it.
 class AskedFiles : public Assimp::DefaultIOSystem {
  public:
   /// `asked` outlives this object.
@@ -62,6 +63,11 @@ struct ObjLibraries {
 
 /// `written`: the rest of the statement's line: a name with blanks in it or behind it, within quotes, or several names.
 [[nodiscard]] ObjLibraries find_libraries(const std::filesystem::path& folder, std::string_view written);
+
+/// The text of an OBJ in which some vertices have a colour and others none, with white for those; assimp 5.2 would give colours to the wrong
+/// vertices, and read memory that is none of theirs. A vertex's alpha, which is no part of the format, and for which it would leave the
+/// vertex out, is taken away. None where nothing is to be changed.
+[[nodiscard]] std::optional<std::string> text_with_even_colors(std::string_view text);
 
 /// The file's bytes; none where it cannot be read.
 [[nodiscard]] std::vector<char> bytes_of(const std::filesystem::path& path);

@@ -120,7 +120,10 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   const bool is_fbx = suffix.format == SourceFormat::kFbx, is_dae = suffix.format == SourceFormat::kDae;
   const std::vector<char> file = is_fbx || is_dae ? bytes_of(path) : std::vector<char>();
   const auto objects = is_fbx ? FbxObjects::read({file.data(), file.size()}) : std::nullopt;
-  if (objects) add_fbx_objects(*objects, scene, nodes);
+  if (objects) {
+    add_fbx_objects(*objects, scene, nodes);
+    connect_fbx_textures(*objects, scene, model.warnings);
+  }
   convert_materials(scene, suffix.format, model);
   if (objects) apply_fbx_wraps(*objects, model.materials);
   pugi::xml_document document = is_dae ? parse_collada({file.data(), file.size()}) : pugi::xml_document();
