@@ -53,6 +53,7 @@ Assimp::IOStream* AskedFiles::Open(const char* name, const char* mode) {
 Assimp::IOStream* AskedFiles::open_plainly(const std::string& name, const char* mode) {
   asked_.names.insert(name);
   if (!is_allowed(name)) return nullptr;
+  if (text_ && name == model_) return stream_of(*text_);
   if (!is_obj_) return DefaultIOSystem::Open(name.c_str(), mode);
   const std::vector<char> bytes = bytes_of(name);
   std::string_view text(bytes.data(), bytes.size());

@@ -28,9 +28,14 @@ struct Asked {
 /// model is without a byte order mark and text_with_even_colors(), and a library is what find_libraries() and plain_library_text() make of it.
 class AskedFiles : public Assimp::DefaultIOSystem {
  public:
-  /// `asked` outlives this object.
-  AskedFiles(std::filesystem::path model, std::vector<std::filesystem::path> folders, bool is_obj, Asked& asked)
-      : model_(std::move(model)), folders_(std::move(folders)), is_obj_(is_obj), asked_(asked) {}
+  /// `text`: what the model holds for assimp, where that is not what the file holds. `asked` outlives this object.
+  AskedFiles(std::filesystem::path model, std::optional<std::string> text, std::vector<std::filesystem::path> folders,
+             bool is_obj, Asked& asked)
+      : model_(std::move(model)),
+        text_(std::move(text)),
+        folders_(std::move(folders)),
+        is_obj_(is_obj),
+        asked_(asked) {}
 
   bool Exists(const char* name) const override;
   Assimp::IOStream* Open(const char* name, const char* mode) override;
@@ -41,6 +46,7 @@ class AskedFiles : public Assimp::DefaultIOSystem {
   [[nodiscard]] Assimp::IOStream* open_library(const std::string& name);
 
   std::filesystem::path model_;  ///< May be a link that leads anywhere.
+  std::optional<std::string> text_;
   std::vector<std::filesystem::path> folders_;
   bool is_obj_;
   Asked& asked_;

@@ -20,8 +20,11 @@
 
 #include <algorithm>
 #include <new>
+#include <optional>
 #include <set>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace coif {
@@ -127,6 +130,7 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   convert_materials(scene, suffix.format, model);
   if (objects) apply_fbx_wraps(*objects, model.materials);
   pugi::xml_document document = is_dae ? parse_collada({file.data(), file.size()}) : pugi::xml_document();
+  mark_hidden_by_collada(document, nodes);
   const ColladaTextures collada(document);
   collada.apply(model.materials);
   warn_of_weights(document, model.warnings);
@@ -145,15 +149,19 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
 
 tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::path& path, const SourceSuffix& suffix,
                                                       const ImportSettings& settings) try {
+  std::optional<std::string> plain;
+  std::vector<Warning> warnings;  // of what is made plain
   if (suffix.format == SourceFormat::kDae) {
     const std::vector<char> text = bytes_of(path);
     if (auto fault = overrun_array({text.data(), text.size()})) return refusal(path, suffix, fault->c_str());
+    plain = plain_collada({text.data(), text.size()}, warnings);
   }
   Asked asked;
   Assimp::Importer importer;
   const std::vector<std::filesystem::path> folders = folders_of_source(path, settings.roots);
   importer.SetIOHandler(
-      new AskedFiles(path, folders, suffix.format == SourceFormat::kObj, asked));  // Owned by the importer.
+      new AskedFiles(path, std::move(plain), folders, suffix.format == SourceFormat::kObj,
+                     asked));  // Owned by the importer.
   configure(importer, suffix, settings);
   const aiScene* scene = importer.ReadFile(path.string(), kPostProcess);
   if (scene == nullptr || scene->mRootNode == nullptr) {
@@ -161,6 +169,7 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
   }
   auto model = convert_scene(*scene, path, suffix, settings);
   asked.names.erase(path.string());
+  if (model) model->warnings.insert(model->warnings.begin(), warnings.begin(), warnings.end());
   if (model) model->side_files.assign(asked.names.begin(), asked.names.end());
   if (model && suffix.format == SourceFormat::kObj) {
     apply_obj_options(asked.libraries, *model);

@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "import/source_warnings.h"
 
+#include <assimp/material.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -198,11 +200,26 @@ TexturePlace place_of(const ObjMaterial& said) {
   return said.base ? said.base->place : said.opacity ? said.opacity->place : TexturePlace{};
 }
 
+/// assimp makes a plain material of each name that no library has.
+void warn_of_absent(const ObjMaterials& materials, const SourceModel& model, std::vector<Warning>& warnings) {
+  std::set<std::string> absent;
+  for (const SourceMesh& mesh : model.meshes) {
+    const std::string name = material_name(model, mesh);
+    if (name.empty() || name == AI_DEFAULT_MATERIAL_NAME || materials.contains(name) || !absent.insert(name).second)
+      continue;
+    warn(warnings, source_code::kMaterials,
+         "mesh '{}' has the material '{}', which its .mtl does not have, so that it has no colour and no texture; name "
+         "one of those in the .mtl, or export both files together",
+         mesh.name, name);
+  }
+}
+
 }  // namespace
 
 void apply_obj_options(std::span<const std::string> libraries, SourceModel& model) {
   ObjMaterials materials;
   for (const std::string& library : libraries) read_library(library, materials);
+  if (!materials.empty()) warn_of_absent(materials, model, model.warnings);
   for (SourceMaterial& material : model.materials) {
     const auto said = materials.find(material.name);
     if (said == materials.end()) continue;
