@@ -180,6 +180,26 @@ TEST_F(ColladaTexturesTest, NodesThatAreHiddenAreLeftOutWithAllBelowThem) {
   }
 }
 
+TEST_F(ColladaTexturesTest, NodesAndMeshesHaveTheirNamesNotTheirIds) {
+  std::string text = replaced(document({.is_skinned = true}), "<geometry id=\"g\">", "<geometry id=\"g\" name=\"Hair\">");
+  text = replaced(text, "<node id=\"bone\"", "<node id=\"bone\" name=\"left lock\"");
+  const SourceModel model = import_or_fail(folder_.write("m.dae", text));
+  EXPECT_EQ(model.meshes.at(0).name, "Hair");
+  ASSERT_FALSE(model.meshes[0].influences.empty());
+  EXPECT_EQ(model.nodes.at(model.meshes[0].influences[0].node).name, "left lock");
+  EXPECT_TRUE(model.warnings.empty()) << warnings_of(model);
+}
+
+TEST_F(ColladaTexturesTest, LevelsOfDetailAreToldByNames) {
+  const std::string fine = "<node id=\"n\" name=\"Hair_LOD0\">";
+  const std::string coarse = "<node id=\"ID7\" name=\"Hair_LOD1\"><instance_geometry url=\"#g\"/></node>";
+  const SourceModel model =
+      import_or_fail(folder_.write("m.dae", replaced(document({}), "<node id=\"n\">", coarse + fine)));
+  EXPECT_EQ(model.meshes.size(), 1u);
+  EXPECT_NE(warnings_of(model).find("1 mesh left out as coarser levels of detail"), std::string::npos)
+      << warnings_of(model);
+}
+
 TEST_F(ColladaTexturesTest, ShapesOfAMorphThatAreOnArePartOfTheShape) {
   const auto text_with = [](const char* method, double weight) {
     std::string text = document({});

@@ -131,12 +131,14 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   if (objects) apply_fbx_wraps(*objects, model.materials);
   pugi::xml_document document = is_dae ? parse_collada({file.data(), file.size()}) : pugi::xml_document();
   mark_hidden_by_collada(document, nodes);
+  const ColladaNames names(document);
+  for (SourceNode& node : nodes.nodes) node.name = ColladaNames::find(names.nodes, node.name);
   const ColladaTextures collada(document);
   collada.apply(model.materials);
   warn_of_weights(document, model.warnings);
   model.named_images = named_images(scene);
   const auto places = objects ? std::optional(FbxTexturePlaces(*objects)) : std::nullopt;
-  const SourceSurface surface{suffix.format, model.space.generator, &collada, places ? &*places : nullptr};
+  const SourceSurface surface{suffix.format, model.space.generator, &collada, &names, places ? &*places : nullptr};
   model.meshes = convert_meshes(scene, nodes, surface, model.warnings);
   const bool hides_all = hides_all_meshes(nodes);
   model.nodes = std::move(nodes.nodes);

@@ -6,6 +6,7 @@
 
 #include <pugixml.hpp>
 
+#include <map>
 #include <new>
 #include <optional>
 #include <string>
@@ -41,6 +42,18 @@ bool apply_collada_morphs(pugi::xml_document& document, std::vector<Warning>& wa
 
 /// Marks nodes that the document hides (<visibility> in an <extra> of theirs), and what is below them.
 void mark_hidden_by_collada(const pugi::xml_document& document, SceneNodes& nodes);
+
+/// What the artist called nodes and meshes; assimp 5.2 calls them by their ids. All as printable text.
+struct ColladaNames {
+  std::map<std::string, std::string> nodes, geometries;  ///< By id, of those that have a name.
+
+  explicit ColladaNames(const pugi::xml_document& document);
+  /// `id` where it has no name.
+  [[nodiscard]] static const std::string& find(const std::map<std::string, std::string>& names, const std::string& id) {
+    const auto found = names.find(id);
+    return found == names.end() ? id : found->second;
+  }
+};
 
 /// Warns of each skin that has weights below zero or that are no numbers, which assimp 5.2 drops.
 void warn_of_weights(const pugi::xml_document& document, std::vector<Warning>& warnings);

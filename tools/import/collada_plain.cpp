@@ -59,6 +59,15 @@ std::optional<std::string> plain_collada(std::string_view text, std::vector<Warn
   return std::move(out).str();
 }
 
+ColladaNames::ColladaNames(const pugi::xml_document& document) {
+  for (const pugi::xpath_node& found : document.select_nodes("//node[@id] | //geometry[@id]")) {
+    const pugi::xml_node node = found.node();
+    const std::string_view name = node.attribute("name").value();
+    auto& names = std::string_view(node.name()) == "node" ? nodes : geometries;
+    if (!name.empty()) names.emplace(printable_text(node.attribute("id").value()), printable_text(name));
+  }
+}
+
 void mark_hidden_by_collada(const pugi::xml_document& document, SceneNodes& nodes) {
   std::set<std::string> hidden;  // by id, which is what assimp calls a node that has one
   for (const pugi::xpath_node& found : document.select_nodes("//node[extra/technique/visibility]")) {
