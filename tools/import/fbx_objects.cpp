@@ -36,6 +36,7 @@ std::optional<FbxKind> kind_of(std::string_view record, std::string_view object_
   if (record == "Geometry" && object_class == "Shape") return FbxKind::kShape;
   if (record == "Deformer" && object_class == "BlendShape") return FbxKind::kBlendShape;
   if (record == "Deformer" && object_class == "BlendShapeChannel") return FbxKind::kChannel;
+  if (record == "Deformer" && object_class == "Cluster") return FbxKind::kCluster;
   return std::nullopt;
 }
 

@@ -4,8 +4,10 @@
 // are on, how textures lie and go on, and what they are connected to.
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,7 +23,8 @@ enum class FbxKind : std::uint8_t {
   kChannel,
   kMaterial,
   kTexture,
-  kLayeredTexture
+  kLayeredTexture,
+  kCluster
 };
 
 /// How a texture lies on the surface: scaled and turned about its pivots, then moved. V grows upwards.
@@ -96,5 +99,15 @@ class FbxObjects {
   std::vector<double> full_weights_;
   std::vector<FbxShape> shapes_;
 };
+
+/// An FBX in which bones of one name, which the format allows, have names of their own, as long as theirs: assimp knows bones by name alone,
+/// and aborts.
+struct UniqueFbxBones {
+  std::string file;
+  std::map<std::int64_t, std::string> names;  ///< What the artist calls the models, by id.
+};
+
+/// None where no two bones have one name, or the file cannot be read.
+[[nodiscard]] std::optional<UniqueFbxBones> with_unique_bones(std::string_view file);
 
 }  // namespace coif
