@@ -181,7 +181,8 @@ TEST_F(ColladaTexturesTest, NodesThatAreHiddenAreLeftOutWithAllBelowThem) {
 }
 
 TEST_F(ColladaTexturesTest, NodesAndMeshesHaveTheirNamesNotTheirIds) {
-  std::string text = replaced(document({.is_skinned = true}), "<geometry id=\"g\">", "<geometry id=\"g\" name=\"Hair\">");
+  std::string text =
+      replaced(document({.is_skinned = true}), "<geometry id=\"g\">", "<geometry id=\"g\" name=\"Hair\">");
   text = replaced(text, "<node id=\"bone\"", "<node id=\"bone\" name=\"left lock\"");
   const SourceModel model = import_or_fail(folder_.write("m.dae", text));
   EXPECT_EQ(model.meshes.at(0).name, "Hair");
@@ -209,11 +210,12 @@ TEST_F(ColladaTexturesTest, ShapesOfAMorphThatAreOnArePartOfTheShape) {
     for (std::size_t at = 0; (at = target.find("\"#", at)) != std::string::npos; at += 3) target.insert(at + 2, "t");
     target = replaced(target, "0 0 0 1 0 0 0 1 0", "0 0 0 1 0 0 0 5 0");
     text.insert(end, target);
-    text.insert(text.find("<library_visual_scenes>"), fmt::format(R"(<library_controllers><controller id="mc"><morph source="#g" method="{}">
+    text.insert(text.find("<library_visual_scenes>"),
+                fmt::format(R"(<library_controllers><controller id="mc"><morph source="#g" method="{}">
 <source id="mt"><IDREF_array id="mt-n" count="1">tg</IDREF_array><technique_common><accessor source="#mt-n" count="1" stride="1"><param name="MORPH_TARGET" type="IDREF"/></accessor></technique_common></source>
 <source id="mw"><float_array id="mw-n" count="1">{}</float_array><technique_common><accessor source="#mw-n" count="1" stride="1"><param name="MORPH_WEIGHT" type="float"/></accessor></technique_common></source>
 <targets><input semantic="MORPH_TARGET" source="#mt"/><input semantic="MORPH_WEIGHT" source="#mw"/></targets></morph></controller></library_controllers>)",
-                                                                  method, weight));
+                            method, weight));
     text = replaced(text, "<instance_geometry url=\"#g\">", "<instance_controller url=\"#mc\">");
     return replaced(text, "</instance_geometry>", "</instance_controller>");
   };

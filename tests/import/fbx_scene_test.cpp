@@ -109,13 +109,17 @@ std::string triangle_of_two_bones(const std::string& name) {
                                      {21, name, 22, vector_property("Lcl Translation", -4, 0, 0), "LimbNode"},
                                      {23, name, 22, vector_property("Lcl Translation", 4, 0, 0), "LimbNode"}});
   const auto cluster = [&](int id, const char* corners, int count, int x) {
-    return fmt::format("  Deformer: {}, \"SubDeformer::{}\", \"Cluster\" {{\n    Version: 100\n    Indexes: *{} {{\n      a: {}\n    }}\n"
-                       "    Weights: *{} {{\n      a: {}\n    }}\n    Transform: *16 {{\n      a: 1,0,0,0,0,1,0,0,0,0,1,0,{},0,0,1\n    }}\n"
-                       "    TransformLink: *16 {{\n      a: 1,0,0,0,0,1,0,0,0,0,1,0,{},0,0,1\n    }}\n  }}\n",
-                       id, name, count, corners, count, count == 1 ? "1" : "1,1", -x, x);
+    return fmt::format(
+        "  Deformer: {}, \"SubDeformer::{}\", \"Cluster\" {{\n    Version: 100\n    Indexes: *{} {{\n      a: {}\n    "
+        "}}\n"
+        "    Weights: *{} {{\n      a: {}\n    }}\n    Transform: *16 {{\n      a: 1,0,0,0,0,1,0,0,0,0,1,0,{},0,0,1\n  "
+        "  }}\n"
+        "    TransformLink: *16 {{\n      a: 1,0,0,0,0,1,0,0,0,0,1,0,{},0,0,1\n    }}\n  }}\n",
+        id, name, count, corners, count, count == 1 ? "1" : "1,1", -x, x);
   };
-  file.insert(file.find("Objects:  {\n") + 12, "  Deformer: 80, \"Deformer::skin\", \"Skin\" {\n    Version: 101\n  }\n" +
-                                                   cluster(81, "0", 1, -4) + cluster(82, "1,2", 2, 4));
+  file.insert(file.find("Objects:  {\n") + 12,
+              "  Deformer: 80, \"Deformer::skin\", \"Skin\" {\n    Version: 101\n  }\n" + cluster(81, "0", 1, -4) +
+                  cluster(82, "1,2", 2, 4));
   file.insert(file.find("Connections:  {\n") + 16,
               "  C: \"OO\",80,1020\n  C: \"OO\",81,80\n  C: \"OO\",21,81\n  C: \"OO\",82,80\n  C: \"OO\",23,82\n");
   return file;

@@ -47,9 +47,9 @@ constexpr const char* kOneMaterial = R"(    LayerElementMaterial: 0 {
 /// A triangle whose material has textures as the objects and connections say; the material is the object 50.
 SourceModel model_with(const TemporaryFolder& folder, const std::string& textures, const std::string& connections) {
   std::string file = test::text_fbx({{20, "hair", 0, ""}});
-  file.insert(file.find("Objects:  {\n") + 12,
-              "  Material: 50, \"Material::Hair\", \"\" {\n    Version: 102\n    ShadingModel: \"phong\"\n  }\n" +
-                  textures);
+  file.insert(
+      file.find("Objects:  {\n") + 12,
+      "  Material: 50, \"Material::Hair\", \"\" {\n    Version: 102\n    ShadingModel: \"phong\"\n  }\n" + textures);
   file.insert(file.find("    GeometryVersion: 124\n"), std::string(kOneMaterial) + "    }\n");
   file.insert(file.find("Connections:  {\n") + 16, "  C: \"OO\",50,20\n" + connections);
   return import_or_fail(folder.write("m.fbx", file));
@@ -170,12 +170,12 @@ TEST(FbxTextures, RunAlongTheOtherAxisWhereUvSwapSaysSo) {
 
 TEST(FbxTextures, AreFoundByWhatProgramsCallTheProperty) {
   const TemporaryFolder folder;
-  const std::string both = texture(60, "hair.png", clamped("WrapModeU")) + texture(61, "mask.png", clamped("WrapModeV"));
+  const std::string both =
+      texture(60, "hair.png", clamped("WrapModeU")) + texture(61, "mask.png", clamped("WrapModeV"));
   for (const char* const opacity : {"TransparentColor", "Opacity", "Maya|opacity", "Maya|opacity|file",
                                     "3dsMax|Parameters|cutout_map", "Maya|TEX_opacity_map"}) {
     const SourceModel model = model_with(
-        folder, both,
-        fmt::format("  C: \"OP\",60,50, \"Arnold|base_color\"\n  C: \"OP\",61,50, \"{}\"\n", opacity));
+        folder, both, fmt::format("  C: \"OP\",60,50, \"Arnold|base_color\"\n  C: \"OP\",61,50, \"{}\"\n", opacity));
     const SourceMaterial& material = model.materials.at(model.meshes.at(0).material);
     EXPECT_EQ(material.base_texture.path, "maps\\hair.png") << opacity;
     EXPECT_EQ(material.opacity_texture.path, "maps\\mask.png") << opacity;
@@ -191,7 +191,8 @@ TEST(FbxTextures, AreFoundByWhatProgramsCallTheProperty) {
 TEST(FbxTextures, OfLayersTheFirstIsReadWithAWarning) {
   const TemporaryFolder folder;
   const std::string layered =
-      "  LayeredTexture: 70, \"LayeredTexture::l\", \"\" {\n    LayeredTexture: 100\n    BlendModes: *2 {\n      a: 0,0\n"
+      "  LayeredTexture: 70, \"LayeredTexture::l\", \"\" {\n    LayeredTexture: 100\n    BlendModes: *2 {\n      a: "
+      "0,0\n"
       "    }\n    Alphas: *2 {\n      a: 1,1\n    }\n  }\n";
   const std::string textures = layered + texture(60, "hair.png", clamped("WrapModeU")) + texture(61, "dirt.png", "");
   const std::string connected = "  C: \"OP\",70,50, \"DiffuseColor\"\n  C: \"OO\",60,70\n";

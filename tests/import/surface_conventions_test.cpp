@@ -49,6 +49,23 @@ TEST_F(SurfaceConventions, OptionsOfAnObjsTextureLeaveItsPathWhole) {
   EXPECT_TRUE(model.meshes[0].uvs[0].isApprox(Eigen::Vector2f(0.25f, 1))) << model.meshes[0].uvs[0].transpose();
 }
 
+TEST_F(SurfaceConventions, OptionsOfAnObjsTextureMayStandBehindItsPath) {
+  const auto read_with = [&](const std::string& statement) {
+    folder_.write("m.mtl", "newmtl hair\n" + statement + "\n");
+    return import_or_fail(folder_.write(
+        "m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl hair\nf 1/1 2/2 3/3\n"));
+  };
+  const SourceModel model = read_with("map_Kd my hair.png -s 2 3 -o 0.25 0.5 0 -clamp on");
+  const SourceTexture& texture = model.materials.at(model.meshes.at(0).material).base_texture;
+  EXPECT_EQ(texture.path, "my hair.png");
+  EXPECT_EQ(texture.wrap[0], TextureWrap::kClamp);
+  EXPECT_TRUE(model.meshes[0].uvs[1].isApprox(Eigen::Vector2f(2.25f, 0.5f))) << model.meshes[0].uvs[1].transpose();
+  for (const std::string path : {"hair -s new.png", "v1.2 hair -s 2 new.png", "hair.png -old"}) {
+    const SourceModel other = read_with("map_Kd " + path);
+    EXPECT_EQ(other.materials.at(other.meshes.at(0).material).base_texture.path, path);
+  }
+}
+
 TEST_F(SurfaceConventions, AnObjsOpacityThatLiesElsewhereIsTold) {
   folder_.write("m.mtl", "newmtl moved\nmap_Kd -s 2 2 1 hair.png\nmap_d alpha.png\n");
   const SourceModel model = import_or_fail(folder_.write(
@@ -90,8 +107,8 @@ TEST_F(SurfaceConventions, VertexColorsOfAnObjMayBeBytes) {
 TEST_F(SurfaceConventions, VerticesOfAnObjThatHaveNoColorAreWhite) {
   const std::string head = "o Head\nv 0 0 5\nv 1 0 5 1\nv 0 1 5\nf 1 2 3\n";
   const auto hair_of = [&](const std::string& color) {
-    const SourceModel model = import_or_fail(folder_.write(
-        "m.obj", head + "o Hair\nv 0 0 0 " + color + "\r\nv 1 0 0\nv\t0 1 0 " + color + "\nf 4 5 6\n"));
+    const SourceModel model = import_or_fail(
+        folder_.write("m.obj", head + "o Hair\nv 0 0 0 " + color + "\r\nv 1 0 0\nv\t0 1 0 " + color + "\nf 4 5 6\n"));
     EXPECT_TRUE(model.meshes.at(0).colors.empty()) << "the head has none";
     EXPECT_EQ(model.meshes.at(0).positions[1].z(), 5);
     return model.meshes.at(1);

@@ -131,7 +131,8 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   SceneNodes nodes = flatten_nodes(scene, to_model, model.warnings);
   const bool is_fbx = suffix.format == SourceFormat::kFbx, is_dae = suffix.format == SourceFormat::kDae;
   const std::vector<char> file = is_fbx || is_dae ? bytes_of(path) : std::vector<char>();
-  const std::string_view records = unique_bones ? std::string_view(unique_bones->file) : std::string_view(file.data(), file.size());
+  const std::string_view records =
+      unique_bones ? std::string_view(unique_bones->file) : std::string_view(file.data(), file.size());
   const auto objects = is_fbx ? FbxObjects::read(records) : std::nullopt;
   if (objects) {
     add_fbx_objects(*objects, scene, nodes);
@@ -178,9 +179,8 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
   Asked asked;
   Assimp::Importer importer;
   const std::vector<std::filesystem::path> folders = folders_of_source(path, settings.roots);
-  importer.SetIOHandler(
-      new AskedFiles(path, std::move(plain), folders, suffix.format == SourceFormat::kObj,
-                     asked));  // Owned by the importer.
+  importer.SetIOHandler(new AskedFiles(path, std::move(plain), folders, suffix.format == SourceFormat::kObj,
+                                       asked));  // Owned by the importer.
   configure(importer, suffix, settings);
   const aiScene* scene = importer.ReadFile(path.string(), kPostProcess);
   if (scene == nullptr || scene->mRootNode == nullptr) {

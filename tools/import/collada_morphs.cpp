@@ -88,7 +88,8 @@ class Morphs {
           target == geometries_.end() ? Numbers() : numbers_in(positions_of(target->second).child_value());
       if (places.size() != base.size()) {
         warn(warnings_, source_code::kShapeKeys,
-             "mesh '{}': its shape key '{}' is on and could not be read; apply it in the modelling tool and export again",
+             "mesh '{}': its shape key '{}' is on and could not be read; apply it in the modelling tool and export "
+             "again",
              shown_name(geometry), printable_text(id, 100));
         continue;
       }

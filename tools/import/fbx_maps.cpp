@@ -16,14 +16,14 @@ namespace coif {
 namespace {
 
 // What programs call the properties of their materials: the last part, without "file", in small letters and without underlines.
-constexpr std::string_view kColorProperties[] = {
-    "diffusecolor", "diffuse", "diffusemap", "diffusetexture", "basecolor", "basecolormap", "texcolormap",
-    "color",        "colormap", "albedo",    "albedomap",      "maincolor"};
-constexpr std::string_view kOpacityProperties[] = {"transparentcolor", "transparencyfactor", "transparency",
-                                                   "transparencymap",  "opacity",            "opacitymap",
-                                                   "texopacitymap",    "cutout",             "cutoutmap",
-                                                   "cutoutopacity",    "geometryopacity",    "alpha",
-                                                   "alphamap"};
+constexpr std::string_view kColorProperties[] = {"diffusecolor", "diffuse",      "diffusemap",  "diffusetexture",
+                                                 "basecolor",    "basecolormap", "texcolormap", "color",
+                                                 "colormap",     "albedo",       "albedomap",   "maincolor"};
+constexpr std::string_view kOpacityProperties[] = {
+    "transparentcolor", "transparencyfactor", "transparency",    "transparencymap",
+    "opacity",          "opacitymap",         "texopacitymap",   "cutout",
+    "cutoutmap",        "cutoutopacity",      "geometryopacity", "alpha",
+    "alphamap"};
 
 /// "3dsMax|Parameters|cutout_map", "Maya|opacity|file": what is behind the last bar that matters.
 std::string property_name(std::string_view property) {

@@ -49,8 +49,8 @@ struct FbxObject {
   std::string_view file;                ///< Of a texture: RelativeFilename, or FileName where that is empty.
   bool is_clamped[2] = {false, false};  ///< Of a texture: along U and V.
   FbxTexturePlace place;                ///< How a texture lies on the surface.
-  std::string_view uv_set;              ///< Of a texture: the name of the UV set that it is looked up in; "": the first.
-  std::uint32_t begin = 0;              ///< Of a mesh, into shapes(); of a channel, into the file's FullWeights.
+  std::string_view uv_set;  ///< Of a texture: the name of the UV set that it is looked up in; "": the first.
+  std::uint32_t begin = 0;  ///< Of a mesh, into shapes(); of a channel, into the file's FullWeights.
   std::uint32_t end = 0;
 };
 

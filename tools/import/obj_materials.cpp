@@ -78,8 +78,25 @@ class ObjWords {
   std::size_t at_ = 0;
 };
 
-ObjTexture read_statement(const std::string& statement) {
+/// Some programs write options behind the file's name: "hair.png -s 2 2 1". They come from where its suffix ends.
+std::string with_options_first(const std::string& statement) {
+  constexpr std::string_view kOptions[] = {"-s",      "-o",      "-t",  "-mm",    "-clamp", "-imfchan", "-blendu",
+                                           "-blendv", "-texres", "-bm", "-boost", "-cc",    "-type"};
+  if (statement.starts_with('-')) return statement;
+  for (std::size_t at = statement.find(" -"); at != std::string::npos; at = statement.find(" -", at + 1)) {
+    const std::string word = statement.substr(at + 1, statement.find_first_of(" \t", at + 1) - at - 1);
+    const std::string path = statement.substr(0, statement.find_last_not_of(" \t", at) + 1);
+    const bool ends_in_suffix =
+        path.find_last_of('.') != std::string::npos && path.size() - path.find_last_of('.') <= 5;
+    if (ends_in_suffix && std::ranges::find(kOptions, word) != std::end(kOptions))
+      return statement.substr(at + 1) + ' ' + path;
+  }
+  return statement;
+}
+
+ObjTexture read_statement(const std::string& written) {
   ObjTexture texture;
+  const std::string statement = with_options_first(written);
   ObjWords words(statement);
   while (words.next().starts_with('-')) {
     const std::string option = words.take();
