@@ -49,9 +49,8 @@ class Rules:
         # Blender's importer of FBX takes the file's numbers for linear ones where it is asked for floats.
         return [compare_readings.linear(x) for x in values[:3]] + [values[3]] if self.suffix == ".fbx" else values
 
-    def bone(self, name, theirs):
-        # A bone of COLLADA goes by its id here, before which Blender writes the armature's name.
-        return max((other for other in theirs if name == other or (self.suffix == ".dae" and name.endswith("_" + other))), key=len, default=name)
+    def bone(self, name, _theirs):
+        return name
 
 
 def read_by_blender(blender, paths):

@@ -65,6 +65,14 @@ TEST(ChooseHair, AnEmptyNodeCalledHairIsNamedInTheRefusal) {
   EXPECT_NE(refusal_of(model).find("node 'HairCurves' has no mesh"), std::string::npos) << refusal_of(model);
 }
 
+TEST(ChooseHair, HairThatTheFileHidesIsNotCalledAbsent) {
+  SourceModel model = model_of({ball(0)});
+  add_node(model, "HairCards", kNoIndex, {0, 0, 0});
+  model.warnings.emplace_back("S213", "1 mesh left out, since the file hides it: 'HairCards'");
+  EXPECT_NE(refusal_of(model).find("the file hides other meshes"), std::string::npos) << refusal_of(model);
+  EXPECT_EQ(refusal_of(model).find("has no mesh"), std::string::npos) << refusal_of(model);
+}
+
 TEST(ChooseHair, AFigureThatStandsOnTheGroundIsABody) {
   SourceMesh figure = ball(0, {0.35f, 0.85f, 0.05f});  // Flat, so that it is no full form.
   for (Eigen::Vector3f& p : figure.positions) p.y() += 0.85f - 1.6f;

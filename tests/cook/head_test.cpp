@@ -211,6 +211,20 @@ TEST(FitHead, IsTheFilesWhereHairIsATailAlone) {
   expect_close(head, 0.15);
 }
 
+TEST(HeadBone, IsNoNodeThatUndoesQuantization) {
+  SourceModel model;
+  add_node(model, "Hair", kNoIndex, {0, 1.5, 0});
+  model.meshes.push_back(
+      make_strip({.root = {-0.05f, 1.7f, -0.1f}, .along = {0.1f, -0.4f, 0.2f}, .across = {0.03f, 0, 0}, .rows = 20}));
+  const auto bone_of = [&] {
+    const auto hair = select_hair(model, default_recipe(), unheard());
+    return *find_head_bone(model, *hair, "");
+  };
+  EXPECT_EQ(bone_of().name, "Hair") << "it stands in the hair, as the artist's pivot does";
+  model.nodes[0].undoes_quantization = true;
+  EXPECT_EQ(bone_of().node, kNoIndex);
+}
+
 TEST(FitHead, IsWhatElseAMeshHasThatGaveHair) {
   SourceModel model;
   add_node(model, "root", kNoIndex, {0, 0, 0});

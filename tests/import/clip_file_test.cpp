@@ -45,6 +45,15 @@ class ClipFileTest : public testing::Test {
   TemporaryFolder folder_;
 };
 
+TEST_F(ClipFileTest, ABufferThatIsNamedOtherwiseIsTold) {
+  const ClipDocument clip = nod();
+  folder_.write("Nod.bin", clip.buffer());
+  const auto read_back = read_clip(folder_.write("c.gltf", clip.text_beside("maps\\\\nod.BIN")), "");
+  ASSERT_TRUE(read_back) << read_back.error().message;
+  ASSERT_EQ(read_back->notes.size(), 1u);
+  EXPECT_NE(read_back->notes[0].find("'Nod.bin' is taken for it"), std::string::npos) << read_back->notes[0];
+}
+
 TEST_F(ClipFileTest, ReadsTheOnlyAnimatedNodeFromEveryContainer) {
   const ClipDocument clip = nod();
   const fs::path inside = folder_.write("a.gltf", clip.text()), binary = folder_.write("b.GLB", clip.glb());

@@ -144,6 +144,92 @@ TEST_F(ColladaTexturesTest, ASamplerSaysHowItsTextureGoesOn) {
 }
 
 // The texture names "HairUV", the second of the hair's maps; Blender's glTF of the scene has the same.
+std::string replaced(std::string text, const std::string& old, const std::string& by) {
+  const std::size_t at = text.find(old);
+  EXPECT_NE(at, std::string::npos) << old;
+  return text.replace(at, old.size(), by);
+}
+
+TEST_F(ColladaTexturesTest, SamplersOfVersion15NameTheirImage) {
+  std::string text = document({.sampler = "<wrap_s>CLAMP</wrap_s>"});
+  text = replaced(text, "2005/11/COLLADASchema\" version=\"1.4.1\"", "2008/03/COLLADASchema\" version=\"1.5.0\"");
+  text = replaced(text, "<init_from>c.png</init_from>", "<init_from><ref>c.png</ref></init_from>");
+  text = replaced(text, "<init_from>o.png</init_from>", "<init_from><ref>o.png</ref></init_from>");
+  text = replaced(text, "<source>cs</source>", "<instance_image url=\"#c\"/>");
+  text = replaced(text, "<source>os</source>", "<instance_image url=\"#o\"/>");
+  const SourceModel model = import_or_fail(folder_.write("m.dae", text));
+  const SourceMaterial& material = model.materials.at(model.meshes.at(0).material);
+  EXPECT_EQ(material.base_texture.path, "c.png");
+  EXPECT_EQ(material.opacity_texture.path, "o.png");
+  EXPECT_EQ(material.base_texture.wrap[0], TextureWrap::kClamp);
+}
+
+TEST_F(ColladaTexturesTest, NodesThatAreHiddenAreLeftOutWithAllBelowThem) {
+  const std::string off = "<extra><technique profile=\"FCOLLADA\"><visibility>0</visibility></technique></extra>";
+  const std::string again =
+      "<node id=\"old\">" + off + "<node id=\"old_lock\"><instance_geometry url=\"#g\"/></node></node>";
+  const std::string both = replaced(document({}), "<node id=\"n\">", again + "<node id=\"n\">");
+  const SourceModel model = import_or_fail(folder_.write("m.dae", both));
+  EXPECT_EQ(model.meshes.size(), 1u);
+  EXPECT_NE(warnings_of(model).find("1 mesh left out, since the file hides it: 'old_lock'"), std::string::npos);
+  for (const char* const shown : {"1", "true"}) {
+    const SourceModel two =
+        import_or_fail(folder_.write("m.dae", replaced(both, "<visibility>0<", fmt::format("<visibility>{}<", shown))));
+    EXPECT_EQ(two.meshes.size(), 2u) << shown;
+    EXPECT_TRUE(two.warnings.empty()) << shown;
+  }
+}
+
+TEST_F(ColladaTexturesTest, NodesAndMeshesHaveTheirNamesNotTheirIds) {
+  std::string text =
+      replaced(document({.is_skinned = true}), "<geometry id=\"g\">", "<geometry id=\"g\" name=\"Hair\">");
+  text = replaced(text, "<node id=\"bone\"", "<node id=\"bone\" name=\"left lock\"");
+  const SourceModel model = import_or_fail(folder_.write("m.dae", text));
+  EXPECT_EQ(model.meshes.at(0).name, "Hair");
+  ASSERT_FALSE(model.meshes[0].influences.empty());
+  EXPECT_EQ(model.nodes.at(model.meshes[0].influences[0].node).name, "left lock");
+  EXPECT_TRUE(model.warnings.empty()) << warnings_of(model);
+}
+
+TEST_F(ColladaTexturesTest, LevelsOfDetailAreToldByNames) {
+  const std::string fine = "<node id=\"n\" name=\"Hair_LOD0\">";
+  const std::string coarse = "<node id=\"ID7\" name=\"Hair_LOD1\"><instance_geometry url=\"#g\"/></node>";
+  const SourceModel model =
+      import_or_fail(folder_.write("m.dae", replaced(document({}), "<node id=\"n\">", coarse + fine)));
+  EXPECT_EQ(model.meshes.size(), 1u);
+  EXPECT_NE(warnings_of(model).find("1 mesh left out as coarser levels of detail"), std::string::npos)
+      << warnings_of(model);
+}
+
+TEST_F(ColladaTexturesTest, ShapesOfAMorphThatAreOnArePartOfTheShape) {
+  const auto text_with = [](const char* method, double weight) {
+    std::string text = document({});
+    const std::size_t begin = text.find("<geometry id=\"g\">"), end = text.find("</library_geometries>");
+    std::string target = text.substr(begin, end - begin);
+    for (std::size_t at = 0; (at = target.find("id=\"", at)) != std::string::npos; at += 5) target.insert(at + 4, "t");
+    for (std::size_t at = 0; (at = target.find("\"#", at)) != std::string::npos; at += 3) target.insert(at + 2, "t");
+    target = replaced(target, "0 0 0 1 0 0 0 1 0", "0 0 0 1 0 0 0 5 0");
+    text.insert(end, target);
+    text.insert(text.find("<library_visual_scenes>"),
+                fmt::format(R"(<library_controllers><controller id="mc"><morph source="#g" method="{}">
+<source id="mt"><IDREF_array id="mt-n" count="1">tg</IDREF_array><technique_common><accessor source="#mt-n" count="1" stride="1"><param name="MORPH_TARGET" type="IDREF"/></accessor></technique_common></source>
+<source id="mw"><float_array id="mw-n" count="1">{}</float_array><technique_common><accessor source="#mw-n" count="1" stride="1"><param name="MORPH_WEIGHT" type="float"/></accessor></technique_common></source>
+<targets><input semantic="MORPH_TARGET" source="#mt"/><input semantic="MORPH_WEIGHT" source="#mw"/></targets></morph></controller></library_controllers>)",
+                            method, weight));
+    text = replaced(text, "<instance_geometry url=\"#g\">", "<instance_controller url=\"#mc\">");
+    return replaced(text, "</instance_geometry>", "</instance_controller>");
+  };
+  const auto tip_of = [&](const char* method, double weight) {
+    return import_or_fail(folder_.write("m.dae", text_with(method, weight))).meshes.at(0).positions.at(2).y();
+  };
+  EXPECT_EQ(tip_of("NORMALIZED", 0), 1);
+  EXPECT_EQ(tip_of("NORMALIZED", 1), 5);
+  EXPECT_EQ(tip_of("NORMALIZED", 0.5), 3);
+  EXPECT_EQ(tip_of("RELATIVE", 1), 6);
+  const SourceModel model = import_or_fail(folder_.write("m.dae", text_with("NORMALIZED", 0.5)));
+  EXPECT_NE(warnings_of(model).find("shape keys are on"), std::string::npos) << warnings_of(model);
+}
+
 TEST(ColladaTexturesShared, BlendersSecondUvMapIsTaken) {
   const std::filesystem::path folder = std::filesystem::path(COIF_TEST_ASSETS) / "../cases/reading/blender";
   if (!std::filesystem::exists(folder / "b03_second_uv.dae")) GTEST_SKIP() << "no files of Blender at " << folder;

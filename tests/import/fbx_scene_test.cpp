@@ -102,6 +102,44 @@ TEST_F(FbxScene, AGeometricTransformOfABoneMovesNothingThatItHolds) {
       << "where it stands is its bones' affair";
 }
 
+/// A triangle of which one bone holds the first corner and another of the same name, elsewhere, the others.
+std::string triangle_of_two_bones(const std::string& name) {
+  std::string file = test::text_fbx({{20, "hair", 0},
+                                     {22, "head", 0, "", "LimbNode"},
+                                     {21, name, 22, vector_property("Lcl Translation", -4, 0, 0), "LimbNode"},
+                                     {23, name, 22, vector_property("Lcl Translation", 4, 0, 0), "LimbNode"}});
+  const auto cluster = [&](int id, const char* corners, int count, int x) {
+    return fmt::format(
+        "  Deformer: {}, \"SubDeformer::{}\", \"Cluster\" {{\n    Version: 100\n    Indexes: *{} {{\n      a: {}\n    "
+        "}}\n"
+        "    Weights: *{} {{\n      a: {}\n    }}\n    Transform: *16 {{\n      a: 1,0,0,0,0,1,0,0,0,0,1,0,{},0,0,1\n  "
+        "  }}\n"
+        "    TransformLink: *16 {{\n      a: 1,0,0,0,0,1,0,0,0,0,1,0,{},0,0,1\n    }}\n  }}\n",
+        id, name, count, corners, count, count == 1 ? "1" : "1,1", -x, x);
+  };
+  file.insert(file.find("Objects:  {\n") + 12,
+              "  Deformer: 80, \"Deformer::skin\", \"Skin\" {\n    Version: 101\n  }\n" + cluster(81, "0", 1, -4) +
+                  cluster(82, "1,2", 2, 4));
+  file.insert(file.find("Connections:  {\n") + 16,
+              "  C: \"OO\",80,1020\n  C: \"OO\",81,80\n  C: \"OO\",21,81\n  C: \"OO\",82,80\n  C: \"OO\",23,82\n");
+  return file;
+}
+
+TEST_F(FbxScene, TwoBonesMayHaveOneName) {
+  for (const std::string name : {"hair", "h", "\xE9\xAB\xAA"}) {
+    const SourceModel model = import_or_fail(folder_.write("m.fbx", triangle_of_two_bones(name)));
+    const SourceMesh& mesh = model.meshes.at(0);
+    ASSERT_EQ(mesh.influences.size(), 3u) << name;
+    for (std::size_t v = 0; v < 3; ++v) {
+      const SourceNode& bone = model.nodes.at(mesh.influences.at(mesh.influence_begin.at(v)).node);
+      EXPECT_EQ(bone.name, name) << v;
+      const bool is_first = mesh.positions[v].norm() < 1e-6f;
+      EXPECT_EQ(bone.model_from_node.translation().x() < 0, is_first) << name << v;
+    }
+    EXPECT_TRUE(model.warnings.empty()) << warnings_of(model);
+  }
+}
+
 TEST_F(FbxScene, ATurnIsAboutTheRotationPivotForChildrenToo) {
   const SourceModel model =
       model_of({{20, "head", 0, vector_property("Lcl Rotation", 0, 0, 180) + vector_property("RotationPivot", 1, 0, 0)},

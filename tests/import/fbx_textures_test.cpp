@@ -44,16 +44,22 @@ constexpr const char* kOneMaterial = R"(    LayerElementMaterial: 0 {
       }
 )";
 
-/// A triangle whose material has a colour and an opacity texture.
-SourceMaterial material_of(const TemporaryFolder& folder, const std::string& color, const std::string& opacity) {
+/// A triangle whose material has textures as the objects and connections say; the material is the object 50.
+SourceModel model_with(const TemporaryFolder& folder, const std::string& textures, const std::string& connections) {
   std::string file = test::text_fbx({{20, "hair", 0, ""}});
-  file.insert(file.find("Objects:  {\n") + 12,
-              "  Material: 50, \"Material::Hair\", \"\" {\n    Version: 102\n    ShadingModel: \"phong\"\n  }\n" +
-                  texture(60, "hair.png", color) + texture(61, "mask.png", opacity));
+  file.insert(
+      file.find("Objects:  {\n") + 12,
+      "  Material: 50, \"Material::Hair\", \"\" {\n    Version: 102\n    ShadingModel: \"phong\"\n  }\n" + textures);
   file.insert(file.find("    GeometryVersion: 124\n"), std::string(kOneMaterial) + "    }\n");
-  file.insert(file.find("Connections:  {\n") + 16,
-              "  C: \"OO\",50,20\n  C: \"OP\",60,50, \"DiffuseColor\"\n  C: \"OP\",61,50, \"TransparentColor\"\n");
-  const SourceModel model = import_or_fail(folder.write("m.fbx", file));
+  file.insert(file.find("Connections:  {\n") + 16, "  C: \"OO\",50,20\n" + connections);
+  return import_or_fail(folder.write("m.fbx", file));
+}
+
+/// The material of a triangle, which has a colour and an opacity texture.
+SourceMaterial material_of(const TemporaryFolder& folder, const std::string& color, const std::string& opacity) {
+  const SourceModel model =
+      model_with(folder, texture(60, "hair.png", color) + texture(61, "mask.png", opacity),
+                 "  C: \"OP\",60,50, \"DiffuseColor\"\n  C: \"OP\",61,50, \"TransparentColor\"\n");
   return model.materials.at(model.meshes.at(0).material);
 }
 
@@ -152,6 +158,54 @@ TEST(FbxTextures, LieOnTheSurfaceScaledTurnedAndMoved) {
   expect_uvs(pair_property("Scaling", 2, 2) + pair_property("Translation", 0.5, 0) + degrees_property(90),
              {{0, 0.25f}, {0, -0.25f}, {0.5f, 0.25f}});
   expect_uvs(pair_property("Scaling", 0, 1), {{0, 0}, {1, 0}, {0, 1}});
+}
+
+TEST(FbxTextures, RunAlongTheOtherAxisWhereUvSwapSaysSo) {
+  const std::string swap = fbx_property("UVSwap", "bool", 1);
+  expect_uvs(swap, {{0, 0}, {0, 1}, {1, 0}});
+  expect_uvs(swap + pair_property("Scaling", 2, 4) + pair_property("Translation", 1, 0),
+             {{-0.5f, 0}, {-0.5f, 0.25f}, {0, 0}});
+  expect_uvs(fbx_property("UVSwap", "bool", 0), {{0, 0}, {1, 0}, {0, 1}});
+}
+
+TEST(FbxTextures, AreFoundByWhatProgramsCallTheProperty) {
+  const TemporaryFolder folder;
+  const std::string both =
+      texture(60, "hair.png", clamped("WrapModeU")) + texture(61, "mask.png", clamped("WrapModeV"));
+  for (const char* const opacity : {"TransparentColor", "Opacity", "Maya|opacity", "Maya|opacity|file",
+                                    "3dsMax|Parameters|cutout_map", "Maya|TEX_opacity_map"}) {
+    const SourceModel model = model_with(
+        folder, both, fmt::format("  C: \"OP\",60,50, \"Arnold|base_color\"\n  C: \"OP\",61,50, \"{}\"\n", opacity));
+    const SourceMaterial& material = model.materials.at(model.meshes.at(0).material);
+    EXPECT_EQ(material.base_texture.path, "maps\\hair.png") << opacity;
+    EXPECT_EQ(material.opacity_texture.path, "maps\\mask.png") << opacity;
+    EXPECT_EQ(material.base_texture.wrap[0], TextureWrap::kClamp) << opacity;
+    EXPECT_EQ(material.opacity_texture.wrap[1], TextureWrap::kClamp) << opacity;
+    EXPECT_EQ(material.alpha_use, AlphaUse::kBlend) << opacity;
+    EXPECT_TRUE(model.warnings.empty()) << opacity;
+  }
+  const SourceModel bumpy = model_with(folder, both, "  C: \"OP\",60,50, \"Maya|coatRoughness\"\n");
+  EXPECT_FALSE(bumpy.materials.at(bumpy.meshes.at(0).material).base_texture.is_there());
+}
+
+TEST(FbxTextures, OfLayersTheFirstIsReadWithAWarning) {
+  const TemporaryFolder folder;
+  const std::string layered =
+      "  LayeredTexture: 70, \"LayeredTexture::l\", \"\" {\n    LayeredTexture: 100\n    BlendModes: *2 {\n      a: "
+      "0,0\n"
+      "    }\n    Alphas: *2 {\n      a: 1,1\n    }\n  }\n";
+  const std::string textures = layered + texture(60, "hair.png", clamped("WrapModeU")) + texture(61, "dirt.png", "");
+  const std::string connected = "  C: \"OP\",70,50, \"DiffuseColor\"\n  C: \"OO\",60,70\n";
+  const SourceModel one = model_with(folder, textures, connected);
+  const SourceTexture& read = one.materials.at(one.meshes.at(0).material).base_texture;
+  EXPECT_EQ(read.path, "maps\\hair.png");
+  EXPECT_EQ(read.wrap[0], TextureWrap::kClamp);
+  EXPECT_TRUE(one.warnings.empty());
+  const SourceModel two = model_with(folder, textures, connected + "  C: \"OO\",61,70\n");
+  EXPECT_EQ(two.materials.at(two.meshes.at(0).material).base_texture.path, "maps\\hair.png");
+  ASSERT_EQ(two.warnings.size(), 1u);
+  EXPECT_EQ(two.warnings[0].code, "S217");
+  EXPECT_NE(two.warnings[0].find("2 layers of textures"), std::string::npos) << two.warnings[0];
 }
 
 TEST(FbxTextures, AreScaledAndTurnedAboutTheirPivots) {

@@ -18,6 +18,7 @@ using test::GltfBuilder;
 using test::import_or_fail;
 using test::kStripPositions;
 using test::kStripUvs;
+using test::Storage;
 using test::TemporaryFolder;
 
 bool tells(const std::vector<Warning>& warnings, const std::string& text) {
@@ -59,6 +60,20 @@ TEST_F(GltfScene, ATextureTransformMovesQuantizedUvsOfACompressedView) {
     EXPECT_LT((model.meshes[0].uvs[v] - meant).norm(), 1e-6f) << v;
   }
   EXPECT_TRUE(model.warnings.empty()) << test::warnings_of(model);
+}
+
+TEST_F(GltfScene, WhereTheNodeOfAQuantizedMeshStandsSaysNothing) {
+  const auto node_of = [&](const Storage& storage, bool is_skinned) {
+    GltfBuilder file;
+    if (is_skinned) file.document["nodes"][0]["skin"] = 0;
+    file.attribute("POSITION", kStripPositions, "VEC3", storage);
+    const SourceModel model = model_of(file);
+    return model.nodes.at(model.meshes.at(0).node);
+  };
+  EXPECT_FALSE(node_of({}, false).undoes_quantization);
+  EXPECT_TRUE(node_of({.component = 5122}, false).undoes_quantization);
+  EXPECT_TRUE(node_of({.component = 5121, .normalized = true}, false).undoes_quantization);
+  EXPECT_FALSE(node_of({.component = 5122}, true).undoes_quantization) << "which does not move it";
 }
 
 TEST_F(GltfScene, MaterialsOfWhichNothingWouldBeSeenAreTold) {

@@ -136,6 +136,13 @@ TEST_F(ObjLibraries, SayWhatIsNotRead) {
   EXPECT_TRUE(warns(model, "only its light has a texture, 'glow.png'")) << test::warnings_of(model);
 }
 
+TEST_F(ObjLibraries, ThatLackAMaterialAreTold) {
+  folder_.write("m.mtl", "newmtl my hair\nmap_Kd hair.png\n");
+  EXPECT_TRUE(warns(read("mtllib m.mtl"), "has the material 'hair', which its .mtl does not have"));
+  folder_.write("m.mtl", "newmtl hair\nmap_Kd hair.png\n");
+  EXPECT_TRUE(read("mtllib m.mtl").warnings.empty());
+}
+
 TEST_F(ObjLibraries, WhoseBlackHidesATextureAreTakenForWhite) {
   folder_.write("m.mtl", "newmtl hair\nKd 0 0 0\nmap_Kd hair.png\n");
   const SourceModel model = read("mtllib m.mtl");

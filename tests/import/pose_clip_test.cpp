@@ -102,6 +102,15 @@ TEST_F(PoseClipTest, RefusesClipsThatSayNothingOfTheHair) {
   EXPECT_EQ(read_pose_clip(folder_.write("a.fbx", "Kaydara"), kBones).error().kind, Kind::kUnsupported);
 }
 
+TEST_F(PoseClipTest, ABufferThatIsNamedOtherwiseIsTold) {
+  const auto clip = hair().animate(2, "rotation", kTimes, turns_about_x(kTimes, turn_of));
+  folder_.write("Turn.bin", clip.buffer());
+  const auto read_back = read_pose_clip(folder_.write("c.gltf", clip.text_beside("turn.bin")), kBones);
+  ASSERT_TRUE(read_back) << read_back.error().message;
+  ASSERT_EQ((*read_back)->notes().size(), 1u);
+  EXPECT_NE((*read_back)->notes().front().find("'Turn.bin' is taken for it"), std::string::npos);
+}
+
 TEST_F(PoseClipTest, FollowsNoNameThatTwoNodesHave) {
   auto clip = hair();
   clip.document["nodes"][2]["name"] = "a";

@@ -49,6 +49,23 @@ TEST_F(SurfaceConventions, OptionsOfAnObjsTextureLeaveItsPathWhole) {
   EXPECT_TRUE(model.meshes[0].uvs[0].isApprox(Eigen::Vector2f(0.25f, 1))) << model.meshes[0].uvs[0].transpose();
 }
 
+TEST_F(SurfaceConventions, OptionsOfAnObjsTextureMayStandBehindItsPath) {
+  const auto read_with = [&](const std::string& statement) {
+    folder_.write("m.mtl", "newmtl hair\n" + statement + "\n");
+    return import_or_fail(folder_.write(
+        "m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl hair\nf 1/1 2/2 3/3\n"));
+  };
+  const SourceModel model = read_with("map_Kd my hair.png -s 2 3 -o 0.25 0.5 0 -clamp on");
+  const SourceTexture& texture = model.materials.at(model.meshes.at(0).material).base_texture;
+  EXPECT_EQ(texture.path, "my hair.png");
+  EXPECT_EQ(texture.wrap[0], TextureWrap::kClamp);
+  EXPECT_TRUE(model.meshes[0].uvs[1].isApprox(Eigen::Vector2f(2.25f, 0.5f))) << model.meshes[0].uvs[1].transpose();
+  for (const std::string path : {"hair -s new.png", "v1.2 hair -s 2 new.png", "hair.png -old"}) {
+    const SourceModel other = read_with("map_Kd " + path);
+    EXPECT_EQ(other.materials.at(other.meshes.at(0).material).base_texture.path, path);
+  }
+}
+
 TEST_F(SurfaceConventions, AnObjsOpacityThatLiesElsewhereIsTold) {
   folder_.write("m.mtl", "newmtl moved\nmap_Kd -s 2 2 1 hair.png\nmap_d alpha.png\n");
   const SourceModel model = import_or_fail(folder_.write(
@@ -85,6 +102,26 @@ TEST_F(SurfaceConventions, VertexColorsOfAnObjMayBeBytes) {
   EXPECT_TRUE(first_color("255 51 0").isApprox(first_color("1 0.2 0"), 1e-6f));
   EXPECT_EQ(first_color("1 0 0").x(), 1);
   EXPECT_EQ(first_color("2.5 0 0").x(), 2.5f) << "brighter than white";
+}
+
+TEST_F(SurfaceConventions, VerticesOfAnObjThatHaveNoColorAreWhite) {
+  const std::string head = "o Head\nv 0 0 5\nv 1 0 5 1\nv 0 1 5\nf 1 2 3\n";
+  const auto hair_of = [&](const std::string& color) {
+    const SourceModel model = import_or_fail(
+        folder_.write("m.obj", head + "o Hair\nv 0 0 0 " + color + "\r\nv 1 0 0\nv\t0 1 0 " + color + "\nf 4 5 6\n"));
+    EXPECT_TRUE(model.meshes.at(0).colors.empty()) << "the head has none";
+    EXPECT_EQ(model.meshes.at(0).positions[1].z(), 5);
+    return model.meshes.at(1);
+  };
+  for (const char* const color : {"1 0 0", "255 0 0", "1 0 0 0.5", "255 0 0 255"}) {
+    const SourceMesh hair = hair_of(color);
+    ASSERT_EQ(hair.colors.size(), 3u) << color;
+    for (int v = 0; v < 3; ++v) {
+      const Eigen::Vector4f wanted = v == 1 ? Eigen::Vector4f(1, 1, 1, 1) : Eigen::Vector4f(1, 0, 0, 1);
+      EXPECT_TRUE(hair.colors[std::size_t(v)].isApprox(wanted, 1e-6f)) << color << ": " << hair.colors[std::size_t(v)];
+    }
+  }
+  EXPECT_EQ(hair_of("2.5 0 0").colors.at(1).y(), 1) << "no bytes: brighter than white";
 }
 
 TEST_F(SurfaceConventions, ColladaSaysWhichNumbersOfATextureAreTheOpacity) {

@@ -22,12 +22,6 @@ Assimp::IOStream* stream_of(std::string_view bytes) {
   return new Assimp::MemoryIOStream(copy, bytes.size(), true);
 }
 
-bool begins_with_mark(const fs::path& path) {
-  std::string begin(kByteOrderMark.size(), '\0');
-  std::ifstream(path, std::ios::binary).read(begin.data(), std::streamsize(begin.size()));
-  return begin == kByteOrderMark;
-}
-
 }  // namespace
 
 std::vector<char> bytes_of(const fs::path& path) {
@@ -59,9 +53,14 @@ Assimp::IOStream* AskedFiles::Open(const char* name, const char* mode) {
 Assimp::IOStream* AskedFiles::open_plainly(const std::string& name, const char* mode) {
   asked_.names.insert(name);
   if (!is_allowed(name)) return nullptr;
-  if (!is_obj_ || !begins_with_mark(name)) return DefaultIOSystem::Open(name.c_str(), mode);
+  if (text_ && name == model_) return stream_of(*text_);
+  if (!is_obj_) return DefaultIOSystem::Open(name.c_str(), mode);
   const std::vector<char> bytes = bytes_of(name);
-  return stream_of(std::string_view(bytes.data(), bytes.size()).substr(std::min(kByteOrderMark.size(), bytes.size())));
+  std::string_view text(bytes.data(), bytes.size());
+  const bool has_mark = text.starts_with(kByteOrderMark);
+  if (has_mark) text.remove_prefix(kByteOrderMark.size());
+  if (const auto even = text_with_even_colors(text)) return stream_of(*even);
+  return has_mark ? stream_of(text) : DefaultIOSystem::Open(name.c_str(), mode);
 }
 
 /// `name`: what the statement says behind the model's folder.

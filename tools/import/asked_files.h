@@ -7,6 +7,7 @@
 #include <assimp/DefaultIOSystem.h>
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -24,12 +25,17 @@ struct Asked {
 };
 
 /// Files as assimp sees them, with a record: the model, and what really lies in its folders. Nothing else is there for it. Of an OBJ the
-/// model is without a byte order mark, and a library is what find_libraries() and plain_library_text() make of it.
+/// model is without a byte order mark and text_with_even_colors(), and a library is what find_libraries() and plain_library_text() make of it.
 class AskedFiles : public Assimp::DefaultIOSystem {
  public:
-  /// `asked` outlives this object.
-  AskedFiles(std::filesystem::path model, std::vector<std::filesystem::path> folders, bool is_obj, Asked& asked)
-      : model_(std::move(model)), folders_(std::move(folders)), is_obj_(is_obj), asked_(asked) {}
+  /// `text`: what the model holds for assimp, where that is not what the file holds. `asked` outlives this object.
+  AskedFiles(std::filesystem::path model, std::optional<std::string> text, std::vector<std::filesystem::path> folders,
+             bool is_obj, Asked& asked)
+      : model_(std::move(model)),
+        text_(std::move(text)),
+        folders_(std::move(folders)),
+        is_obj_(is_obj),
+        asked_(asked) {}
 
   bool Exists(const char* name) const override;
   Assimp::IOStream* Open(const char* name, const char* mode) override;
@@ -40,6 +46,7 @@ class AskedFiles : public Assimp::DefaultIOSystem {
   [[nodiscard]] Assimp::IOStream* open_library(const std::string& name);
 
   std::filesystem::path model_;  ///< May be a link that leads anywhere.
+  std::optional<std::string> text_;
   std::vector<std::filesystem::path> folders_;
   bool is_obj_;
   Asked& asked_;
@@ -62,6 +69,11 @@ struct ObjLibraries {
 
 /// `written`: the rest of the statement's line: a name with blanks in it or behind it, within quotes, or several names.
 [[nodiscard]] ObjLibraries find_libraries(const std::filesystem::path& folder, std::string_view written);
+
+/// The text of an OBJ in which some vertices have a colour and others none, with white for those; assimp 5.2 would give colours to the wrong
+/// vertices, and read memory that is none of theirs. A vertex's alpha, which is no part of the format, and for which it would leave the
+/// vertex out, is taken away. None where nothing is to be changed.
+[[nodiscard]] std::optional<std::string> text_with_even_colors(std::string_view text);
 
 /// The file's bytes; none where it cannot be read.
 [[nodiscard]] std::vector<char> bytes_of(const std::filesystem::path& path);

@@ -20,8 +20,12 @@
 
 #include <algorithm>
 #include <new>
+#include <optional>
 #include <set>
 #include <span>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace coif {
@@ -110,8 +114,16 @@ bool hides_all_meshes(const SceneNodes& nodes) {
   return hides_one;
 }
 
+void give_own_names(const UniqueFbxBones& bones, SceneNodes& nodes) {
+  for (std::size_t n = 0; n < nodes.nodes.size(); ++n) {
+    const auto found = nodes.model[n] == nullptr ? bones.names.end() : bones.names.find(nodes.model[n]->id);
+    if (found != bones.names.end()) nodes.nodes[n].name = printable_text(found->second);
+  }
+}
+
 tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const std::filesystem::path& path,
-                                                   const SourceSuffix& suffix, const ImportSettings& settings) {
+                                                   const SourceSuffix& suffix, const ImportSettings& settings,
+                                                   const std::optional<UniqueFbxBones>& unique_bones) {
   SourceModel model;
   model.path = path.string();
   set_importer(model);
@@ -119,17 +131,26 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   SceneNodes nodes = flatten_nodes(scene, to_model, model.warnings);
   const bool is_fbx = suffix.format == SourceFormat::kFbx, is_dae = suffix.format == SourceFormat::kDae;
   const std::vector<char> file = is_fbx || is_dae ? bytes_of(path) : std::vector<char>();
-  const auto objects = is_fbx ? FbxObjects::read({file.data(), file.size()}) : std::nullopt;
-  if (objects) add_fbx_objects(*objects, scene, nodes);
+  const std::string_view records =
+      unique_bones ? std::string_view(unique_bones->file) : std::string_view(file.data(), file.size());
+  const auto objects = is_fbx ? FbxObjects::read(records) : std::nullopt;
+  if (objects) {
+    add_fbx_objects(*objects, scene, nodes);
+    if (unique_bones) give_own_names(*unique_bones, nodes);
+    connect_fbx_textures(*objects, scene, model.warnings);
+  }
   convert_materials(scene, suffix.format, model);
   if (objects) apply_fbx_wraps(*objects, model.materials);
   pugi::xml_document document = is_dae ? parse_collada({file.data(), file.size()}) : pugi::xml_document();
+  mark_hidden_by_collada(document, nodes);
+  const ColladaNames names(document);
+  for (SourceNode& node : nodes.nodes) node.name = ColladaNames::find(names.nodes, node.name);
   const ColladaTextures collada(document);
   collada.apply(model.materials);
   warn_of_weights(document, model.warnings);
   model.named_images = named_images(scene);
   const auto places = objects ? std::optional(FbxTexturePlaces(*objects)) : std::nullopt;
-  const SourceSurface surface{suffix.format, model.space.generator, &collada, places ? &*places : nullptr};
+  const SourceSurface surface{suffix.format, model.space.generator, &collada, &names, places ? &*places : nullptr};
   model.meshes = convert_meshes(scene, nodes, surface, model.warnings);
   const bool hides_all = hides_all_meshes(nodes);
   model.nodes = std::move(nodes.nodes);
@@ -142,22 +163,32 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
 
 tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::path& path, const SourceSuffix& suffix,
                                                       const ImportSettings& settings) try {
+  std::optional<std::string> plain;
+  std::vector<Warning> warnings;  // of what is made plain
   if (suffix.format == SourceFormat::kDae) {
     const std::vector<char> text = bytes_of(path);
     if (auto fault = overrun_array({text.data(), text.size()})) return refusal(path, suffix, fault->c_str());
+    plain = plain_collada({text.data(), text.size()}, warnings);
+  }
+  std::optional<UniqueFbxBones> unique_bones;
+  if (suffix.format == SourceFormat::kFbx) {
+    const std::vector<char> file = bytes_of(path);
+    unique_bones = with_unique_bones({file.data(), file.size()});
+    if (unique_bones) plain = unique_bones->file;
   }
   Asked asked;
   Assimp::Importer importer;
   const std::vector<std::filesystem::path> folders = folders_of_source(path, settings.roots);
-  importer.SetIOHandler(
-      new AskedFiles(path, folders, suffix.format == SourceFormat::kObj, asked));  // Owned by the importer.
+  importer.SetIOHandler(new AskedFiles(path, std::move(plain), folders, suffix.format == SourceFormat::kObj,
+                                       asked));  // Owned by the importer.
   configure(importer, suffix, settings);
   const aiScene* scene = importer.ReadFile(path.string(), kPostProcess);
   if (scene == nullptr || scene->mRootNode == nullptr) {
     return refusal(path, suffix, importer.GetErrorString());
   }
-  auto model = convert_scene(*scene, path, suffix, settings);
+  auto model = convert_scene(*scene, path, suffix, settings, unique_bones);
   asked.names.erase(path.string());
+  if (model) model->warnings.insert(model->warnings.begin(), warnings.begin(), warnings.end());
   if (model) model->side_files.assign(asked.names.begin(), asked.names.end());
   if (model && suffix.format == SourceFormat::kObj) {
     apply_obj_options(asked.libraries, *model);

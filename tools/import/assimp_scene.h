@@ -72,6 +72,10 @@ struct SceneNodes {
 /// finest level of a LodGroup. `objects` outlives `nodes`.
 void add_fbx_objects(const FbxObjects& objects, const aiScene& scene, SceneNodes& nodes);
 
+/// Gives materials the colour and opacity textures that assimp passes over: of properties that it does not know, as "Maya|opacity" or
+/// "3dsMax|Parameters|cutout_map", and of layered textures. Warns of layers that are not read.
+void connect_fbx_textures(const FbxObjects& objects, const aiScene& scene, std::vector<Warning>& warnings);
+
 /// How textures go on outside 0..1 (WrapModeU, WrapModeV), which assimp does not hand on. A texture goes by the material's name and its file's.
 void apply_fbx_wraps(const FbxObjects& objects, std::span<SourceMaterial> materials);
 

@@ -8,6 +8,7 @@
 #include "import/clip_document.h"
 #include "import/clip_track.h"
 #include "import/import.h"
+#include "import/source_warnings.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -138,6 +139,7 @@ class ClipReader {
         if (auto read = read_channel(i, channel); !read) return read;
       }
     }
+    for (const Respelled& name : buffers_.respelled()) clip_.notes.push_back(told_of(name));
     if (used) return {};
     return fault("node '{}' does not move; animated are {}", clip_.node, list_of_labels(animated_nodes()));
   }

@@ -6,11 +6,16 @@
 
 #include <pugixml.hpp>
 
+#include <map>
 #include <new>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace coif {
+
+struct SceneNodes;
 
 /// Parses with the library that assimp has, too. What is no XML gives an empty document. Throws std::bad_alloc where memory runs out.
 [[nodiscard]] inline pugi::xml_document parse_collada(std::string_view text) {
@@ -26,6 +31,29 @@ namespace coif {
   const std::string_view text = reference.value();
   return text.substr(text.starts_with('#') ? 1 : 0);
 }
+
+/// The document as assimp 5.2 reads it, which refuses textures of COLLADA 1.5 and each <morph>: in version 1.4, and without the latter. None
+/// where it is that already. Throws std::bad_alloc where memory runs out.
+[[nodiscard]] std::optional<std::string> plain_collada(std::string_view text, std::vector<Warning>& warnings);
+
+/// Takes each <morph> out of the document: its mesh gets the shape that its targets give it, as far as their weights are on, of which a
+/// warning tells, and stands for it wherever that is referred to. False where there is none.
+bool apply_collada_morphs(pugi::xml_document& document, std::vector<Warning>& warnings);
+
+/// Marks nodes that the document hides (<visibility> in an <extra> of theirs), and what is below them.
+void mark_hidden_by_collada(const pugi::xml_document& document, SceneNodes& nodes);
+
+/// What the artist called nodes and meshes; assimp 5.2 calls them by their ids. All as printable text.
+struct ColladaNames {
+  std::map<std::string, std::string> nodes, geometries;  ///< By id, of those that have a name.
+
+  explicit ColladaNames(const pugi::xml_document& document);
+  /// `id` where it has no name.
+  [[nodiscard]] static const std::string& find(const std::map<std::string, std::string>& names, const std::string& id) {
+    const auto found = names.find(id);
+    return found == names.end() ? id : found->second;
+  }
+};
 
 /// Warns of each skin that has weights below zero or that are no numbers, which assimp 5.2 drops.
 void warn_of_weights(const pugi::xml_document& document, std::vector<Warning>& warnings);

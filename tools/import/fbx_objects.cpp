@@ -17,7 +17,7 @@ constexpr std::string_view kNameEnd("\0\1", 2);  // "Hair\0\1Model" of a binary 
 std::string_view object_name(std::string_view text) {
   if (const std::size_t end = text.find(kNameEnd); end != std::string_view::npos) return text.substr(0, end);
   for (const std::string_view prefix : {"Model::", "Geometry::", "Deformer::", "SubDeformer::", "NodeAttribute::",
-                                        "DisplayLayer::", "Material::", "Texture::"}) {
+                                        "DisplayLayer::", "Material::", "Texture::", "LayeredTexture::"}) {
     if (text.starts_with(prefix)) return text.substr(prefix.size());
   }
   return text;
@@ -29,12 +29,14 @@ std::optional<FbxKind> kind_of(std::string_view record, std::string_view object_
   if (record == "Model") return FbxKind::kModel;
   if (record == "Material") return FbxKind::kMaterial;
   if (record == "Texture") return FbxKind::kTexture;
+  if (record == "LayeredTexture") return FbxKind::kLayeredTexture;
   if (record == "NodeAttribute" && is_lod_class(object_class)) return FbxKind::kLodAttribute;
   if (record == "CollectionExclusive" && object_class == "DisplayLayer") return FbxKind::kLayer;
   if (record == "Geometry" && object_class == "Mesh") return FbxKind::kMesh;
   if (record == "Geometry" && object_class == "Shape") return FbxKind::kShape;
   if (record == "Deformer" && object_class == "BlendShape") return FbxKind::kBlendShape;
   if (record == "Deformer" && object_class == "BlendShapeChannel") return FbxKind::kChannel;
+  if (record == "Deformer" && object_class == "Cluster") return FbxKind::kCluster;
   return std::nullopt;
 }
 
@@ -96,8 +98,11 @@ class FbxObjects::Collector {
   bool add_connection(const FbxRecord& record) {
     const auto& values = record.values;
     if (record.name != "C" || values.size() < 3 || !is_number(values[1]) || !is_number(values[2])) return false;
-    if (values[0].text == "OO") out_.connections_.push_back({values[1].whole, values[2].whole});
-    if (values[0].text == "OP") out_.on_properties_.push_back({values[1].whole, values[2].whole});
+    if (values[0].text == "OO") out_.connections_.push_back({values[1].whole, values[2].whole, {}});
+    if (values[0].text == "OP") {
+      const std::string_view property = values.size() > 3 ? values[3].text : std::string_view();
+      out_.on_properties_.push_back({values[1].whole, values[2].whole, property});
+    }
     return false;
   }
 
@@ -126,15 +131,17 @@ class FbxObjects::Collector {
       add_full_weights({reinterpret_cast<const char*>(numbers.data()), record.values.size() * sizeof(double)});
     }
     // P: name, type, label, flags, value
-    if (part_ != "Properties70" || record.name != "P" || record.values.size() < 5 || !is_number(record.values[4]))
-      return;
+    if (part_ != "Properties70" || record.name != "P" || record.values.size() < 5) return;
     const std::string_view name = record.values[0].text;
-    const bool is_on = record.values[4].number != 0;
     FbxObject& object = out_.objects_.back();
+    if (object.kind == FbxKind::kTexture && name == "UVSet") object.uv_set = record.values[4].text;
+    if (!is_number(record.values[4])) return;
+    const bool is_on = record.values[4].number != 0;
     if (name == (object.kind == FbxKind::kLayer ? "Show" : "Visibility")) object.is_visible = is_on;
     if (name == "Visibility Inheritance") object.inherits_visibility = is_on;
     if (name == "DeformPercent") set_percent(record.values[4]);
     if (object.kind == FbxKind::kTexture) read_place(name, record.values.subspan(4), object.place);
+    if (name == "UVSwap") object.place.swaps_axes = is_on;
     if (name == "WrapModeU") object.is_clamped[0] = is_on;
     if (name == "WrapModeV") object.is_clamped[1] = is_on;
   }

@@ -1,11 +1,13 @@
 #pragma once
 
 // What an FBX file says of its objects that assimp passes over: which models are hidden, which hold levels of detail, which shape keys
-// are on, which textures are clamped.
+// are on, how textures lie and go on, and what they are connected to.
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,11 +22,14 @@ enum class FbxKind : std::uint8_t {
   kBlendShape,
   kChannel,
   kMaterial,
-  kTexture
+  kTexture,
+  kLayeredTexture,
+  kCluster
 };
 
 /// How a texture lies on the surface: scaled and turned about its pivots, then moved. V grows upwards.
 struct FbxTexturePlace {
+  bool swaps_axes = false;  ///< UVSwap: it runs along U where the surface has V.
   double scaling[2] = {1, 1};
   double scaling_pivot[2] = {0, 0};
   double degrees = 0;
@@ -44,14 +49,16 @@ struct FbxObject {
   std::string_view file;                ///< Of a texture: RelativeFilename, or FileName where that is empty.
   bool is_clamped[2] = {false, false};  ///< Of a texture: along U and V.
   FbxTexturePlace place;                ///< How a texture lies on the surface.
-  std::uint32_t begin = 0;              ///< Of a mesh, into shapes(); of a channel, into the file's FullWeights.
+  std::string_view uv_set;  ///< Of a texture: the name of the UV set that it is looked up in; "": the first.
+  std::uint32_t begin = 0;  ///< Of a mesh, into shapes(); of a channel, into the file's FullWeights.
   std::uint32_t end = 0;
 };
 
 /// What is below what, as "OO" connections say.
 struct FbxConnection {
   std::int64_t from = 0;
-  std::int64_t to = 0;  ///< 0: the scene.
+  std::int64_t to = 0;        ///< 0: the scene.
+  std::string_view property;  ///< "" for "OO" connections. Points into the file.
 };
 
 /// One shape of a mesh, in the file's order, as assimp's anim meshes are. A channel with several shapes has them in between.
@@ -92,5 +99,15 @@ class FbxObjects {
   std::vector<double> full_weights_;
   std::vector<FbxShape> shapes_;
 };
+
+/// An FBX in which bones of one name, which the format allows, have names of their own, as long as theirs: assimp knows bones by name alone,
+/// and aborts.
+struct UniqueFbxBones {
+  std::string file;
+  std::map<std::int64_t, std::string> names;  ///< What the artist calls the models, by id.
+};
+
+/// None where no two bones have one name, or the file cannot be read.
+[[nodiscard]] std::optional<UniqueFbxBones> with_unique_bones(std::string_view file);
 
 }  // namespace coif

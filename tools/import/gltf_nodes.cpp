@@ -6,6 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
+
 namespace coif {
 namespace {
 
@@ -17,6 +20,23 @@ constexpr const char* kSceneNode = "ROOT";
 std::string node_name(const json& node, std::uint32_t index) {
   std::string name = printable_text_of(member(node, "name"));
   return name.empty() ? fmt::format("nodes[{}]", index) : name;
+}
+
+/// Whether the node shows a mesh, which no bone moves, whose places are whole numbers.
+bool undoes_quantization(const json& document, const json& node) {
+  constexpr int kFloats = 5126;
+  const auto at = [](const json& list, const json& index) -> const json& {
+    static const json kNothing;
+    const bool is_there = index.is_number_unsigned() && index.get<std::size_t>() < list_of(list).size();
+    return is_there ? list[index.get<std::size_t>()] : kNothing;
+  };
+  if (!member(node, "skin").is_null()) return false;
+  const json& mesh = at(member(document, "meshes"), member(node, "mesh"));
+  return std::ranges::any_of(list_of(member(mesh, "primitives")), [&](const json& primitive) {
+    const json& places = at(member(document, "accessors"), member(member(primitive, "attributes"), "POSITION"));
+    const json& type = member(places, "componentType");
+    return type.is_number_integer() && type != kFloats;
+  });
 }
 
 }  // namespace
@@ -35,7 +55,8 @@ GltfNodes read_gltf_nodes(const json& document, const Eigen::Affine3d& model_fro
   }
   for (const GltfSceneNode& entry : scene) {
     const std::uint32_t parent = entry.parent ? *entry.parent + first : first == 1 ? 0 : kNoIndex;
-    SourceNode node{node_name(in_file[entry.in_file], entry.in_file), parent, entry.model_from_node};
+    SourceNode node{node_name(in_file[entry.in_file], entry.in_file), parent, entry.model_from_node,
+                    undoes_quantization(document, in_file[entry.in_file])};
     if (!entry.is_placed)
       warn(model.warnings, source_code::kSpace, "node '{}': transform is not finite; its parent's is used", node.name);
     out.of_file[entry.in_file] = static_cast<std::uint32_t>(model.nodes.size());

@@ -13,7 +13,8 @@ constexpr std::uint32_t kMagic = 0x31464D49u;  // so that a stray write into the
 
 constexpr auto transfer_node = [](auto& archive, auto& node) {
   return archive.sequence(node.name) && archive.plain(node.parent) &&
-         archive.raw(node.model_from_node.data(), 16 * sizeof(double));
+         archive.raw(node.model_from_node.data(), 16 * sizeof(double)) &&
+         transfer_flag(archive, node.undoes_quantization);
 };
 
 constexpr auto transfer_mesh = [](auto& archive, auto& mesh) {
@@ -74,7 +75,7 @@ constexpr auto transfer_model = [](auto& archive, auto& model) {
   constexpr std::size_t kCount = sizeof(std::uint64_t);
   return archive.sequence(model.path) && archive.sequence(model.importer) &&
          archive.raw(model.importer_version, sizeof model.importer_version) &&
-         archive.list(model.nodes, kCount + 132, transfer_node) &&
+         archive.list(model.nodes, kCount + 133, transfer_node) &&
          archive.list(model.meshes, 8 * kCount + 16, transfer_mesh) &&
          archive.list(model.materials, 5 * kCount + 44, transfer_material) &&
          archive.list(model.images, 2 * kCount, transfer_image) &&

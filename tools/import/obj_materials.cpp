@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "import/source_warnings.h"
 
+#include <assimp/material.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -76,8 +78,25 @@ class ObjWords {
   std::size_t at_ = 0;
 };
 
-ObjTexture read_statement(const std::string& statement) {
+/// Some programs write options behind the file's name: "hair.png -s 2 2 1". They come from where its suffix ends.
+std::string with_options_first(const std::string& statement) {
+  constexpr std::string_view kOptions[] = {"-s",      "-o",      "-t",  "-mm",    "-clamp", "-imfchan", "-blendu",
+                                           "-blendv", "-texres", "-bm", "-boost", "-cc",    "-type"};
+  if (statement.starts_with('-')) return statement;
+  for (std::size_t at = statement.find(" -"); at != std::string::npos; at = statement.find(" -", at + 1)) {
+    const std::string word = statement.substr(at + 1, statement.find_first_of(" \t", at + 1) - at - 1);
+    const std::string path = statement.substr(0, statement.find_last_not_of(" \t", at) + 1);
+    const bool ends_in_suffix =
+        path.find_last_of('.') != std::string::npos && path.size() - path.find_last_of('.') <= 5;
+    if (ends_in_suffix && std::ranges::find(kOptions, word) != std::end(kOptions))
+      return statement.substr(at + 1) + ' ' + path;
+  }
+  return statement;
+}
+
+ObjTexture read_statement(const std::string& written) {
   ObjTexture texture;
+  const std::string statement = with_options_first(written);
   ObjWords words(statement);
   while (words.next().starts_with('-')) {
     const std::string option = words.take();
@@ -198,11 +217,26 @@ TexturePlace place_of(const ObjMaterial& said) {
   return said.base ? said.base->place : said.opacity ? said.opacity->place : TexturePlace{};
 }
 
+/// assimp makes a plain material of each name that no library has.
+void warn_of_absent(const ObjMaterials& materials, const SourceModel& model, std::vector<Warning>& warnings) {
+  std::set<std::string> absent;
+  for (const SourceMesh& mesh : model.meshes) {
+    const std::string name = material_name(model, mesh);
+    if (name.empty() || name == AI_DEFAULT_MATERIAL_NAME || materials.contains(name) || !absent.insert(name).second)
+      continue;
+    warn(warnings, source_code::kMaterials,
+         "mesh '{}' has the material '{}', which its .mtl does not have, so that it has no colour and no texture; name "
+         "one of those in the .mtl, or export both files together",
+         mesh.name, name);
+  }
+}
+
 }  // namespace
 
 void apply_obj_options(std::span<const std::string> libraries, SourceModel& model) {
   ObjMaterials materials;
   for (const std::string& library : libraries) read_library(library, materials);
+  if (!materials.empty()) warn_of_absent(materials, model, model.warnings);
   for (SourceMaterial& material : model.materials) {
     const auto said = materials.find(material.name);
     if (said == materials.end()) continue;

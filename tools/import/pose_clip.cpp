@@ -7,6 +7,7 @@
 #include "gltf/tree.h"
 #include "import/clip_document.h"
 #include "import/import.h"
+#include "import/source_warnings.h"
 
 #include <fmt/format.h>
 
@@ -69,6 +70,7 @@ class PoseReader {
     }
     for (std::size_t i = 0; i < bones.size(); ++i) clip_->from_.push_back(parent_frame(bones, i));
     if (auto read = read_animation(); !read) return tl::unexpected(read.error());
+    for (const Respelled& name : buffers_.respelled()) clip_->notes_.push_back(told_of(name));
     clip_->rests_.clear();
     std::vector<Quaterniond> rests;
     for (const PoseClip::Node& node : clip_->nodes_) {

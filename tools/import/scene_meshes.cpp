@@ -1,6 +1,7 @@
 #include "import/assimp_scene.h"
 #include "import/scene_surface.h"
 
+#include "import/collada_document.h"
 #include "import/raw_mesh.h"
 #include "import/shown_meshes.h"
 #include "import/source_warnings.h"
@@ -95,6 +96,7 @@ RawMesh raw_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, c
                  const SourceSurface& surface, FbxShapeKeys& shape_keys, std::vector<Warning>& warnings) {
   RawMesh out;
   out.name = text_of(mesh.mName);
+  if (surface.names != nullptr) out.name = ColladaNames::find(surface.names->geometries, out.name);
   if (out.name.empty()) out.name = nodes.nodes[node].name;
   const std::string label = fmt::format("mesh '{}'", out.name);
   if (mesh.mMaterialIndex < scene.mNumMaterials)

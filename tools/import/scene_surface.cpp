@@ -66,6 +66,7 @@ void place_on_surface(const FbxTexturePlace& moved, const SourceSurface& surface
   const Eigen::Affine2d texture_from_uv = uv_from_texture.inverse(Eigen::Affine);
   if (!texture_from_uv.matrix().allFinite()) return;
   place.linear = texture_from_uv.linear().cast<float>();
+  if (moved.swaps_axes) place.linear = place.linear.rowwise().reverse().eval();
   place.offset = texture_from_uv.translation().cast<float>();
   if (is_by_blender(surface)) place.offset += offset.cast<float>();
 }

@@ -28,6 +28,8 @@ struct aiScene;
 
 namespace coif {
 
+struct ColladaNames;
+
 /// Which coordinates a texture is looked up at. V grows upwards.
 struct TexturePlace {
   unsigned uv_set = 0;
@@ -85,6 +87,7 @@ struct SourceSurface {
   SourceFormat format;
   std::string generator;                     ///< SourceSpace::generator: programs disagree about FBX.
   const ColladaTextures* collada = nullptr;  ///< Of a COLLADA document; outlives this.
+  const ColladaNames* names = nullptr;       ///< Of such a document.
   const FbxTexturePlaces* fbx = nullptr;     ///< Of an FBX whose records can be read; outlives this.
 };
 

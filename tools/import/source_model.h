@@ -24,6 +24,8 @@ struct SourceNode {
   std::string name;
   std::uint32_t parent = kNoIndex;                                ///< An earlier node; kNoIndex for the root.
   Eigen::Affine3d model_from_node = Eigen::Affine3d::Identity();  ///< Rest pose, metres, Y up.
+  /// Its transform is part of how its mesh's places are stored as whole numbers (KHR_mesh_quantization): where it stands says nothing.
+  bool undoes_quantization = false;
 };
 
 struct SourceInfluence {

@@ -43,12 +43,13 @@ void warn(std::vector<Warning>& warnings, const char* code, fmt::format_string<A
   warnings.emplace_back(code, fmt::format(text, std::forward<Args>(args)...));
 }
 
+inline std::string told_of(const Respelled& name) {
+  return fmt::format("'{}' is named, and there is no such file; '{}' is taken for it", name.written, name.found);
+}
+
 /// A warning for each file that is named one way and lies there under another.
 inline void warn_of_respelled(std::span<const Respelled> names, std::vector<Warning>& warnings) {
-  for (const Respelled& name : names) {
-    warn(warnings, source_code::kFileNames, "'{}' is named, and there is no such file; '{}' is taken for it",
-         name.written, name.found);
-  }
+  for (const Respelled& name : names) warnings.emplace_back(source_code::kFileNames, told_of(name));
 }
 
 /// "LABEL: 3 points or lines dropped", where there are any.

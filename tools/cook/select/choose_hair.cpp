@@ -6,6 +6,8 @@
 #include "cook/select/scalp_cap.h"
 #include "cook/select/select_hair.h"
 
+#include "import/source_warnings.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -243,8 +245,11 @@ tl::unexpected<ToolError> no_hair_in_body(const SourceModel& source) {
     meshes.push_back(fmt::format("mesh '{}' (material '{}')", mesh.name, material_name(source, mesh)));
   }
   const std::string node = empty_hair_node(source);
-  const std::string lost =
-      node.empty() ? "" : fmt::format("node '{}' has no mesh, so its hair was not exported; ", node);
+  const bool hides_meshes =
+      std::ranges::any_of(source.warnings, [](const Warning& warning) { return warning.code == source_code::kHidden; });
+  const std::string lost = hides_meshes   ? "the file hides other meshes, which are not read: show the hair; "
+                           : node.empty() ? ""
+                                          : fmt::format("node '{}' has no mesh, so its hair was not exported; ", node);
   return bad_input(source,
                    fmt::format("there is no hair, only what looks like a body: {}; {}export the hair, too: Blender "
                                "leaves curves and hair particles out "

@@ -31,12 +31,14 @@ std::uint32_t lowest_common_node(const SourceModel& source, const NodeWeights& b
   return lowest;
 }
 
-/// The node of a rigid mesh, away from the hair: a file without bones has its origin on the floor, not in the head.
+/// The node of a rigid mesh, away from the hair: a file without bones has its origin on the floor, not in the head. Where whole numbers are
+/// undone by it, it stands in a corner or the middle of the hair, wherever the artist had it.
 bool is_far_mesh_node(const SourceModel& source, const HairMesh& hair, std::uint32_t node) {
   if (node == kNoIndex) return false;
   const bool carries_mesh = std::ranges::any_of(
       source.meshes, [&](const SourceMesh& mesh) { return mesh.node == node && mesh.influence_begin.empty(); });
-  return carries_mesh && !hair.box().contains(source.nodes[node].model_from_node.translation());
+  return carries_mesh && (source.nodes[node].undoes_quantization ||
+                          !hair.box().contains(source.nodes[node].model_from_node.translation()));
 }
 
 /// Without a node of its own the head sits in the middle of the hair.
