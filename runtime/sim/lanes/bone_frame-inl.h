@@ -86,11 +86,11 @@ HWY_INLINE M3<D> twisted(D d, const M3<D>& frame, const V3<D>& axis, V<D> sine, 
           twisted(d, frame.z, axis, sine, versine)};
 }
 
-/// What is left of the sine of half a twist that goes back at `rate` for so long: by exp(-t) to second order, and never less than nothing.
+/// By which the cosine of half a twist grows against its sine while the twist goes back at `rate` for so long: exp(t) to second order.
 template <class D>
-HWY_INLINE V<D> kept_of_twist(D d, V<D> rate, V<D> seconds) {
+HWY_INLINE V<D> untwisted_by(D d, V<D> rate, V<D> seconds) {
   const auto one = hn::Set(d, 1.0f), decay = hn::Mul(rate, seconds);
-  return hn::Div(one, hn::Add(one, hn::Mul(decay, hn::Add(one, hn::Mul(hn::Set(d, 0.5f), decay)))));
+  return hn::Add(one, hn::Mul(decay, hn::Add(one, hn::Mul(hn::Set(d, 0.5f), decay))));
 }
 
 /// Carries the frame along, without any twist from one direction to the next seen from the parent, and back towards the
@@ -105,15 +105,15 @@ HWY_INLINE V<D> twist(D d, const V3<D>& rest, const V3<D>& to, V<D> torsion, flo
   const auto rest_before = dot(d, rest, before), rest_after = dot(d, rest, after);
   const auto most = hn::Mul(hn::Set(d, 0.5f), torsion);
   const auto rate_at = [&](V<D> unfolded) { return hn::Mul(most, hn::Add(one, unfolded)); };  // 0 folded over
-  const auto cosine = load(d, state.cosine, lane);
-  const auto sine = hn::Mul(load(d, state.sine, lane), kept_of_twist(d, rate_at(rest_before), half_step));
+  const auto cosine = hn::Mul(load(d, state.cosine, lane), untwisted_by(d, rate_at(rest_before), half_step));
+  const auto sine = load(d, state.sine, lane);
   // The triangle rest, before, after on the unit sphere turns what is carried around it by its area (Oosterom, Strackee).
   const auto area_sine = dot(d, rest, cross(d, before, after));
   const auto area_cosine = hn::Add(hn::Add(one, rest_before), hn::Add(dot(d, before, after), rest_after));
   auto twist_cosine = hn::Sub(hn::Mul(cosine, area_cosine), hn::Mul(sine, area_sine));
   auto twist_sine = hn::Add(hn::Mul(sine, area_cosine), hn::Mul(cosine, area_sine));
   const auto rate = rate_at(rest_after);
-  twist_sine = hn::Mul(twist_sine, kept_of_twist(d, rate, half_step));
+  twist_cosine = hn::Mul(twist_cosine, untwisted_by(d, rate, half_step));
   const auto size2 = hn::Add(hn::Mul(twist_cosine, twist_cosine), hn::Mul(twist_sine, twist_sine));
   const auto is_defined = hn::Gt(size2, hn::Set(d, 1e-12f));
   const auto per_size = hn::Div(one, hn::Sqrt(hn::IfThenElse(is_defined, size2, one)));
