@@ -19,6 +19,7 @@
 #include <ostream>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -114,13 +115,13 @@ class ContactOrder : public testing::TestWithParam<Lying> {};
 TEST_P(ContactOrder, HalvingTheStepDividesTheErrorOfHairThatComesToLie) {
   constexpr double kEach = 1.7;
   constexpr int kHalvings = 4;
-  constexpr double kLeast = 4e-4;  // what is left at 960 steps a second in single precision
+  constexpr double kLeast = 8e-4;  // what is left at 960 steps a second, of hair that grazes what it leaves
   const Falls falls(rig_of(GetParam()), bow(), kSeconds);
   EXPECT_LT(falls.reference().self_difference_pct(), 0.01);
   const Fall coarse = falls.at(1), fine = falls.at(1 << kHalvings);
   EXPECT_LT(coarse.nearest, 1e-5) << "nothing was touched";
   EXPECT_LT(fine.error, std::max(coarse.error / std::pow(kEach, kHalvings), kLeast)) << "from " << coarse.error;
-  EXPECT_LT(coarse.error, GetParam().model == ChainModel::kPassive ? 0.013 : 0.04);
+  EXPECT_LT(coarse.error, 0.013);
   for (const Fall& fall : {coarse, fine}) {
     EXPECT_LT(fall.held.segment_depth, 1e-5);
     EXPECT_LT(fall.held.stretch, 1e-5);
@@ -203,10 +204,10 @@ double energy(const Rig& rig, const HeadState& head, std::span<const Vector3d> e
 }
 
 /// Hair without any damping that falls onto a collider of the head, which then holds still, gets no higher than the energy takes it that it
-/// has when the head stops.
+/// has when the head stops. (Of the cascade only a bone alone has an energy.)
 TEST(ContactEnergy, HairThatFallsOnAColliderGetsNoHigher) {
   for (const Lying& lying : all_lying()) {
-    if (lying.model != ChainModel::kPassive) continue;
+    if (lying.model != ChainModel::kPassive && lying.bones > 1) continue;
     TestRig test = rig_of(lying);
     for (DynamicsRecord& bone : test.dynamics) bone.damping = bone.friction = 0;
     const OpenedAsset opened(test.contents());
@@ -231,14 +232,17 @@ TEST(ContactEnergy, HairThatFallsOnAColliderGetsNoHigher) {
   }
 }
 
-std::vector<Lying> passive_lying() {
-  std::vector<Lying> passive;
-  std::ranges::copy_if(all_lying(), std::back_inserter(passive),
-                       [](const Lying& lying) { return lying.model == ChainModel::kPassive; });
-  return passive;
+/// Of two bones of the cascade that are thrown against an ellipsoid or a capsule the second grazes it, and two references part.
+std::vector<Lying> thrown() {
+  std::vector<Lying> known;
+  std::ranges::copy_if(all_lying(), std::back_inserter(known), [](const Lying& lying) {
+    const std::string_view name = lying.name;
+    return name != "CascadeOfTwoOnEllipsoid" && name != "CascadeOfTwoOnCapsule";
+  });
+  return known;
 }
 
-INSTANTIATE_TEST_SUITE_P(Colliders, BlowOrder, testing::ValuesIn(passive_lying()),
+INSTANTIATE_TEST_SUITE_P(Colliders, BlowOrder, testing::ValuesIn(thrown()),
                          [](const auto& tested) { return std::string(tested.param.name); });
 INSTANTIATE_TEST_SUITE_P(Colliders, ContactOrder, testing::ValuesIn(all_lying()),
                          [](const auto& tested) { return std::string(tested.param.name); });

@@ -1,6 +1,8 @@
 #include "lab/hair_segment.h"
+#include "lab/measure_runtime.h"
 #include "lab/reference_model.h"
 #include "lab/reference_trial.h"
+#include "models/test_rig.h"
 #include "report/accuracy/measure_accuracy.h"
 #include "report/solver_trial.h"
 #include "report/stability/measure_stability.h"
@@ -289,11 +291,46 @@ TEST(RuntimeTwist, WithoutItTheRuntimeIsAsNearToTheReference) {
   const auto with = runtime_errors(20), without = runtime_errors(double(kShortestArc));
   ASSERT_EQ(with.size(), 9u);
   for (const auto& [setting, error] : without) {
-    const auto& [motion, fps] = setting;
     EXPECT_GT(error, 0);
-    EXPECT_LT(error, 1.2 * with.at(setting) + 0.01) << motion << " at " << fps;
-    if (fps > 60) {
-      EXPECT_LT(3 * error, without.at({motion, fps / 2})) << motion << " at " << fps << ": second order is 4";
+    EXPECT_LT(error, 1.2 * with.at(setting) + 0.01) << setting.first << " at " << setting.second;
+  }
+}
+
+/// A strand that winds around, so that its bones twist as they swing.
+TestRig winding_strand(float torsion) {
+  TestRig rig;
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const Quat turn = turned_about({0, 1, 0}, 0.9 * i);
+    const Vec3 aside = rotated(turn, {0.6f, -0.8f, 0});
+    rig.add({.parent = i,
+             .joint = {0, 0, -0.1f},
+             .rest_direction = i == 0 ? Vec3{0, -1, 0} : aside,
+             .length = 0.1f,
+             .friction = 30,
+             .stiffness = 700,
+             .damping = 12,
+             .torsion = torsion});
+  }
+  return rig;
+}
+
+TEST(RuntimeTwist, HalvingTheStepDividesTheErrorByThree) {
+  for (const float torsion : {5.0f, 20.0f, 80.0f}) {
+    const OpenedAsset opened(winding_strand(torsion).contents());
+    const Rig rig = rig_of(opened.asset());
+    for (const Motion motion : {Motion::kTurn, Motion::kRun, Motion::kTumble}) {
+      const KnownMotion known{motion, solve_at(rig, kEarth, *path_of(motion), 2, 5760)};
+      EXPECT_LT(known.reference.self_difference_pct(), 0.001);
+      double coarser = 0;
+      for (const std::uint32_t substeps : {1u, 2u, 4u, 8u}) {
+        const double error = 100 * measure_runtime(opened.asset(), rig, known, 60, substeps).rms;
+        if (substeps > 1) {
+          EXPECT_LT(3 * error, coarser) << "motion " << int(motion) << ", " << substeps << " steps, torsion "
+                                        << torsion;
+        }
+        coarser = error;
+      }
+      EXPECT_LT(coarser, 0.05);
     }
   }
 }

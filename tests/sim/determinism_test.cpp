@@ -146,7 +146,7 @@ std::uint64_t digest(const Solver* solver, InstructionSet set) {
 /// The same bits on every processor, by every compiler, with and without optimisation. A change of how hair moves changes
 /// them: then put the numbers that this test prints here, and say in CHANGELOG.md that hair moves differently.
 TEST(LaneDeterminism, BitsAreThoseOfEveryOtherBuild) {
-  constexpr std::uint64_t kCoif = 2482186261605669836u, kThesis = 14597022654990503538u,
+  constexpr std::uint64_t kCoif = 7255423148557326642u, kThesis = 14597022654990503538u,
                           kPassive = 8647123609210811364u;
   for (const InstructionSet set : runnable_sets()) {
     EXPECT_EQ(digest(&kCoifSolver, set), kCoif) << coif::name_of(set);

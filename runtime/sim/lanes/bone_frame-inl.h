@@ -86,24 +86,34 @@ HWY_INLINE M3<D> twisted(D d, const M3<D>& frame, const V3<D>& axis, V<D> sine, 
           twisted(d, frame.z, axis, sine, versine)};
 }
 
-/// Carries the frame along, without any twist from one direction to the next seen from the parent, then back towards the
+/// By which the cosine of half a twist grows against its sine while the twist goes back at `rate` for so long: exp(t) to second order.
+template <class D>
+HWY_INLINE V<D> untwisted_by(D d, V<D> rate, V<D> seconds) {
+  const auto one = hn::Set(d, 1.0f), decay = hn::Mul(rate, seconds);
+  return hn::Add(one, hn::Mul(decay, hn::Add(one, hn::Mul(hn::Set(d, 0.5f), decay))));
+}
+
+/// Carries the frame along, without any twist from one direction to the next seen from the parent, and back towards the
 /// shortest arc at the rate `torsion` (MODEL.md, "Frames and twist"). The arc alone would flip when the bone folds over its
-/// parent. `to` is the bone's direction in the space of bent.frame. Returns the rate at which the twist goes back, 1/s.
+/// parent. Half of the step the twist goes back at the rate before it, then it is carried, and the other half at that after it (Strang's
+/// splitting): to second order. `to` is the bone's direction in the space of bent.frame. Returns the rate at which the twist goes back, 1/s.
 template <class D>
 HWY_INLINE V<D> twist(D d, const V3<D>& rest, const V3<D>& to, V<D> torsion, float dt, TwistState& state,
                       std::size_t lane, Bent<D>& bent) {
-  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
+  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f), half_step = hn::Set(d, 0.5f * dt);
   const V3<D> before = load(d, state.before, lane), after = bent.seen;
-  const auto cosine = load(d, state.cosine, lane), sine = load(d, state.sine, lane);
+  const auto rest_before = dot(d, rest, before), rest_after = dot(d, rest, after);
+  const auto most = hn::Mul(hn::Set(d, 0.5f), torsion);
+  const auto rate_at = [&](V<D> unfolded) { return hn::Mul(most, hn::Add(one, unfolded)); };  // 0 folded over
+  const auto cosine = hn::Mul(load(d, state.cosine, lane), untwisted_by(d, rate_at(rest_before), half_step));
+  const auto sine = load(d, state.sine, lane);
   // The triangle rest, before, after on the unit sphere turns what is carried around it by its area (Oosterom, Strackee).
-  const auto rest_after = dot(d, rest, after);
   const auto area_sine = dot(d, rest, cross(d, before, after));
-  const auto area_cosine = hn::Add(hn::Add(one, dot(d, rest, before)), hn::Add(dot(d, before, after), rest_after));
+  const auto area_cosine = hn::Add(hn::Add(one, rest_before), hn::Add(dot(d, before, after), rest_after));
   auto twist_cosine = hn::Sub(hn::Mul(cosine, area_cosine), hn::Mul(sine, area_sine));
   auto twist_sine = hn::Add(hn::Mul(sine, area_cosine), hn::Mul(cosine, area_sine));
-  const auto fold = hn::Mul(half, hn::Add(one, rest_after));  // 1 at rest, 0 folded over
-  const auto rate = hn::Mul(torsion, fold), decay = hn::Mul(rate, hn::Set(d, dt));
-  twist_sine = hn::Div(twist_sine, hn::Add(one, hn::Mul(decay, hn::Add(one, hn::Mul(half, decay)))));
+  const auto rate = rate_at(rest_after);
+  twist_cosine = hn::Mul(twist_cosine, untwisted_by(d, rate, half_step));
   const auto size2 = hn::Add(hn::Mul(twist_cosine, twist_cosine), hn::Mul(twist_sine, twist_sine));
   const auto is_defined = hn::Gt(size2, hn::Set(d, 1e-12f));
   const auto per_size = hn::Div(one, hn::Sqrt(hn::IfThenElse(is_defined, size2, one)));

@@ -6,6 +6,8 @@
 #include "limit-inl.h"
 #include "row.h"
 
+#include <type_traits>
+
 #if defined(COIF_SIM_LANES_COIF_BONE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COIF_SIM_LANES_COIF_BONE_INL_H_
 #undef COIF_SIM_LANES_COIF_BONE_INL_H_
@@ -186,11 +188,12 @@ HWY_INLINE hn::Mask<D> keep_in_limit(D d, const RowStep& row, std::size_t lane, 
   return hn::Gt(limited.beyond, hn::Zero(d));
 }
 
-/// Section 4, of bone `bone` of the row, which starts at `start` (head space) with `start_velocity`. `direction` is
-/// now.direction in head space and follows it; `limited`, which may be null, is from keep_in_limit(). Returns the lanes in which the bone touched something.
+/// Section 4, of bone `bone` of the row, which starts at `start` (head space) with `start_velocity` and got there by `start_way`, as Carrier::way.
+/// That is null where colliders shall push at the end of the step alone. `direction` is now.direction in head space and follows it; `limited`, which may be null, is from keep_in_limit(). Returns the lanes in which the bone touched something.
 template <class D>
 HWY_INLINE hn::Mask<D> keep_clear_of(D d, const RowStep& row, std::size_t lane, const M3<D>& turn, std::size_t bone,
-                                     const V3<D>& start, const V3<D>& start_velocity, const V3<D>& before,
+                                     const V3<D>& start, const V3<D>& start_velocity,
+                                     std::type_identity_t<const V3<D>*> start_way, const V3<D>& before,
                                      LimitedBone<V<D>>* limited, BoneMotion<D>& now, V3<D>& direction) {
   const PlacedColliders& colliders = *row.colliders;
   const BoneLanes& constants = row.constants[bone];
@@ -221,6 +224,11 @@ HWY_INLINE hn::Mask<D> keep_clear_of(D d, const RowStep& row, std::size_t lane, 
   touching.length = length;
   touching.hit_radius = hit_radius;
   touching.limited = limited;
+  if (start_way != nullptr) {
+    const V3<D> went = sub(d, *start_way, load(d, move.way, lane));
+    touching.start_before = rotate_back(d, load(d, move.from_head_before, lane), sub(d, rotate(d, turn, start), went));
+    touching.dt = row.dt;
+  }
   const auto touched = keep_clear(d, colliders, set, constants, lane, reached, touching);
   if (hn::AllFalse(d, touched)) return touched;
   direction = choose<D>(touched, touching.direction, direction);

@@ -208,7 +208,7 @@ HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
     keep_in_limit(d_, row_, lane_, i, from, limits, now, direction);
   }
   if (shape.features & kRowCollides)
-    keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, limited, now, direction);
+    keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, &from.way, before, limited, now, direction);
   if constexpr (kOnCharacter<D>) {
     if (row_.character->collider_count != 0) {
       keep_clear_of_moving(d_, row_, lane_, turn_, i, from, before, paths_.from(shape), paths_.own(shape), limited, now,

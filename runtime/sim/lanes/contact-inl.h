@@ -20,6 +20,9 @@ inline constexpr int kContactRounds = 4;
 /// A limit that stands against a collider pushes back at an angle: that takes more of them to agree.
 inline constexpr int kLimitedRounds = 24;
 
+/// Radians by which a bone may be turned along a surface without being looked at again: it gets no deeper than half the square of that.
+inline constexpr float kSmallShift = 1e-5f;
+
 /// Where a bone that starts here and is no longer than `reach` could touch any of the colliders, whatever its
 /// direction.
 template <class D>
@@ -74,9 +77,62 @@ HWY_INLINE hn::Mask<D> reaches(D d, const PlacedCollider& collider, const V3<D>&
   return hn::And(in_bound, hn::Lt(at.gap, hn::Set(d, (kBoundMargin - 1.0f) * collider.bound_radius)));
 }
 
-/// The velocity of the contact's point into the collider is lost. The collider stands still against the head.
+/// How a collider pushes a bone that it holds at the end of a step.
 template <class D>
-HWY_INLINE void stop_at_contact(D d, hn::Mask<D> touches, const Contact<D>& contact, TouchingBone<D>& bone) {
+struct Push {
+  V3<D>
+      way;  ///< What it takes of the bone's velocity goes along this. As long along the normal as the part of the normal across the bone.
+  V3<D> shift;  ///< By so much more the bone's direction is turned, beside the normal.
+};
+
+/// A push as it arises within the step. A constant force that turns the bone out as far leaves behind twice what that takes a second, along the mean of
+/// how bone and normal stand before the step and after it; the rest of what is taken goes along how they stand at the end. Where a bone comes to the
+/// collider within the step that is how they stand as it comes, and where it lies on it the mean of both; with the end alone both are of first
+/// order. `taken`: of the velocity along the normal, negative; in the lanes of `follows` that is the bone's own, since its start sinks besides.
+template <class D>
+COIF_RARE void find_push(D d, const PlacedCollider& collider, const Contact<D>& contact, const V3<D>& inside,
+                         const TouchingBone<D>& bone, V<D> taken, hn::Mask<D> follows, Push<D>& push) {
+  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
+  Deepest<D> before{zero, same(d, collider.axis), bone.length};
+  if (collider.shape == ColliderShape::kPlane) {
+    const V3<D> end = add_scaled(d, bone.start_before, bone.before, bone.length);
+    before.gap = hn::Sub(dot(d, sub(d, end, same(d, collider.center)), before.normal), bone.hit_radius);
+  } else {
+    const Solid<D> solid(d, collider, bone.start_before, bone.length, bone.hit_radius);
+    solid.find_deepest(solid.into(bone.before), before);
+    const V3<D> outwards = solid.out_of(before.normal);
+    copy(d, outwards, before.normal);
+  }
+  // Forces are the world's, and what was before is turned against the head by as much as that turned on.
+  const V3<D> turned = scale(d, bone.head_turning, hn::Set(d, bone.dt));
+  const auto twice_mean = [&](const V3<D>& from, const V3<D>& to) {
+    return add(d, to, sub(d, from, cross(d, turned, from)));
+  };
+  const V3<D> normal = twice_mean(before.normal, contact.normal), direction = twice_mean(bone.before, bone.direction);
+  const auto facing = dot(d, direction, bone.direction);
+  const V3<D> mean = sub_scaled(d, normal, direction, hn::Div(dot(d, normal, bone.direction), facing));
+  const auto size2 = dot(d, push.way, push.way), along = dot(d, mean, contact.normal);
+  const auto is_alike = hn::And(hn::Gt(facing, one), hn::Gt(along, hn::Max(size2, hn::Set(d, 1e-6f))));
+  const V3<D> aside = sub(d, scale(d, mean, hn::Div(size2, along)), push.way);
+
+  // The lift of the place of contact, but for that by which its start sank since they met.
+  const V3<D> way_out = scale(d, add(d, before.normal, contact.normal), half), turn = sub(d, bone.direction, inside);
+  auto lift = hn::Mul(hn::Mul(half, hn::Add(before.along, contact.along)), dot(d, turn, way_out));
+  const auto since = hn::Div(lift, hn::Max(hn::Add(lift, hn::Max(before.gap, zero)), hn::Set(d, 1e-12f)));
+  const auto rise = hn::Mul(since, dot(d, sub(d, bone.start, bone.start_before), way_out));
+  lift = hn::Add(lift, hn::IfThenElseZero(follows, rise));
+  const auto evenly = hn::Div(hn::Mul(lift, hn::Set(d, -2.0f / bone.dt)), hn::Min(taken, hn::Set(d, -1e-12f)));
+  const auto share = hn::IfThenElseZero(is_alike, between<D>(evenly, zero, hn::Set(d, 2.0f)));
+  const auto turns = hn::IfThenElseZero(is_alike, hn::Div(dot(d, turn, contact.normal), size2));
+  set_where(d, is_alike, scale(d, aside, turns), push.shift);
+  set_where(d, is_alike, add_scaled(d, push.way, aside, share), push.way);
+}
+
+/// The velocity of the contact's point into the collider is lost. The collider stands still against the head. `inside`: the bone's direction
+/// before it was turned out. Returns 1 where the bone was turned on, beside the normal, and may be inside again, else 0.
+template <class D>
+HWY_INLINE V<D> stop_at_contact(D d, hn::Mask<D> touches, const PlacedCollider& collider, const Contact<D>& contact,
+                                const V3<D>& inside, TouchingBone<D>& bone) {
   const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
   const auto share = hn::Div(contact.along, bone.length);
   const V3<D> side = across(d, contact.normal, bone.direction);
@@ -92,8 +148,19 @@ HWY_INLINE void stop_at_contact(D d, hn::Mask<D> touches, const Contact<D>& cont
   // A contact stops a bone and never throws it: over a short lever, a start that sinks would give it any speed.
   const auto own = hn::Div(dot(d, sub(d, bone.velocity, with_head), side), safe_size2);
   const auto lost = hn::Div(approach, hn::Mul(hn::IfThenElse(has_lever, share, one), safe_size2));
-  const auto taken = hn::IfThenElse(hn::Gt(own, lost), hn::Min(own, zero), lost);
-  set_where(d, stops, sub_scaled(d, bone.velocity, side, taken), bone.velocity);
+  const auto follows = hn::Gt(own, lost);
+  const auto taken = hn::IfThenElse(follows, hn::Min(own, zero), lost);
+  Push<D> push{side, {zero, zero, zero}};
+  const bool is_within = bone.dt > 0 && !collider.keeps_inside;
+  if (is_within) {
+    find_push(d, collider, contact, inside, bone, hn::Mul(taken, hn::Mul(share, size2)), follows, push);
+  }
+  set_where(d, stops, sub_scaled(d, bone.velocity, push.way, taken), bone.velocity);
+  if (!is_within) return zero;
+  set_where(d, touches, direction_or(d, add(d, bone.direction, push.shift), bone.direction), bone.direction);
+  set_where(d, touches, across(d, bone.velocity, bone.direction), bone.velocity);
+  const auto is_far = hn::Gt(dot(d, push.shift, push.shift), hn::Set(d, kSmallShift * kSmallShift));
+  return hn::IfThenElseZero(hn::And(touches, is_far), one);
 }
 
 /// Turns the bones in the lanes of `takes_part` clear of one collider. Returns the lanes that touch it.
@@ -137,12 +204,13 @@ COIF_RARE_ONCE hn::Mask<D> keep_clear(D d, const PlacedColliders& colliders, std
       const std::uint32_t i = std::uint32_t(std::countr_zero(left));
       const auto here = hn::And(takes_part, lanes_with(d, constants, lane, i));
       Contact<D> contact;
+      const V3<D> inside = bone.direction;
       const auto touches = clear_of(d, here, colliders[i], bone, contact);
       if (hn::AllFalse(d, touches)) continue;
       moved = hn::Or(moved, touches);
       touched = hn::Add(touched, hn::IfThenElseZero(touches, one));
       set_where(d, touches, across(d, bone.velocity, bone.direction), bone.velocity);
-      stop_at_contact(d, touches, contact, bone);
+      touched = hn::Add(touched, stop_at_contact(d, touches, colliders[i], contact, inside, bone));
     }
     if (HWY_UNLIKELY(bone.limited != nullptr)) {
       // Last, so that limits hold whatever colliders ask for.
@@ -150,6 +218,7 @@ COIF_RARE_ONCE hn::Mask<D> keep_clear(D d, const PlacedColliders& colliders, std
       touched = hn::Add(touched, hn::IfThenElseZero(beyond, one));
     }
     takes_part = hn::And(takes_part, hn::Gt(touched, one));
+    bone.dt = 0;
     if (HWY_LIKELY(hn::AllFalse(d, takes_part))) break;
   }
   return moved;

@@ -211,7 +211,7 @@ void HangingBone<D>::clear(HeldBone& bone) const {
     keep_in_limit(d_, row_, lane_, i_, from, limits, now, direction);
   }
   if (shape().features & kRowCollides) {
-    keep_clear_of(d_, row_, lane_, turn(), i_, from.position, from.velocity, before, limited, now, direction);
+    keep_clear_of(d_, row_, lane_, turn(), i_, from.position, from.velocity, nullptr, before, limited, now, direction);
   }
   if constexpr (kOnCharacter<D>) {
     if (row_.character->collider_count != 0) clear_of_moving(from, limited, now, direction);

@@ -77,12 +77,13 @@ COIF_RARE hn::Mask<D> keep_clear_of_all(D d, const Obstacles<D>& obstacles, hn::
       const PlacedCollider& collider = is_fixed ? obstacles.fixed[i] : obstacles.moving->placed[i];
       const auto may_touch = is_fixed ? lanes_with(d, obstacles.constants, obstacles.lane, i) : obstacles.moving->lanes[i];
       Contact<D> contact;
+      const V3<D> inside = bone.direction;
       const auto touches = clear_of(d, hn::And(takes_part, may_touch), collider, bone, contact);
       if (hn::AllFalse(d, touches)) continue;
       moved = hn::Or(moved, touches);
       touched = hn::Add(touched, hn::IfThenElseZero(touches, one));
       set_where(d, touches, across(d, bone.velocity, bone.direction), bone.velocity);
-      if (is_fixed) stop_at_contact(d, touches, contact, bone);
+      if (is_fixed) touched = hn::Add(touched, stop_at_contact(d, touches, collider, contact, inside, bone));
       if (!is_fixed) go_along(d, touches, contact, *obstacles.moving->ways[i], collider.center, bone);
     }
     if (bone.limited != nullptr) {
@@ -90,6 +91,7 @@ COIF_RARE hn::Mask<D> keep_clear_of_all(D d, const Obstacles<D>& obstacles, hn::
       touched = hn::Add(touched, hn::IfThenElseZero(beyond, one));
     }
     takes_part = hn::And(takes_part, hn::Gt(touched, one));
+    bone.dt = 0;
     if (HWY_LIKELY(hn::AllFalse(d, takes_part))) break;
   }
   return moved;

@@ -85,7 +85,7 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   if ((shape.features & kRowCollides) && (bone.is_near || touches_ || is_moved_)) {
     const V3<D> velocity = now.velocity;
     const auto touches =
-        keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, limited, now, in_head);
+        keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, nullptr, before, limited, now, in_head);
     if (!hn::AllFalse(d_, touches)) {
       // A contact that holds has its say in keep_links().
       const auto known = hn::And(touches, bone.touch.holds(d_));

@@ -29,6 +29,8 @@ struct TouchingBone {
   V<D> length;
   V<D> hit_radius;
   LimitedBone<V<D>>* limited = nullptr;  ///< Null: nothing bounds its direction.
+  float dt = 0;                          ///< The step's, where colliders push as it goes (find_push()); 0: at its end.
+  V3<D> start_before;  ///< With `dt`: the start before the step, as the head was then. So is `before`.
 };
 
 inline constexpr int kNewtonSteps = 8;
