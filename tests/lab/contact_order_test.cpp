@@ -115,12 +115,13 @@ class ContactOrder : public testing::TestWithParam<Lying> {};
 TEST_P(ContactOrder, HalvingTheStepDividesTheErrorOfHairThatComesToLie) {
   constexpr double kEach = 1.7;
   constexpr int kHalvings = 4;
-  constexpr double kLeast = 8e-4;  // what is left at 960 steps a second, of hair that grazes what it leaves
+  // What is left at 960 steps a second: single precision; and more where the second bone grazes what it leaves.
+  const double least = std::string_view(GetParam().name) == "CascadeOfTwoOnEllipsoid" ? 8e-4 : 4e-4;
   const Falls falls(rig_of(GetParam()), bow(), kSeconds);
   EXPECT_LT(falls.reference().self_difference_pct(), 0.01);
   const Fall coarse = falls.at(1), fine = falls.at(1 << kHalvings);
   EXPECT_LT(coarse.nearest, 1e-5) << "nothing was touched";
-  EXPECT_LT(fine.error, std::max(coarse.error / std::pow(kEach, kHalvings), kLeast)) << "from " << coarse.error;
+  EXPECT_LT(fine.error, std::max(coarse.error / std::pow(kEach, kHalvings), least)) << "from " << coarse.error;
   EXPECT_LT(coarse.error, 0.013);
   for (const Fall& fall : {coarse, fine}) {
     EXPECT_LT(fall.held.segment_depth, 1e-5);
