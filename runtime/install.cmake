@@ -21,6 +21,7 @@ foreach(page LICENSE CHANGELOG.md formats/SPECIFICATION.md runtime/README.md run
   cmake_path(GET page PARENT_PATH folder)
   install(FILES ${PROJECT_SOURCE_DIR}/${page} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder})
 endforeach()
+install(FILES ${coif_third_party}/THIRD_PARTY_NOTICES.txt ${coif_third_party}/coif.spdx.json DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/examples DESTINATION ${CMAKE_INSTALL_DOCDIR}/runtime PATTERN CMakeLists.txt EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN embed.cmake EXCLUDE)
 

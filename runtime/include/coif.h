@@ -15,6 +15,7 @@
 #include <coif/c/drawing.h>
 #include <coif/c/observing.h>
 #include <coif/c/types.h>
+#include <coif/version.h>
 
 #ifdef __cplusplus
 extern "C" {

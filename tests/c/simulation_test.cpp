@@ -290,4 +290,14 @@ TEST_F(CSimulation, NullIsAnErrorAndNoCrash) {
   EXPECT_STREQ(coif_hair_bone_name(hair_, 1000), "");
 }
 
+TEST(CVersion, LibraryAndHeadersAreOfOne) {
+  EXPECT_STREQ(coif_version(), COIF_VERSION);
+  const std::string joined = std::to_string(COIF_VERSION_MAJOR) + "." + std::to_string(COIF_VERSION_MINOR) + "." +
+                             std::to_string(COIF_VERSION_PATCH);
+  EXPECT_EQ(joined, COIF_VERSION);
+#if COIF_VERSION_NUMBER < 1000  // preprocessors can compare it
+  ADD_FAILURE() << "0.1.0 is the first version";
+#endif
+}
+
 }  // namespace coif::c_simulation_test

@@ -2,6 +2,7 @@
 coif_cli_case(no_verb EXIT 1 STDERR "coif: error: needs a verb: cook.*see 'coif --help'" ARGS)
 coif_cli_case(unknown_verb EXIT 1 STDERR "coif: error: .*braid" ARGS braid)
 coif_cli_case(version EXIT 0 STDOUT "^coif ${PROJECT_VERSION}\n$" ARGS --version)
+coif_cli_case(licenses EXIT 0 STDOUT "MIT. It is built with these works of others.*Highway, Apache-2.0 OR BSD-3-Clause .libhwy-dev.*Eigen, MPL-2.0" ARGS --licenses)
 coif_cli_case(help EXIT 0 STDOUT "cook.*validate.*info.*simulate.*render.*gallery.*view.*compare.*report.*strip.*Exit codes: 0 ok" ARGS --help)
 coif_cli_case(cook_help EXIT 0 STDOUT "--recipe.*\n\nExit codes: 0 ok[^:]*$" ARGS cook --help)
 coif_cli_case(unknown_option EXIT 1 STDERR "coif info: error: .*--colour.*see 'coif info --help'"

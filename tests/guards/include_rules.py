@@ -11,7 +11,8 @@ FORMATS = {"formats/include"}
 SIM = FORMATS | {"runtime/include"}
 DRAWING = {"runtime/include/coif/debug_lines.h", "runtime/include/coif/drawing.h", "runtime/include/coif/triangle_order.h"}
 RENDERER = DRAWING | {"runtime/include/coif/motion_vectors.h", "runtime/include/coif/renderer.h", "runtime/include/coif/shadow.h"}
-C_HEADERS = {"runtime/include/coif.h", "runtime/include/coif/c"}  # What is read by C.
+VERSION = {"runtime/include/coif/version.h"}
+C_HEADERS = VERSION | {"runtime/include/coif.h", "runtime/include/coif/c"}  # What is read by C.
 HASH = {"formats/payload_hash.h"}  # Private to the format, but tools stamp sources and recipes with the same hash.
 VIEW_SETTINGS = {"tools/view/page/view_motions.h", "tools/view/page/view_settings.h"}
 # Folder (or file) -> folders it may include from; itself always. The longest match owns a file. Those of the tools follow
@@ -22,7 +23,8 @@ LAYERS = {
     "formats/payload_hash.h": set(),
     "formats/write": FORMATS | HASH,
     "runtime/include": FORMATS,
-    "runtime/include/coif.h": {"runtime/include/coif/c"},
+    "runtime/include/coif.h": VERSION | {"runtime/include/coif/c"},
+    "runtime/include/coif/version.h": set(),
     "runtime/include/coif/c": set(),
     "runtime/include/coif/debug_lines.h": SIM | DRAWING,
     "runtime/include/coif/drawing.h": SIM,
@@ -46,7 +48,7 @@ LAYERS = {
     "tests": None,
 }
 # What every tool may include, and what linking these brings along.
-TOOL_BASE = SIM | HASH | {"formats/write"}
+TOOL_BASE = SIM | HASH | VERSION | {"formats/write"}
 LINKED = {"coif::gl": RENDERER, "coif::drawing": DRAWING, "coif_view_settings": VIEW_SETTINGS}
 
 # Third-party header -> the folders that may include it.

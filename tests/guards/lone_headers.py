@@ -14,7 +14,7 @@ FLAGS = ["-std=c++20", "-fsyntax-only", "-fno-exceptions", "-fno-rtti", "-Wall",
          "-Wshadow", "-Wold-style-cast", "-Werror", "-x", "c++"]
 C_FLAGS = ["-std=c99", "-fsyntax-only", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wstrict-prototypes", "-Wc++-compat",
            "-Werror", "-x", "c"]
-C_HEADER = re.compile(r"coif\.h|coif/c/\w+\.h")
+C_HEADER = re.compile(r"coif\.h|coif/version\.h|coif/c/\w+\.h")
 
 
 def compile_errors(compiler, flags, roots, header):

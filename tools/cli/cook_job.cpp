@@ -12,6 +12,8 @@
 #include "payload_hash.h"
 #include "validate/find_issues.h"
 
+#include <coif/version.h>
+
 #include <fmt/format.h>
 
 #include <chrono>

@@ -2,6 +2,9 @@
 
 #include "cli/asset_summary.h"
 #include "cli/command.h"
+#include "cli/third_party_notices.h"
+
+#include <coif/version.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -106,6 +109,8 @@ Exit run_program(int argc, char** argv) {
   program.require_subcommand(0, 1);
   bool wants_manual = false;
   program.add_flag("--man", wants_manual, "Print the manual page: coif --man | man -l -");
+  bool wants_licenses = false;
+  program.add_flag("--licenses", wants_licenses, "Print whose works are in the program, and their licences");
   std::vector<Command> commands;
   for (const auto add : {add_cook, add_grow, add_look, add_validate, add_info, add_simulate, add_render, add_gallery,
                          add_view_page, add_compare, add_report, add_strip, add_cache}) {
@@ -121,6 +126,10 @@ Exit run_program(int argc, char** argv) {
   }
   if (wants_manual) {
     print_result(manual_page(program));
+    return flush_results(Exit::kOk, Messages(""));
+  }
+  if (wants_licenses) {
+    print_result(kThirdPartyNotices);
     return flush_results(Exit::kOk, Messages(""));
   }
   for (const Command& command : commands) {

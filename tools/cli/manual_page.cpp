@@ -2,6 +2,8 @@
 
 #include "cli/command.h"
 
+#include <coif/version.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -3,6 +3,8 @@
 #include "cook/pack/pack.h"
 #include "cook/recipe/drawn_recipe.h"
 
+#include <coif/version.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>

@@ -55,7 +55,7 @@ typedef struct coif_head_velocity {
  * destroy. */
 typedef struct coif_hair coif_hair;
 
-/* "0.1.0", static storage. */
+/* Of the library: as COIF_VERSION is of its headers. Static storage. */
 const char* coif_version(void);
 /* One sentence, static storage, never null. */
 const char* coif_describe(coif_status status);
