@@ -76,7 +76,7 @@ enum class TexelFormat : std::uint32_t {
   kRg11Eac = 2,      ///< ETC2/EAC RG11, unsigned: 16 bytes for 4x4 texels; the same meaning, half the size of kRg8.
 };
 
-/// Of the surface's form; stored in RELR and RELD, others in TEXR and TEXD.
+/// Whether a texture of this role tells of the surface's form. Those are stored in RELR and RELD, all others in TEXR and TEXD.
 constexpr bool is_relief(TextureRole role) { return role == TextureRole::kNormal || role == TextureRole::kStrandAxis; }
 
 /// What a channel of 0..1 says of a number from -1 to 1: nought is 128 of 255, which eight bits can say.

@@ -52,7 +52,7 @@ class COIF_API Asset {
     return {record<kId>(), counts_[count_arrays(kRow)]};
   }
 
-  /// Of every open asset; before open() succeeded one without any bone, as the lists are empty then.
+  /// Every open asset has one; before open() succeeded one without any bone, as the lists are empty then.
   [[nodiscard]] const SkeletonRecord& skeleton() const {
     static constexpr SkeletonRecord kNoSkeleton{};
     const SkeletonRecord* const stored = record<chunk::kSkeleton>();
@@ -108,7 +108,7 @@ class COIF_API Asset {
   [[nodiscard]] std::span<const TextureRecord> textures() const { return records<chunk::kTextures>(); }
   /// Maps of how normals and strands lie on the surface: textures of the roles that is_relief() names.
   [[nodiscard]] std::span<const TextureRecord> reliefs() const { return records<chunk::kReliefs>(); }
-  /// Of textures() and reliefs(). Null where the asset has no texture of this role.
+  /// The one among textures() and reliefs() that has this role. Null where the asset has no texture of this role.
   [[nodiscard]] const TextureRecord* texture(TextureRole role) const;
   /// Texels of one mip; `mip` below texture.mip_count.
   [[nodiscard]] std::span<const std::byte> texels(const TextureRecord& texture, std::uint32_t mip) const;
@@ -126,8 +126,8 @@ class COIF_API Asset {
 
   const FileHeader* header_ = nullptr;
   std::span<const ChunkEntry> chunks_;
-  const std::byte* data_[kChunkKinds] = {};             ///< Of each chunk, as in kChunkLayouts.
-  std::size_t counts_[count_arrays(kChunkKinds)] = {};  ///< Of records, of those that may have many.
+  const std::byte* data_[kChunkKinds] = {};             ///< Where each chunk begins, as in kChunkLayouts.
+  std::size_t counts_[count_arrays(kChunkKinds)] = {};  ///< How many records each chunk has that may have many.
 };
 
 }  // namespace coif

@@ -215,7 +215,7 @@ static_assert(sizeof(SkinRecord) == 12);
 struct PatchRecord {
   std::uint32_t first_index;  ///< Into INDX; patches follow each other without gap.
   std::uint32_t index_count;  ///< A multiple of 3, > 0.
-  float head_distance;        ///< Of the patch's area centre from the head's centre, metres: the thesis's order.
+  float head_distance;  ///< How far the patch's area centre is from the head's centre, metres: the thesis's order.
   std::uint32_t bone;         ///< The bone with most weight on the patch.
   std::uint32_t file_place;   ///< The patch's place in the order of the source file; levels of detail share it.
 };
@@ -265,8 +265,8 @@ static_assert(sizeof(TuningRecord) == 32);
 /// What one way to simulate the asset costs and how wrong it is, over the motions of the suite.
 struct QualityRecord {
   float frame_rate;         ///< Frames per second, > 0.
-  std::uint32_t substeps;   ///< Of each frame, > 0.
-  float rms_error;          ///< Of the worst motion: tips against the converged solution, share of the chain's length.
+  std::uint32_t substeps;   ///< In each frame, > 0.
+  float rms_error;          ///< In the worst motion: tips against the converged solution, share of the chain's length.
   float max_error;          ///< Largest of all.
   float stretch;            ///< Worst |length / rest - 1|.
   float penetration;        ///< Worst depth over the collider's radius.

@@ -25,7 +25,7 @@ struct FileHeader {
   std::uint16_t major;
   std::uint16_t minor;
   std::uint32_t chunk_count;
-  std::uint64_t total_bytes;  ///< Of the whole file, header included.
+  std::uint64_t total_bytes;  ///< The length of the whole file, header included.
   /// XXH64 of the chunk table, seeded with the XXH64 (seed 0) of the header's first 24 bytes. The table has the hashes of
   /// the chunks, and bytes between them are zero: every byte of the file is covered.
   std::uint64_t table_hash;
@@ -167,7 +167,7 @@ constexpr ChunkNeeds refused_without(std::uint32_t id, std::uint32_t other = 0) 
 struct ChunkLayout {
   std::uint32_t id;
   std::uint16_t record_bytes;
-  std::uint16_t alignment;  ///< Of its place in the file, bytes.
+  std::uint16_t alignment;  ///< What its place in the file is a multiple of, bytes.
   ChunkCount count;
   ChunkUse use;
   ChunkNeeds needs;

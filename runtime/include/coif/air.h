@@ -11,8 +11,8 @@
 namespace coif {
 
 inline constexpr std::uint32_t kMaxDynamicsSets = 8;
-inline constexpr float kMostGust = 1000.0f;    ///< Of Gusts::amplitude and speed, m/s.
-inline constexpr float kShortestGust = 0.05f;  ///< Of Gusts::length, metres,
+inline constexpr float kMostGust = 1000.0f;    ///< The most that Gusts::amplitude and Gusts::speed may be, m/s.
+inline constexpr float kShortestGust = 0.05f;  ///< The least that Gusts::length may be, metres,
 inline constexpr float kLongestGust = 1e4f;    ///< and the most.
 
 /// The air around one head.
@@ -53,7 +53,7 @@ COIF_API Status gusts_near(const Gusts& gusts, double way, const double (&place)
 /// What changes the speed of hair at once, within `radius` of a ball or capsule: by most at its middle, by nothing at its surface, evenly
 /// in between. World space.
 struct Impulse {
-  double center[3] = {0, 0, 0};  ///< Of the ball, or one end of the capsule's segment, metres.
+  double center[3] = {0, 0, 0};  ///< The ball's centre, or one end of the capsule's segment, metres.
   Vec3 axis{};                   ///< To the segment's other end, metres; none for a ball.
   float radius = 1;              ///< Metres, > 0.
   float speed = 0;               ///< m/s, away from the middle: of an explosion; negative: towards it.

@@ -41,8 +41,9 @@ COIF_API Status bound_hair(std::span<const BoneBox> boxes, std::span<const Mat34
 /// World axes, metres.
 struct WorldBounds {
   double center[3] = {};
-  Vec3 half;         ///< Of the box's sides.
-  float radius = 0;  ///< Of the ball around `center` that holds the head's own box: turning does not widen it.
+  Vec3 half;  ///< Half the box's sides.
+  float radius =
+      0;  ///< The radius of the ball around `center` that holds the head's own box: turning does not widen it.
 };
 
 /// The same under the head's pose, whose numbers are believed.

@@ -24,7 +24,7 @@ struct MovingCollider {
   /// How fast it moves when it arrives. Else that follows from where it was in the step before; one that is new, of another
   /// shape than the one in its place before, or further away from it than thirty-two times its radius appears at rest.
   bool is_velocity_known = false;
-  HeadVelocity velocity{};  ///< Of `center`, m/s and rad/s; where is_velocity_known.
+  HeadVelocity velocity{};  ///< How `center` moves, m/s and rad/s; counts where is_velocity_known is set.
 };
 
 /// Where a bone of the body is: world from the bone's own axes. Double precision as HeadPose; its scale is the head's.

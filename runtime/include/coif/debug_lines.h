@@ -26,7 +26,7 @@ struct DebugLine {
   double from[3];  ///< World, metres.
   double to[3];
   Kind kind;
-  std::uint32_t index;  ///< Of the bone, or of the collider.
+  std::uint32_t index;  ///< The index of the bone, or of the collider.
 };
 
 /// Linear, to tell the kinds apart.
@@ -50,7 +50,7 @@ struct DebugCollider {
   Vec3 axis{};          ///< Capsules: to the segment's other end. Plane: unit normal.
   Vec3 radii{};         ///< Semi-axes; tapered capsule: both ends'. Box: x, by how much it is rounded outwards.
   Quat rotation{};      ///< From the ellipsoid's or box's own axes to head space.
-  Vec3 half_extents{};  ///< Of a box.
+  Vec3 half_extents{};  ///< Half the sides of a box.
   bool keeps_inside = false;
 };
 

@@ -76,7 +76,7 @@ struct DrawnHair {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
   };
-  IndexRange lods[kMaxLods];  ///< Of the stored order.
+  IndexRange lods[kMaxLods];  ///< Each level's indices in the stored order.
   std::uint32_t lod_count = 0;
   std::uint32_t order_count = 0;  ///< Draw orders, one copy of all levels' indices after the other.
   std::uint32_t indices_of_order = 0;
@@ -212,7 +212,9 @@ class COIF_API VisibleCrowd {
   const DrawnHair& hair_;
   std::span<const HairInstance> instances_;
   Vec3 eye_;
-  float planes_[6][4];  ///< Of the view. Inside: dot(xyz, p) + w >= 0; xyz unit, or 0 for a plane at infinity.
+  float planes_
+      [6]
+      [4];  ///< The view's sides. A point p is inside where dot(xyz, p) + w >= 0; xyz unit, or 0 for a plane at infinity.
   std::uint32_t orders_of_lod_[kMaxLods] = {};  ///< Bit k: some head in view is drawn in order k.
 };
 

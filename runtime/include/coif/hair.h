@@ -45,7 +45,7 @@ struct HairDesc {
   std::uint32_t longest_interval = 1;  ///< The largest Detail::interval that will be asked for: 1, 2 or 4.
   std::uint32_t dynamics_sets = 1;  ///< That heads choose from, 1..kMaxDynamicsSets; each more up to 1 KB for each bone.
   const LinkCode* links = nullptr;  ///< coif/links.h: what the asset links stays together. Null: chains know nothing of each other.
-  // Of kCharacterSolver; for others kBadArgument.
+  // For kCharacterSolver alone; with other solvers they are kBadArgument.
   std::uint32_t moving_colliders = 0;  ///< Most that set_colliders() will give one head, up to kMaxMovingColliders; 300 bytes each.
   bool follows_body = false;           ///< The asset's body colliders take part, as set_body() moves them.
   bool follows_poses = false;          ///< set_pose() will be called; 60 bytes for each simulated bone.
@@ -57,7 +57,7 @@ struct HairDesc {
 /// one left its bones; bones that a coarser level makes rigid take their rest pose at once, so choose levels by sizes at
 /// which that is not seen.
 struct Detail {
-  /// Of Asset::stored_lods(), as choose_lod() gives it: bones that it lacks are rigid to their parents. kThesisSolver moves all.
+  /// The head's level among Asset::stored_lods(), as choose_lod() gives it: bones that it lacks are rigid to their parents. kThesisSolver moves all.
   std::uint32_t level = 0;
   /// Stepped every 1st, 2nd or 4th step, by what passed since; up to HairDesc::longest_interval.
   std::uint32_t interval = 1;

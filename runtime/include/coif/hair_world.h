@@ -30,7 +30,7 @@ struct WorldDesc {
   /// For what assets and heads bring along, up to SIZE_MAX / 4. HairWorld::bytes_for() says how much that is; where assets of many sizes come
   /// and go all the time, free memory falls into pieces: give more than their sum, and be ready for kMemoryTooSmall.
   std::size_t hair_bytes = std::size_t{4} << 20;
-  const Solver* solver = &kCoifSolver;  ///< Of all heads: kCoifSolver, kCascadeSolver or kPassiveSolver.
+  const Solver* solver = &kCoifSolver;  ///< What moves all heads: kCoifSolver, kCascadeSolver or kPassiveSolver.
   InstructionSet instruction_set = InstructionSet::kBest;  ///< As HairDesc's; few lanes are stepped by narrower ones.
 };
 
@@ -60,7 +60,7 @@ class COIF_API HairWorld {
 
   /// Exact need of create(); zero bytes for a description that it refuses.
   [[nodiscard]] static MemoryNeed memory_need(const WorldDesc& desc);
-  /// Of WorldDesc::hair_bytes, what an asset takes with so many heads that share nothing with others; together they take less. 0 for an asset
+  /// How much of WorldDesc::hair_bytes an asset takes with so many heads that share nothing with others; together they take less. 0 for an asset
   /// that is not open or a solver that a world does not know.
   [[nodiscard]] static std::size_t bytes_for(const Asset& asset, std::uint32_t heads,
                                              const Solver& solver = kCoifSolver);

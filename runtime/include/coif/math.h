@@ -17,7 +17,7 @@ struct Mat34 {
   float m[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
 };
 
-inline constexpr float kSmallestScale = 0.05f, kLargestScale = 20.0f;  ///< Of a head against its asset.
+inline constexpr float kSmallestScale = 0.05f, kLargestScale = 20.0f;  ///< A head's size against its asset's.
 
 /// World from head space: p' = position + rotation (scale p). Double precision, so that hair does not shake far from the
 /// world's origin.
@@ -30,7 +30,7 @@ struct HeadPose {
 
 /// How a head moves at an instant, world axes.
 struct HeadVelocity {
-  Vec3 linear;   ///< Of HeadPose::position, m/s.
+  Vec3 linear;   ///< How HeadPose::position moves, m/s.
   Vec3 angular;  ///< rad/s.
 };
 

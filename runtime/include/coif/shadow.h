@@ -121,7 +121,7 @@ class COIF_API HairShadow {
   [[nodiscard]] std::uint32_t texture(std::uint32_t texture) const;
   [[nodiscard]] ShadowUniforms uniforms(const Vec3& origin) const;
 
-  /// Of all textures together, as they are laid out without padding.
+  /// The bytes of all textures together, as they are laid out without padding.
   [[nodiscard]] std::uint64_t bytes() const;
   [[nodiscard]] const ShadowDesc& desc() const;
 
