@@ -34,8 +34,8 @@ class OtherNames {
   /// "" where none is left.
   std::string next() {
     constexpr std::string_view kDigits = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ";
-    constexpr std::size_t kMostDigits = 3;
-    const std::size_t digits = std::min(kMostDigits, name_.size());
+    constexpr std::size_t kMostIdDigits = 3;
+    const std::size_t digits = std::min(kMostIdDigits, name_.size());
     for (std::string other = name_;;) {
       std::size_t rest = number_++;
       for (std::size_t k = 0; k < digits; ++k, rest /= kDigits.size())
