@@ -233,7 +233,8 @@ TEST(ContactEnergy, HairThatFallsOnAColliderGetsNoHigher) {
   }
 }
 
-/// Of two bones of the cascade that are thrown against an ellipsoid or a capsule the second grazes it, and two references part.
+/// Those whose references agree: where two bones of the cascade are thrown against an ellipsoid or a capsule, the second grazes it, and two
+/// references part.
 std::vector<Lying> thrown() {
   std::vector<Lying> known;
   std::ranges::copy_if(all_lying(), std::back_inserter(known), [](const Lying& lying) {

@@ -19,7 +19,7 @@ ProvenanceRecord provenance_of(const SourceModel& source, const Recipe& recipe, 
   return record;
 }
 
-/// Of what was read before textures were baked.
+/// The files that were read before textures were baked.
 CookInputs inputs_of(const SourceModel& source, const BaseColor& color, const Recipe& recipe,
                      const CookSettings& settings) {
   CookInputs inputs;

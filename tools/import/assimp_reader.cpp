@@ -121,27 +121,39 @@ void give_own_names(const UniqueFbxBones& bones, SceneNodes& nodes) {
   }
 }
 
+/// What the file itself says, beside what assimp reads of it: of an FBX or a COLLADA document alone.
+struct SourceText {
+  std::vector<char> bytes = {};
+  std::optional<UniqueFbxBones> unique_bones = {};
+  std::optional<FbxObjects> objects = {};  ///< With the bones' unique names, as assimp has them.
+
+  [[nodiscard]] std::string_view file() const { return {bytes.data(), bytes.size()}; }
+};
+
+void read_fbx_objects(SourceText& text) {
+  text.objects = FbxObjects::read(text.file());
+  if (text.objects) text.unique_bones = with_unique_bones(*text.objects, text.file());
+  if (text.unique_bones) text.objects = FbxObjects::read(text.unique_bones->file);
+}
+
 tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const std::filesystem::path& path,
                                                    const SourceSuffix& suffix, const ImportSettings& settings,
-                                                   const std::optional<UniqueFbxBones>& unique_bones) {
+                                                   const SourceText& text) {
   SourceModel model;
   model.path = path.string();
   set_importer(model);
   const Eigen::Affine3d to_model = model_from_scene(scene, suffix.format, settings, model.space, model.warnings);
   SceneNodes nodes = flatten_nodes(scene, to_model, model.warnings);
-  const bool is_fbx = suffix.format == SourceFormat::kFbx, is_dae = suffix.format == SourceFormat::kDae;
-  const std::vector<char> file = is_fbx || is_dae ? bytes_of(path) : std::vector<char>();
-  const std::string_view records =
-      unique_bones ? std::string_view(unique_bones->file) : std::string_view(file.data(), file.size());
-  const auto objects = is_fbx ? FbxObjects::read(records) : std::nullopt;
+  const std::optional<FbxObjects>& objects = text.objects;
   if (objects) {
     add_fbx_objects(*objects, scene, nodes);
-    if (unique_bones) give_own_names(*unique_bones, nodes);
+    if (text.unique_bones) give_own_names(*text.unique_bones, nodes);
     connect_fbx_textures(*objects, scene, model.warnings);
   }
   convert_materials(scene, suffix.format, model);
   if (objects) apply_fbx_wraps(*objects, model.materials);
-  pugi::xml_document document = is_dae ? parse_collada({file.data(), file.size()}) : pugi::xml_document();
+  pugi::xml_document document =
+      suffix.format == SourceFormat::kDae ? parse_collada(text.file()) : pugi::xml_document();
   mark_hidden_by_collada(document, nodes);
   const ColladaNames names(document);
   for (SourceNode& node : nodes.nodes) node.name = ColladaNames::find(names.nodes, node.name);
@@ -165,16 +177,16 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
                                                       const ImportSettings& settings) try {
   std::optional<std::string> plain;
   std::vector<Warning> warnings;  // of what is made plain
+  SourceText text;
   if (suffix.format == SourceFormat::kDae) {
-    const std::vector<char> text = bytes_of(path);
-    if (auto fault = overrun_array({text.data(), text.size()})) return refusal(path, suffix, fault->c_str());
-    plain = plain_collada({text.data(), text.size()}, warnings);
+    text.bytes = bytes_of(path);
+    if (auto fault = overrun_array(text.file())) return refusal(path, suffix, fault->c_str());
+    plain = plain_collada(text.file(), warnings);
   }
-  std::optional<UniqueFbxBones> unique_bones;
   if (suffix.format == SourceFormat::kFbx) {
-    const std::vector<char> file = bytes_of(path);
-    unique_bones = with_unique_bones({file.data(), file.size()});
-    if (unique_bones) plain = unique_bones->file;
+    text.bytes = bytes_of(path);
+    read_fbx_objects(text);
+    if (text.unique_bones) plain = text.unique_bones->file;
   }
   Asked asked;
   Assimp::Importer importer;
@@ -186,7 +198,7 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
   if (scene == nullptr || scene->mRootNode == nullptr) {
     return refusal(path, suffix, importer.GetErrorString());
   }
-  auto model = convert_scene(*scene, path, suffix, settings, unique_bones);
+  auto model = convert_scene(*scene, path, suffix, settings, text);
   asked.names.erase(path.string());
   if (model) model->warnings.insert(model->warnings.begin(), warnings.begin(), warnings.end());
   if (model) model->side_files.assign(asked.names.begin(), asked.names.end());

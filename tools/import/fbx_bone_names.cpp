@@ -53,13 +53,11 @@ class OtherNames {
 
 }  // namespace
 
-std::optional<UniqueFbxBones> with_unique_bones(std::string_view file) {
-  const auto objects = FbxObjects::read(file);
-  if (!objects) return std::nullopt;
+std::optional<UniqueFbxBones> with_unique_bones(const FbxObjects& objects, std::string_view file) {
   std::set<std::string, std::less<>> taken;
-  for (const FbxObject& object : objects->all()) taken.emplace(object.name);
+  for (const FbxObject& object : objects.all()) taken.emplace(object.name);
   UniqueFbxBones out;
-  for (const auto& [name, bones] : bones_by_name(*objects)) {
+  for (const auto& [name, bones] : bones_by_name(objects)) {
     OtherNames others(name, taken);
     for (std::size_t i = 1; i < bones.size(); ++i) {
       const std::string other = others.next();

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace coif {
 namespace {
@@ -36,31 +37,17 @@ std::string property_name(std::string_view property) {
 }
 
 struct FbxMap {
-  const FbxObject* texture = nullptr;  ///< Null: none.
-  std::size_t layers = 1;              ///< Of a layered texture, of which the first is taken.
+  const FbxObject* texture = nullptr;  ///< The first layer; null: there is none.
+  std::size_t layers = 0;
 };
 
-FbxMap map_of(const FbxObjects& objects, const FbxObject& connected) {
-  if (connected.kind == FbxKind::kTexture) return {&connected};
-  FbxMap map;
-  if (connected.kind != FbxKind::kLayeredTexture) return map;
-  map.layers = 0;
-  for (const FbxConnection& layer : objects.below(connected.id)) {
-    const FbxObject* const texture = objects.find(layer.from);
-    if (texture == nullptr || texture->kind != FbxKind::kTexture) continue;
-    if (map.texture == nullptr) map.texture = texture;
-    ++map.layers;
-  }
-  return map;
-}
-
-/// Of the properties that are connected to a texture the first, in the order of the list.
+/// The first property, in the order of the list, that is connected to a texture.
 FbxMap find_map(const FbxObjects& objects, const FbxObject& material, std::span<const std::string_view> properties) {
   for (const std::string_view wanted : properties) {
     for (const FbxConnection& connection : objects.on_properties(material.id)) {
-      const FbxObject* const from = objects.find(connection.from);
-      if (from == nullptr || property_name(connection.property) != wanted) continue;
-      if (const FbxMap map = map_of(objects, *from); map.texture != nullptr && !map.texture->file.empty()) return map;
+      if (property_name(connection.property) != wanted) continue;
+      const std::vector<const FbxObject*> layers = textures_of(objects, connection.from);
+      if (!layers.empty() && !layers.front()->file.empty()) return {layers.front(), layers.size()};
     }
   }
   return {};

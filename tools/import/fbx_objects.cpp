@@ -281,4 +281,16 @@ void FbxObjects::add_channel(const FbxObject& channel, std::span<const FbxConnec
   }
 }
 
+std::vector<const FbxObject*> textures_of(const FbxObjects& objects, std::int64_t id) {
+  std::vector<const FbxObject*> out;
+  const FbxObject* const object = objects.find(id);
+  if (object != nullptr && object->kind == FbxKind::kTexture) out.push_back(object);
+  if (object == nullptr || object->kind != FbxKind::kLayeredTexture) return out;
+  for (const FbxConnection& layer : objects.below(id)) {
+    const FbxObject* const texture = objects.find(layer.from);
+    if (texture != nullptr && texture->kind == FbxKind::kTexture) out.push_back(texture);
+  }
+  return out;
+}
+
 }  // namespace coif

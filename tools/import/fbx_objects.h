@@ -49,8 +49,8 @@ struct FbxObject {
   std::string_view file;                ///< Of a texture: RelativeFilename, or FileName where that is empty.
   bool is_clamped[2] = {false, false};  ///< Of a texture: along U and V.
   FbxTexturePlace place;                ///< How a texture lies on the surface.
-  std::string_view uv_set;  ///< Of a texture: the name of the UV set that it is looked up in; "": the first.
-  std::uint32_t begin = 0;  ///< Of a mesh, into shapes(); of a channel, into the file's FullWeights.
+  std::string_view uv_set;              ///< The name of the UV set that a texture is looked up in; "": the first.
+  std::uint32_t begin = 0;              ///< Of a mesh, into shapes(); of a channel, into the file's FullWeights.
   std::uint32_t end = 0;
 };
 
@@ -107,7 +107,10 @@ struct UniqueFbxBones {
   std::map<std::int64_t, std::string> names;  ///< What the artist calls the models, by id.
 };
 
-/// None where no two bones have one name, or the file cannot be read.
-[[nodiscard]] std::optional<UniqueFbxBones> with_unique_bones(std::string_view file);
+/// `objects` are those of `file`. None where no two bones have one name.
+[[nodiscard]] std::optional<UniqueFbxBones> with_unique_bones(const FbxObjects& objects, std::string_view file);
+
+/// The texture of this id, or those of a layered one's layers; empty where it is neither.
+[[nodiscard]] std::vector<const FbxObject*> textures_of(const FbxObjects& objects, std::int64_t id);
 
 }  // namespace coif

@@ -17,19 +17,6 @@ std::string file_name(std::string_view path) {
   return slash == std::string::npos ? text : text.substr(slash + 1);
 }
 
-/// The texture itself, or those of its layers.
-std::vector<const FbxObject*> textures_of(const FbxObjects& objects, std::int64_t id) {
-  std::vector<const FbxObject*> out;
-  const FbxObject* const object = objects.find(id);
-  if (object != nullptr && object->kind == FbxKind::kTexture) out.push_back(object);
-  if (object == nullptr || object->kind != FbxKind::kLayeredTexture) return out;
-  for (const FbxConnection& layer : objects.below(id)) {
-    const FbxObject* const texture = objects.find(layer.from);
-    if (texture != nullptr && texture->kind == FbxKind::kTexture) out.push_back(texture);
-  }
-  return out;
-}
-
 /// By the material's name and the image file's. Of several the first counts.
 using MaterialTextures = std::map<std::pair<std::string, std::string>, const FbxObject*>;
 
