@@ -22,7 +22,13 @@ extern "C" {
 #endif
 
 /* What each does: coif/hair.h. */
-typedef enum coif_solver { COIF_SOLVER_COIF = 0, COIF_SOLVER_THESIS = 1, COIF_SOLVER_PASSIVE = 2, COIF_SOLVER_CASCADE = 3, COIF_SOLVER_CHARACTER = 4 } coif_solver;
+typedef enum coif_solver {
+  COIF_SOLVER_COIF = 0,
+  COIF_SOLVER_THESIS = 1,
+  COIF_SOLVER_PASSIVE = 2,
+  COIF_SOLVER_CASCADE = 3,
+  COIF_SOLVER_CHARACTER = 4
+} coif_solver;
 
 typedef struct coif_hair_desc {
   uint32_t instances;
@@ -40,9 +46,9 @@ typedef struct coif_step_settings {
   float dt; /* seconds, any finite number from 0 on; long ones see coif/hair.h */
   uint32_t substeps;
   uint32_t iterations;
-  coif_vec3 gravity; /* world axes, m/s^2; see true_gravity */
-  coif_vec3 wind;    /* world, m/s */
-  float air_follow;  /* 0..1, of what the asset says */
+  coif_vec3 gravity;                  /* world axes, m/s^2; see true_gravity */
+  coif_vec3 wind;                     /* world, m/s */
+  float air_follow;                   /* 0..1, of what the asset says */
   float stiffness, damping, friction; /* factors */
   float inertia;
   float teleport_distance, teleport_angle;

@@ -1,5 +1,5 @@
-#include "base/work_limit.h"
 #include "cook/cook.h"
+#include "base/work_limit.h"
 #include "cook/built_models.h"
 #include "models/small_asset.h"
 
@@ -114,7 +114,8 @@ TEST(Cook, WhatHairNeverHasIsLookedAtWithFewerLines) {
   recipe.scene_simulate = false;
   const CookResult result = cooked(triangle_soup(1200), 2, recipe);
   const auto said = [&](const char* what) {
-    return std::ranges::any_of(result.report.notes, [&](const std::string& note) { return note.find(what) != note.npos; });
+    return std::ranges::any_of(result.report.notes,
+                               [&](const std::string& note) { return note.find(what) != note.npos; });
   };
   EXPECT_TRUE(said("occlusion: by fewer lines than usual"));
   EXPECT_TRUE(said("of the usual lines of sight"));

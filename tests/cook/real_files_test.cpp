@@ -1,10 +1,10 @@
 // Artists' files, cooked without a recipe. They are not part of the project: where the folder is absent every case skips
 // and says so.
 
-#include "cook/size/settle_size.h"
 #include "cook/cook.h"
 #include "cook/select/head.h"
 #include "cook/select/select_hair.h"
+#include "cook/size/settle_size.h"
 #include "cook/texture/base_color.h"
 #include "cook/told.h"
 #include "import/import.h"
@@ -118,7 +118,8 @@ TEST_P(RealFiles, GiveTheSameBytesOnOneAndTwoThreads) {
   // Two of the quick ones with the search; others would take minutes, and OrderSearch sees to its threads.
   if (GetParam().triangles > 500) return;
   const Recipe searched = default_recipe();
-  EXPECT_EQ(cook_model(cook_once(path_).source, searched, 1).asset, cook_model(cook_once(path_).source, searched, 2).asset);
+  EXPECT_EQ(cook_model(cook_once(path_).source, searched, 1).asset,
+            cook_model(cook_once(path_).source, searched, 2).asset);
 }
 
 TEST_P(RealFiles, AreOfAHeadsSizeInMetres) {

@@ -10,8 +10,8 @@
 
 #include <coif/asset.h>
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <map>
@@ -28,7 +28,8 @@ using Eigen::Vector3d;
 TEST(Sample, IsTheCommittedFile) {
   const std::vector<std::uint8_t> committed = read_bytes(COIF_SAMPLE_ASSETS "/bob/bob.glb");
   ASSERT_FALSE(committed.empty()) << COIF_SAMPLE_ASSETS "/bob/bob.glb is absent";
-  EXPECT_TRUE(std::ranges::equal(std::as_bytes(std::span(committed)), make_bob())) << "renew it: coif_make_sample sample_assets/bob/bob.glb";
+  EXPECT_TRUE(std::ranges::equal(std::as_bytes(std::span(committed)), make_bob()))
+      << "renew it: coif_make_sample sample_assets/bob/bob.glb";
 }
 
 TEST(Sample, StaysBelowOneMegabyte) { EXPECT_LT(make_bob().size(), 1000000u); }
@@ -176,7 +177,8 @@ std::vector<std::pair<Vector3d, Vector3d>> bones_of(const std::vector<Joint>& jo
 TEST(LongSample, IsTheCommittedFile) {
   const std::vector<std::uint8_t> committed = read_bytes(kFolder + "long.glb");
   ASSERT_FALSE(committed.empty()) << kFolder << "long.glb is absent";
-  EXPECT_TRUE(std::ranges::equal(std::as_bytes(std::span(committed)), make_long())) << "renew it: coif_make_sample long sample_assets/long/long.glb";
+  EXPECT_TRUE(std::ranges::equal(std::as_bytes(std::span(committed)), make_long()))
+      << "renew it: coif_make_sample long sample_assets/long/long.glb";
 }
 
 TEST(LongSample, CooksWithoutWarningsIntoAHundredChainsOfSixteenBones) {

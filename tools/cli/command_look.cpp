@@ -60,7 +60,8 @@ tl::expected<LookedAt, ToolError> asset_of(const LookOptions& options, const Mes
 std::string title_of(const LookOptions& options, const Asset& asset) {
   return fmt::format("{}: {}, {}, {}", std::filesystem::path(options.file).filename().string(),
                      counted(asset.lod_indices(0).size() / 3, "triangle", "triangles"),
-                     counted(asset.lod_patches(0).size(), "patch", "patches"), counted(asset.chains().size(), "chain", "chains"));
+                     counted(asset.lod_patches(0).size(), "patch", "patches"),
+                     counted(asset.chains().size(), "chain", "chains"));
 }
 
 std::string result_text(const LookOptions& options, const GallerySheet& look) {
@@ -98,13 +99,15 @@ tl::expected<Exit, ToolError> run_look(const LookOptions& options, const Message
 }  // namespace
 
 Command add_look(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
-      "look",
-      "Show on one sheet whether a cook comes out right: all sides, strands, patches, colliders, motions, textures, warnings");
+  CLI::App* app = program.add_subcommand("look",
+                                         "Show on one sheet whether a cook comes out right: all sides, strands, "
+                                         "patches, colliders, motions, textures, warnings");
   const auto options = std::make_shared<LookOptions>();
-  app->add_option("FILE", options->file, "A cooked asset, or a source, which is cooked for it in head order")->required();
+  app->add_option("FILE", options->file, "A cooked asset, or a source, which is cooked for it in head order")
+      ->required();
   app->add_option("-o,--output", options->output, "The sheet to write")->required()->type_name("SHEET.png");
-  app->add_option("--recipe", options->recipe, "For a source (default: STEM.recipe.json beside it, if there is one)")->type_name("R.json");
+  app->add_option("--recipe", options->recipe, "For a source (default: STEM.recipe.json beside it, if there is one)")
+      ->type_name("R.json");
   add_roots(*app, options->roots);
   add_source_limits(*app, options->limits);
   add_size(*app, options->size)->description("Pixels of one picture, 64 to 1024 each way");

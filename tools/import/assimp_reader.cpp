@@ -152,8 +152,7 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   }
   convert_materials(scene, suffix.format, model);
   if (objects) apply_fbx_wraps(*objects, model.materials);
-  pugi::xml_document document =
-      suffix.format == SourceFormat::kDae ? parse_collada(text.file()) : pugi::xml_document();
+  pugi::xml_document document = suffix.format == SourceFormat::kDae ? parse_collada(text.file()) : pugi::xml_document();
   mark_hidden_by_collada(document, nodes);
   const ColladaNames names(document);
   for (SourceNode& node : nodes.nodes) node.name = ColladaNames::find(names.nodes, node.name);

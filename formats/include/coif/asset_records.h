@@ -8,17 +8,17 @@
 #include <coif/appearance_records.h>
 
 #include <bit>
-#include <cstddef>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace coif {
 
 static_assert(std::endian::native == std::endian::little, "a .coif is used in place; big-endian hosts need a reader");
 
-inline constexpr std::uint32_t kNone = 0xFFFFFFFFu;  ///< "No such bone, chain or name".
-inline constexpr std::uint32_t kMaxBones = 4096;     ///< So that whatever has one value per bone stays small.
-inline constexpr std::uint32_t kMaxColliders = 32;  ///< A bone's set of colliders is one word.
+inline constexpr std::uint32_t kNone = 0xFFFFFFFFu;     ///< "No such bone, chain or name".
+inline constexpr std::uint32_t kMaxBones = 4096;        ///< So that whatever has one value per bone stays small.
+inline constexpr std::uint32_t kMaxColliders = 32;      ///< A bone's set of colliders is one word.
 inline constexpr std::uint32_t kMaxBodyColliders = 32;  ///< As kMaxColliders, of those that hang from the body's bones.
 inline constexpr std::uint32_t kMaxLods = 8;
 inline constexpr std::uint32_t kMaxOrders = 32;  ///< Draw orders of one asset, the stored one included.
@@ -56,10 +56,10 @@ enum class BoneKind : std::uint32_t {
 struct BoneRecord {
   std::uint32_t parent;  ///< Index of an earlier bone; kNone for bone 0.
   BoneKind kind;
-  std::uint32_t chain;  ///< Index into CHAN; kNone for rigid bones.
-  std::uint32_t name;   ///< Byte offset into NAME; kNone without a name.
-  float joint[3];       ///< Rest position of the bone's start, head space, metres.
-  float length;         ///< Start to particle, metres, > 0; 0 for rigid bones.
+  std::uint32_t chain;      ///< Index into CHAN; kNone for rigid bones.
+  std::uint32_t name;       ///< Byte offset into NAME; kNone without a name.
+  float joint[3];           ///< Rest position of the bone's start, head space, metres.
+  float length;             ///< Start to particle, metres, > 0; 0 for rigid bones.
   float rest_direction[3];  ///< Unit, start to particle at rest, in the parent's frame; 0 for rigid bones.
   /// Bit i: the bone's particle may touch collider i. 0: it never does, and the runtime never tests it.
   std::uint32_t colliders;
@@ -90,17 +90,17 @@ inline constexpr float kShortestArc = 1e6f;
 /// How a bone moves. `thesis` reads resistance, `coif` what it was baked into: stiffness and damping
 /// (runtime/docs/MODEL.md); both read friction, gravity and the hit radius.
 struct DynamicsRecord {
-  float resistance;     ///< Pull to the default pose per step of the authoring rate, 0..1 (thesis 5.2).
-  float friction;       ///< Velocity loss relative to the air, 1/s, >= 0.
-  float gravity_scale;  ///< Share of the scene's gravity that this bone feels.
-  float authoring_rate; ///< Steps per second at which the artist's resistance holds, > 0.
-  float hit_radius;     ///< Distance that the bone keeps from every collider's surface, metres, >= 0.
-  float stiffness;      ///< Pull to the default pose, acceleration per metre off it, 1/s^2, >= 0.
-  float damping;        ///< Velocity loss relative to the default pose's own velocity, 1/s, >= 0.
-  float torsion;        ///< Rate at which a twist against the parent decays, 1/s, 0..kShortestArc.
-  float angle_limit;    ///< Largest angle to the default direction, radians, 0..kNoAngleLimit.
-  float parent_share;   ///< Share of the pull that turns with the parent, 0..1; the rest turns with the head.
-  float lean[2];        ///< Where the default direction is, beside the rest direction: pull_direction(). Zero: there.
+  float resistance;      ///< Pull to the default pose per step of the authoring rate, 0..1 (thesis 5.2).
+  float friction;        ///< Velocity loss relative to the air, 1/s, >= 0.
+  float gravity_scale;   ///< Share of the scene's gravity that this bone feels.
+  float authoring_rate;  ///< Steps per second at which the artist's resistance holds, > 0.
+  float hit_radius;      ///< Distance that the bone keeps from every collider's surface, metres, >= 0.
+  float stiffness;       ///< Pull to the default pose, acceleration per metre off it, 1/s^2, >= 0.
+  float damping;         ///< Velocity loss relative to the default pose's own velocity, 1/s, >= 0.
+  float torsion;         ///< Rate at which a twist against the parent decays, 1/s, 0..kShortestArc.
+  float angle_limit;     ///< Largest angle to the default direction, radians, 0..kNoAngleLimit.
+  float parent_share;    ///< Share of the pull that turns with the parent, 0..1; the rest turns with the head.
+  float lean[2];         ///< Where the default direction is, beside the rest direction: pull_direction(). Zero: there.
 };
 static_assert(sizeof(DynamicsRecord) == 48);
 
@@ -129,7 +129,8 @@ inline constexpr float kMostYaw = kNoAngleLimit / 2;
 /// sin(pitch)) with |pitch| <= angles[0] and |yaw| <= angles[1].
 struct LimitRecord {
   LimitKind kind;
-  float angles[2];    ///< Radians, 0..kNoAngleLimit; the second, of a spherical limit alone, 0..kMostYaw. 0 without meaning.
+  float angles
+      [2];  ///< Radians, 0..kNoAngleLimit; the second, of a spherical limit alone, 0..kMostYaw. 0 without meaning.
   float reserved;
   float rotation[4];  ///< Unit quaternion (x, y, z, w) from the limit's own axes to the parent's frame.
 };
@@ -197,7 +198,7 @@ struct BodyBoneRecord {
 static_assert(sizeof(BodyBoneRecord) == 32);
 
 struct VertexRecord {
-  float position[3];        ///< Rest pose, head space, metres.
+  float position[3];  ///< Rest pose, head space, metres.
   /// xyz: snorm16; w: share of the light from everywhere that other hair and the head let through to here in the rest
   /// pose, 0 none, 32767 all of it.
   std::int16_t normal[4];
@@ -215,9 +216,9 @@ static_assert(sizeof(SkinRecord) == 12);
 struct PatchRecord {
   std::uint32_t first_index;  ///< Into INDX; patches follow each other without gap.
   std::uint32_t index_count;  ///< A multiple of 3, > 0.
-  float head_distance;  ///< How far the patch's area centre is from the head's centre, metres: the thesis's order.
-  std::uint32_t bone;         ///< The bone with most weight on the patch.
-  std::uint32_t file_place;   ///< The patch's place in the order of the source file; levels of detail share it.
+  float head_distance;       ///< How far the patch's area centre is from the head's centre, metres: the thesis's order.
+  std::uint32_t bone;        ///< The bone with most weight on the patch.
+  std::uint32_t file_place;  ///< The patch's place in the order of the source file; levels of detail share it.
 };
 static_assert(sizeof(PatchRecord) == 20);
 
@@ -233,7 +234,7 @@ struct LodRecord {
   /// Fitting where the head collider's height covers at least this share of the viewport's; falls from level to level,
   /// 0 for the last.
   float screen_size;
-  float error;                ///< Largest distance of the surface from level 0's, metres; grows from level to level.
+  float error;  ///< Largest distance of the surface from level 0's, metres; grows from level to level.
 };
 static_assert(sizeof(LodRecord) == 16);
 
@@ -241,8 +242,8 @@ static_assert(sizeof(LodRecord) == 16);
 inline constexpr std::uint32_t kProvenanceDraft = 1;
 
 struct ProvenanceRecord {
-  std::uint64_t source_hash;  ///< XXH64 of the source file's bytes.
-  std::uint64_t recipe_hash;  ///< XXH64 of the complete recipe in its canonical form.
+  std::uint64_t source_hash;      ///< XXH64 of the source file's bytes.
+  std::uint64_t recipe_hash;      ///< XXH64 of the complete recipe in its canonical form.
   std::uint16_t tool_version[3];  ///< major, minor, patch.
   std::uint16_t importer_version[3];
   std::uint32_t flags;  ///< kProvenanceDraft; other bits are zero.
@@ -264,13 +265,13 @@ static_assert(sizeof(TuningRecord) == 32);
 
 /// What one way to simulate the asset costs and how wrong it is, over the motions of the suite.
 struct QualityRecord {
-  float frame_rate;         ///< Frames per second, > 0.
-  std::uint32_t substeps;   ///< In each frame, > 0.
-  float rms_error;          ///< In the worst motion: tips against the converged solution, share of the chain's length.
-  float max_error;          ///< Largest of all.
-  float stretch;            ///< Worst |length / rest - 1|.
-  float penetration;        ///< Worst depth over the collider's radius.
-  float cost;               ///< Nominal nanoseconds per head and frame: a fixed figure per bone, so that bytes repeat.
+  float frame_rate;        ///< Frames per second, > 0.
+  std::uint32_t substeps;  ///< In each frame, > 0.
+  float rms_error;         ///< In the worst motion: tips against the converged solution, share of the chain's length.
+  float max_error;         ///< Largest of all.
+  float stretch;           ///< Worst |length / rest - 1|.
+  float penetration;       ///< Worst depth over the collider's radius.
+  float cost;              ///< Nominal nanoseconds per head and frame: a fixed figure per bone, so that bytes repeat.
   std::uint32_t worst_motion;  ///< Index into the names of motions that the asset has.
 };
 static_assert(sizeof(QualityRecord) == 32);

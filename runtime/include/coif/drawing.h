@@ -20,11 +20,11 @@ inline constexpr std::uint32_t kMaxLights = 8;
 
 struct Light {
   enum class Kind : std::uint8_t { kDirectional, kPoint, kSpot } kind = Kind::kDirectional;
-  Vec3 from;                 ///< Where light comes from. kDirectional: the way there, any length > 0. Else the place: world, metres.
+  Vec3 from;  ///< Where light comes from. kDirectional: the way there, any length > 0. Else the place: world, metres.
   /// Linear; what a white matte surface that faces the light sends out (irradiance over pi). Else than kDirectional: at
   /// one metre, falling with the square of the distance.
   Vec3 color{1, 1, 1};
-  Vec3 spot_axis{0, -1, 0};  ///< kSpot: the way it shines, any length > 0.
+  Vec3 spot_axis{0, -1, 0};     ///< kSpot: the way it shines, any length > 0.
   float inner_cosine = 0.966f;  ///< kSpot: of the angle to `spot_axis` up to which it has all its light,
   float outer_cosine = 0.866f;  ///< and from which on it has none; -1..1, below the inner one.
   // Between the two it falls with the square of the cosine's way from one to the other, as glTF's KHR_lights_punctual has it.
@@ -65,8 +65,8 @@ struct Reach {
 
 /// How vertices hang on bones.
 enum class Skinning : std::uint8_t {
-  kRigid,      ///< The asset has no chunk SKIN.
-  kOneBone,    ///< Every vertex has all its weight on its first bone.
+  kRigid,    ///< The asset has no chunk SKIN.
+  kOneBone,  ///< Every vertex has all its weight on its first bone.
   kFourBones,
 };
 
@@ -116,8 +116,8 @@ struct MatrixLayout {
 
   /// vec4 of each head: its own matrix, then those of its bones; where there are two frames, then the same of the last frame.
   std::uint32_t rows_of_head = kMatrixRows;
-  std::uint32_t frames = 1;                  ///< 2: for vectors of motion.
-  std::uint32_t heads_of_batch = 1;          ///< Most that one block holds, and so one draw call shows.
+  std::uint32_t frames = 1;          ///< 2: for vectors of motion.
+  std::uint32_t heads_of_batch = 1;  ///< Most that one block holds, and so one draw call shows.
   /// The bones are too many for a block: they go into a texture, head by head, and the block has the head's matrix alone.
   bool bones_in_texture = false;
 

@@ -27,7 +27,8 @@ extern COIF_API const Solver kThesisSolver;
 /// Which of the next two moves a chain, the asset says. The models are in runtime/docs/MODEL.md: the same at every frame rate,
 /// no stretch, no penetration.
 extern COIF_API const Solver kCoifSolver;
-extern COIF_API const Solver kCascadeSolver;  ///< Bones do not hold back their parents: cheap, for stiff and well damped hair.
+extern COIF_API const Solver
+    kCascadeSolver;  ///< Bones do not hold back their parents: cheap, for stiff and well damped hair.
 /// Bones hold back their parents, so that soft hair swings and comes to rest. Two to three times the work. Bones never twist.
 extern COIF_API const Solver kPassiveSolver;
 /// kCoifSolver for hair on a character: with what HairDesc asks for of colliders that move, a body and poses to follow. What it was not
@@ -43,14 +44,17 @@ struct HairDesc {
   /// Changes the speed and nothing else. kBadArgument for one that can_run() denies.
   InstructionSet instruction_set = InstructionSet::kBest;
   std::uint32_t longest_interval = 1;  ///< The largest Detail::interval that will be asked for: 1, 2 or 4.
-  std::uint32_t dynamics_sets = 1;  ///< That heads choose from, 1..kMaxDynamicsSets; each more up to 1 KB for each bone.
-  const LinkCode* links = nullptr;  ///< coif/links.h: what the asset links stays together. Null: chains know nothing of each other.
+  std::uint32_t dynamics_sets =
+      1;  ///< That heads choose from, 1..kMaxDynamicsSets; each more up to 1 KB for each bone.
+  const LinkCode* links =
+      nullptr;  ///< coif/links.h: what the asset links stays together. Null: chains know nothing of each other.
   // For kCharacterSolver alone; with other solvers they are kBadArgument.
-  std::uint32_t moving_colliders = 0;  ///< Most that set_colliders() will give one head, up to kMaxMovingColliders; 300 bytes each.
-  bool follows_body = false;           ///< The asset's body colliders take part, as set_body() moves them.
-  bool follows_poses = false;          ///< set_pose() will be called; 60 bytes for each simulated bone.
-  bool has_own_air = false;            ///< set_air() will be called; 16 bytes for each head.
-  bool feels_gusts = false;            ///< set_gusts() will be called; 36 bytes for each head.
+  std::uint32_t moving_colliders =
+      0;  ///< Most that set_colliders() will give one head, up to kMaxMovingColliders; 300 bytes each.
+  bool follows_body = false;   ///< The asset's body colliders take part, as set_body() moves them.
+  bool follows_poses = false;  ///< set_pose() will be called; 60 bytes for each simulated bone.
+  bool has_own_air = false;    ///< set_air() will be called; 16 bytes for each head.
+  bool feels_gusts = false;    ///< set_gusts() will be called; 36 bytes for each head.
 };
 
 /// How much of the hair on one head is simulated. May change between any two steps. A finer level begins where the coarser

@@ -24,8 +24,8 @@ inline constexpr float kSmallestScale = 0.05f, kLargestScale = 20.0f;  ///< A he
 struct HeadPose {
   double position[3] = {0, 0, 0};  ///< Metres.
   Quat rotation;
-  float scale = 1;                 ///< Uniform, kSmallestScale..kLargestScale; may change while hair moves.
-  float reserved = 0;              ///< Zero.
+  float scale = 1;     ///< Uniform, kSmallestScale..kLargestScale; may change while hair moves.
+  float reserved = 0;  ///< Zero.
 };
 
 /// How a head moves at an instant, world axes.

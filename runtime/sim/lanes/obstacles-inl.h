@@ -64,7 +64,7 @@ struct Obstacles {
 /// touched any. (One loop for both kinds, so that the code is there once.)
 template <class D>
 COIF_RARE hn::Mask<D> keep_clear_of_all(D d, const Obstacles<D>& obstacles, hn::Mask<D> here, int rounds,
-                                           TouchingBone<D>& bone) {
+                                        TouchingBone<D>& bone) {
   const auto one = hn::Set(d, 1.0f);
   auto takes_part = here, moved = hn::AndNot(here, here);
   for (int round = 0; round < rounds; ++round) {
@@ -75,7 +75,8 @@ COIF_RARE hn::Mask<D> keep_clear_of_all(D d, const Obstacles<D>& obstacles, hn::
       const std::uint32_t i = is_fixed ? std::uint32_t(std::countr_zero(left)) : k++;
       if (is_fixed) left &= left - 1u;
       const PlacedCollider& collider = is_fixed ? obstacles.fixed[i] : obstacles.moving->placed[i];
-      const auto may_touch = is_fixed ? lanes_with(d, obstacles.constants, obstacles.lane, i) : obstacles.moving->lanes[i];
+      const auto may_touch =
+          is_fixed ? lanes_with(d, obstacles.constants, obstacles.lane, i) : obstacles.moving->lanes[i];
       Contact<D> contact;
       const V3<D> inside = bone.direction;
       const auto touches = clear_of(d, hn::And(takes_part, may_touch), collider, bone, contact);

@@ -42,8 +42,8 @@ struct RigRecipe;
 
 /// How to simulate an asset, and what that was chosen from. Empty where nothing moves.
 struct TunedSolver {
-  std::vector<TuningRecord> tuning;    ///< None or one.
-  std::vector<QualityRecord> quality;  ///< One for each frame rate and number of sub-steps that was measured.
+  std::vector<TuningRecord> tuning;       ///< None or one.
+  std::vector<QualityRecord> quality;     ///< One for each frame rate and number of sub-steps that was measured.
   std::vector<MotionNameRecord> motions;  ///< What their worst_motion is an index into.
 };
 

@@ -44,7 +44,8 @@ struct PatchOverride {
 
   /// Something is said of how the patches move.
   [[nodiscard]] bool is_of_motion() const {
-    return resistance || preset || liveliness || friction || gravity_scale || damping_ratio || angle_limit || parent_share;
+    return resistance || preset || liveliness || friction || gravity_scale || damping_ratio || angle_limit ||
+           parent_share;
   }
   /// Adds what a later one says of motion, which holds where both say something.
   void add_motion(const PatchOverride& later);

@@ -105,13 +105,17 @@ Outcome read(const RecipeKey& key, const json& value, NumberOrCurve& out) {
   return {};
 }
 
-Outcome read(const RecipeKey&, const json& value, std::vector<PatchOverride>& out) { return read_overrides(value, out); }
+Outcome read(const RecipeKey&, const json& value, std::vector<PatchOverride>& out) {
+  return read_overrides(value, out);
+}
 
 Outcome read(const RecipeKey&, const json& value, std::vector<RecipeBodyCollider>& out) {
   return read_body_colliders(value, out);
 }
 
-Outcome read(const RecipeKey&, const json& value, std::vector<RecipeBoneLimit>& out) { return read_bone_limits(value, out); }
+Outcome read(const RecipeKey&, const json& value, std::vector<RecipeBoneLimit>& out) {
+  return read_bone_limits(value, out);
+}
 
 Outcome read(const RecipeKey&, const json& value, RecipeLinks& out) { return read_chain_links(value, out); }
 
@@ -182,7 +186,8 @@ Outcome read_patterns(const json& value, std::vector<std::string>& out) {
   for (const json& item : list_of(list)) {
     if (item.is_string() && !item.get<std::string>().empty()) patterns.push_back(item.get<std::string>());
   }
-  if (patterns.empty() || patterns.size() != list.size()) return wants("a name or a list of names, * and ? are wildcards", value);
+  if (patterns.empty() || patterns.size() != list.size())
+    return wants("a name or a list of names, * and ? are wildcards", value);
   out = std::move(patterns);
   return {};
 }

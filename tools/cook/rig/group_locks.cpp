@@ -97,7 +97,8 @@ class StrandGroups {
   /// Merges what is near and short first until at most `most` groups are longer than `shortest`.
   void merge_down_to(std::size_t most, double shortest) {
     const auto loss = [&](std::size_t i, std::size_t j) { return at(i, j) * std::min(length_[i], length_[j]); };
-    while (count_longer(shortest) > most && merge_best(loss, std::numeric_limits<double>::max(), shortest)) WorkLimit::check();
+    while (count_longer(shortest) > most && merge_best(loss, std::numeric_limits<double>::max(), shortest))
+      WorkLimit::check();
   }
 
   [[nodiscard]] std::size_t group_of(std::size_t strand) const { return group_[strand]; }

@@ -46,9 +46,9 @@ tl::expected<HeadBone, ToolError> find_head_bone(const SourceModel& source, cons
 /// The head as the cooker sees it: an ellipsoid. Roots are near it, patches are sorted by the distance from its centre,
 /// and unless there are better colliders hair stays out of it.
 struct FittedHead : HeadEllipsoid {
-  HeadShape shape{};      ///< What the recipe wants hair to stay out of.
-  std::string origin;     ///< Where it comes from, for the report.
-  bool declared = false;  ///< By the recipe: not to be shrunk.
+  HeadShape shape{};             ///< What the recipe wants hair to stay out of.
+  std::string origin;            ///< Where it comes from, for the report.
+  bool declared = false;         ///< By the recipe: not to be shrunk.
   bool faces_backwards = false;  ///< Looks along -Z instead of +Z.
 };
 

@@ -15,8 +15,8 @@ struct StripRecipe;
 
 struct StrandSettings {
   std::vector<std::string>
-      roots;  ///< Per patch, as StripRecipe::strand_root or PatchOverride::root; empty: all "auto".
-  bool trust_texture = true;         ///< False where patches are not unwrapped in one piece.
+      roots;                  ///< Per patch, as StripRecipe::strand_root or PatchOverride::root; empty: all "auto".
+  bool trust_texture = true;  ///< False where patches are not unwrapped in one piece.
   std::vector<float> depth_of_node;  ///< Bones between each node of the source and the head bone.
   std::vector<SeenStrands> seen;     ///< Per patch, what images show of it; empty: nothing is known.
   unsigned threads = 1;              ///< The result does not depend on it.
