@@ -20,7 +20,8 @@ std::uint32_t Asset::lod_count() const {
 
 std::span<const PatchRecord> Asset::lod_patches(std::uint32_t lod) const {
   if (lod >= lod_count()) return {};
-  return stored_lods().empty() ? patches() : patches().subspan(stored_lods()[lod].first_patch, stored_lods()[lod].patch_count);
+  return stored_lods().empty() ? patches()
+                               : patches().subspan(stored_lods()[lod].first_patch, stored_lods()[lod].patch_count);
 }
 
 std::span<const std::uint32_t> Asset::lod_indices(std::uint32_t lod) const {

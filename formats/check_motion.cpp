@@ -34,7 +34,8 @@ LoadStatus check_limits(const Asset& asset) {
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const LimitRecord& limit = limits[i];
     const LimitKind last = is_rigid(asset.bones()[i]) ? LimitKind::kUnlimited : LimitKind::kSpherical;
-    if (limit.kind > last) return {LoadCode::kEnumerator, chunk::kLimits, i, std::uint64_t(last), std::uint64_t(limit.kind)};
+    if (limit.kind > last)
+      return {LoadCode::kEnumerator, chunk::kLimits, i, std::uint64_t(last), std::uint64_t(limit.kind)};
     if (limit.reserved != 0.0f) return {LoadCode::kReserved, chunk::kLimits, i};
     if (!angles_fit(limit) || !is_unit(limit.rotation)) return {LoadCode::kNotFinite, chunk::kLimits, i};
   }

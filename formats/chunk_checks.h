@@ -34,9 +34,10 @@ LoadStatus check_provenance(const Asset& asset);
 using ContentCheck = LoadStatus (*)(const Asset&);
 
 /// One after the other: each relies on those before it.
-inline constexpr ContentCheck kContentChecks[] = {
-    check_needed_chunks, check_names, check_skeleton, check_dynamics, check_links,  check_colliders, check_needs, check_body,
-    check_lods,          check_mesh,  check_orders,   check_material, check_textures, check_tuning, check_provenance};
+inline constexpr ContentCheck kContentChecks[] = {check_needed_chunks, check_names,     check_skeleton,  check_dynamics,
+                                                  check_links,         check_colliders, check_needs,     check_body,
+                                                  check_lods,          check_mesh,      check_orders,    check_material,
+                                                  check_textures,      check_tuning,    check_provenance};
 
 inline bool is_rigid(const BoneRecord& bone) { return bone.kind != BoneKind::kSimulated; }
 

@@ -48,11 +48,11 @@ coif_status coif_find_bone_boxes(const coif_asset* asset, coif_bone_box* boxes, 
   return code(coif::find_bone_boxes(view_of(asset), room_of<coif::BoneBox>(boxes, count)));
 }
 
-coif_status coif_bound_hair(const coif_bone_box* boxes, const coif_mat34* palette, uint32_t count, coif_bounds* bounds) {
+coif_status coif_bound_hair(const coif_bone_box* boxes, const coif_mat34* palette, uint32_t count,
+                            coif_bounds* bounds) {
   if (bounds == nullptr) return COIF_BAD_ARGUMENT;
   coif::HairBounds its;
-  const coif::Status status =
-      coif::bound_hair(span_of<coif::BoneBox>(boxes, count), matrices_of(palette, count), its);
+  const coif::Status status = coif::bound_hair(span_of<coif::BoneBox>(boxes, count), matrices_of(palette, count), its);
   if (status == coif::Status::kOk) *bounds = coif::c::copied<coif_bounds>(its);
   return code(status);
 }

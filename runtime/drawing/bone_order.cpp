@@ -45,7 +45,7 @@ std::uint32_t leading_bone(std::span<const SkinRecord> skin, const std::uint32_t
 }
 
 Vec3 moved(const Mat34& matrix, const Vec3& p) {
-  const auto row = [&](const float (&m)[4]) { return m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3]; };
+  const auto row = [&](const float(&m)[4]) { return m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3]; };
   return {row(matrix.m[0]), row(matrix.m[1]), row(matrix.m[2])};
 }
 
@@ -110,7 +110,8 @@ struct BoneOrder::Builder {
   void put(std::size_t place, std::uint32_t index) const {
     std::byte* const to = order.indices_ + place * order.index_bytes_;
     const auto narrow = static_cast<std::uint16_t>(index);
-    order.index_bytes_ == sizeof narrow ? std::memcpy(to, &narrow, sizeof narrow) : std::memcpy(to, &index, sizeof index);
+    order.index_bytes_ == sizeof narrow ? std::memcpy(to, &narrow, sizeof narrow)
+                                        : std::memcpy(to, &index, sizeof index);
   }
 
   [[nodiscard]] std::uint32_t get(std::uint32_t place) const {
@@ -173,8 +174,7 @@ void BoneOrder::write_far_to_near(TriangleOrder& of, const HairInstance& head, c
     return a.distance != b.distance ? a.distance > b.distance : a.group < b.group;
   });
   const std::uint32_t number = order.order_of_view_[view_cell({from.x, from.y, from.z})];
-  const std::byte* const indices =
-      order.indices_ + std::size_t{number} * order.indices_of_order_ * order.index_bytes_;
+  const std::byte* const indices = order.indices_ + std::size_t{number} * order.indices_of_order_ * order.index_bytes_;
   for (std::uint32_t g = 0; g < level.count; ++g) {
     const Group& group = groups[order.keys_[g].group];
     const std::size_t bytes = std::size_t{group.count} * order.index_bytes_;

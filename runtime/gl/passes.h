@@ -37,7 +37,7 @@ struct FragmentCode {
   std::uint32_t storage_blocks = 0;  ///< Buffers that it writes to. Above 0 the program needs OpenGL ES 3.1.
   /// Whether it says which samples are drawn, for which the program needs OpenGL ES 3.2, or takes the place of one that does.
   enum class SampleMask : std::uint8_t { kNotUsed, kWritten, kMissing } sample_mask = SampleMask::kNotUsed;
-  bool thins = false;                ///< Drops some of the texels between Pass::alpha_min and solid_from.
+  bool thins = false;  ///< Drops some of the texels between Pass::alpha_min and solid_from.
 };
 
 inline constexpr std::uint32_t kMaxFragmentCodes = 32;

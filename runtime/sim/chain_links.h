@@ -29,9 +29,9 @@ struct LinkedChain {
 
 /// A bone of such a chain.
 struct LinkedBone {
-  std::uint32_t chain = 0;    ///< Of LinkState::chains.
-  std::uint32_t bone = 0;     ///< Of its row.
-  std::int32_t parent = -1;   ///< Of LinkState::bones; -1: the head.
+  std::uint32_t chain = 0;   ///< Of LinkState::chains.
+  std::uint32_t bone = 0;    ///< Of its row.
+  std::int32_t parent = -1;  ///< Of LinkState::bones; -1: the head.
   bool has_children = false;
   float mobility = 0;  ///< One by the mass that its particle has for a link, 1/kg of bones of a kilogram a metre.
 };
@@ -59,7 +59,7 @@ struct LinkedRowStep {
 /// Empty where nothing is linked.
 struct LinkState {
   const LinkCode* code = nullptr;
-  std::span<std::uint32_t> row_places;    ///< Per row of the crowd: its number among those with linked chains, or kNone.
+  std::span<std::uint32_t> row_places;  ///< Per row of the crowd: its number among those with linked chains, or kNone.
   std::span<std::uint32_t> chain_places;  ///< Per chain of the asset: which of `chains`, or kNone.
   std::uint32_t row_count = 0;
   std::span<LinkedChain> chains;

@@ -3,9 +3,7 @@
 namespace coif {
 namespace {
 
-const Solver* solver_of(ChainModel model) {
-  return model == ChainModel::kPassive ? &kPassiveSolver : &kCascadeSolver;
-}
+const Solver* solver_of(ChainModel model) { return model == ChainModel::kPassive ? &kPassiveSolver : &kCascadeSolver; }
 
 }  // namespace
 

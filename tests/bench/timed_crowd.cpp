@@ -81,9 +81,7 @@ void TimedCrowd::plan(double dt) {
   for (std::uint32_t head = 0; head < poses_.size(); ++head) poses_[head] = head_pose_at(head, seconds_);
 }
 
-void TimedCrowd::set_heads() {
-  refused_ = hair_.set_heads(poses_) != Status::kOk || refused_;
-}
+void TimedCrowd::set_heads() { refused_ = hair_.set_heads(poses_) != Status::kOk || refused_; }
 
 void TimedCrowd::step(float dt) {
   settings_.dt = dt;

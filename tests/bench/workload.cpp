@@ -14,10 +14,10 @@ constexpr double kOutwards = 0.2;     // of a bone's length
 constexpr double kRootHeight = 0.02;  // m above the sphere's centre
 constexpr double kRootResistance = 0.35;
 constexpr double kTipResistance = 0.06;
-constexpr double kFriction = 2;        // 1/s
-constexpr double kAuthoringRate = 60;  // Hz
+constexpr double kFriction = 2;            // 1/s
+constexpr double kAuthoringRate = 60;      // Hz
 constexpr double kTorsion = kShortestArc;  // as the cooker chooses for hair that does not fold over
-constexpr double kGravity = 9.81;      // m/s^2
+constexpr double kGravity = 9.81;          // m/s^2
 
 /// What the cooker makes of its default recipe at this place along a chain, 0 root to 1 tip.
 DynamicsRecord dynamics_at(double place) {

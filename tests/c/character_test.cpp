@@ -31,8 +31,9 @@ class CCharacter : public testing::Test {
     const void* const asset = file_.bytes().data();
     memory_ = std::make_unique<AlignedBytes>(
         std::vector<std::byte>(coif_hair_memory_need(asset, file_.bytes().size(), &desc)));
-    ASSERT_EQ(coif_hair_create(asset, file_.bytes().size(), &desc, memory_->bytes().data(), memory_->bytes().size(), &hair_),
-              COIF_OK);
+    ASSERT_EQ(
+        coif_hair_create(asset, file_.bytes().size(), &desc, memory_->bytes().data(), memory_->bytes().size(), &hair_),
+        COIF_OK);
     coif_head_pose upright;
     coif_head_pose_init(&upright);
     for (std::uint32_t i = 0; i < 2; ++i) ASSERT_EQ(coif_hair_reset(hair_, i, &upright), COIF_OK);
@@ -167,8 +168,10 @@ TEST(CObserving, BoundsBonesAndLinesAreThoseOfCpp) {
   coif_head_pose_init(&head);
   int counts[5] = {};
   const auto count = [](const coif_debug_line* line, void* user) { ++static_cast<int*>(user)[line->kind]; };
-  ASSERT_EQ(coif_draw_debug_lines(&asset, &head, in_c, bones, std::uint32_t{COIF_DRAW_BONES} | std::uint32_t{COIF_DRAW_COLLIDERS} | std::uint32_t{COIF_DRAW_LIMITS}, count,
-                                  counts),
+  ASSERT_EQ(coif_draw_debug_lines(
+                &asset, &head, in_c, bones,
+                std::uint32_t{COIF_DRAW_BONES} | std::uint32_t{COIF_DRAW_COLLIDERS} | std::uint32_t{COIF_DRAW_LIMITS},
+                count, counts),
             COIF_OK);
   EXPECT_EQ(counts[COIF_LINE_BONE] + counts[COIF_LINE_RIGID_BONE], int(bones) - 1);
   EXPECT_GT(counts[COIF_LINE_COLLIDER], 0);

@@ -95,7 +95,8 @@ TEST_F(CacheUpkeep, AFolderThatIsNotThereIsAnError) {
   const auto found = cache_usage(folder_ / "gone");
   ASSERT_FALSE(found);
   EXPECT_EQ(found.error().kind, ToolError::Kind::kFileAccess);
-  EXPECT_NE(found.error().message.find("gone: cannot read the cache: No such file"), std::string::npos) << found.error().message;
+  EXPECT_NE(found.error().message.find("gone: cannot read the cache: No such file"), std::string::npos)
+      << found.error().message;
   EXPECT_FALSE(trim_cache(folder_ / "gone", 0));
 }
 

@@ -198,7 +198,9 @@ TEST(CookKey, ChangesWithEachPartOfTheIdentity) {
       [](CookIdentity& i) { i.importer = "assimp 6"; },
       [](CookIdentity& i) { i.place.source = "/a/wig.dae"; },
       [](CookIdentity& i) { i.place.roots = {"/store"}; },
-      [](CookIdentity& i) { i.place.roots = {"/store", "/annex"}; },
+      [](CookIdentity& i) {
+        i.place.roots = {"/store", "/annex"};
+      },
       [&](CookIdentity& i) { i.source_bytes = others; },
       [&](CookIdentity& i) { i.source_bytes = std::span(bytes).first(4); },
       [](CookIdentity& i) { i.recipe = "{ }"; },
@@ -213,7 +215,8 @@ TEST(CookKey, ChangesWithEachPartOfTheIdentity) {
 }
 
 TEST(CookKey, DoesNotTellFoldersApart) {
-  EXPECT_EQ(cook_key({"coif", "assimp", {"/here/wig.obj", {}, {"/here/store"}}, {}, "{}"}), cook_key({"coif", "assimp", {"/there/wig.obj", {}, {"/there/store"}}, {}, "{}"}));
+  EXPECT_EQ(cook_key({"coif", "assimp", {"/here/wig.obj", {}, {"/here/store"}}, {}, "{}"}),
+            cook_key({"coif", "assimp", {"/there/wig.obj", {}, {"/there/store"}}, {}, "{}"}));
 }
 
 TEST(CookKey, KnowsWhereOnePartEndsAndTheNextBegins) {

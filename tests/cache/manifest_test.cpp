@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
 #include <fstream>
 #include <set>
-#include <unistd.h>
 #include <vector>
 
 namespace coif::manifest_test {
@@ -123,7 +123,6 @@ TEST(Shares, HoldEveryRequestOnceAndDifferByOneAtMost) {
     EXPECT_EQ(seen.size(), all.size());
   }
 }
-
 
 class Depfile : public testing::Test {
  protected:

@@ -1,5 +1,5 @@
-#include "animation/glb_reader.h"
 #include "compare/rig_difference.h"
+#include "animation/glb_reader.h"
 #include "models/small_asset.h"
 
 #include <gtest/gtest.h>

@@ -63,8 +63,8 @@ int main() {
   coif::Hair hair;
   const coif::Asset asset;
   const coif::HairDesc desc{.solver = &coif::kCharacterCascadeSolver, .moving_colliders = 4, .follows_poses = true};
-  const bool refuses = hair.set_colliders(0, {}) != coif::Status::kOk && hair.set_pose(0, {}, {}) != coif::Status::kOk &&
-                       hair.set_body(0, {}) != coif::Status::kOk;
+  const bool refuses = hair.set_colliders(0, {}) != coif::Status::kOk &&
+                       hair.set_pose(0, {}, {}) != coif::Status::kOk && hair.set_body(0, {}) != coif::Status::kOk;
   return hair.create(asset, desc, {}) == coif::Status::kAssetLacksData && refuses ? 0 : 1;
 }
 
@@ -97,7 +97,8 @@ int main() {
   const coif::Mat34 rest;
   coif::HairBounds bounds;
   const bool refuses = coif::find_bone_boxes(asset, {}) == coif::Status::kAssetLacksData;
-  return refuses && coif::bound_hair({&box, 1}, {&rest, 1}, bounds) == coif::Status::kOk && bounds.highest.x >= 1 ? 0 : 1;
+  return refuses && coif::bound_hair({&box, 1}, {&rest, 1}, bounds) == coif::Status::kOk && bounds.highest.x >= 1 ? 0
+                                                                                                                  : 1;
 }
 
 #elif defined GAME_only_lines

@@ -1,6 +1,6 @@
+#include "cook/lods/collapse_patch.h"
 #include "base/work_limit.h"
 #include "cook/built_models.h"
-#include "cook/lods/collapse_patch.h"
 #include "cook/select/triangle_distance.h"
 
 #include <gtest/gtest.h>

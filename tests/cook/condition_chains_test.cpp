@@ -167,7 +167,8 @@ TEST(ChainGrowth, RisesWithTheBonesAndIsBoundedByFrictionAndTheHead) {
 TEST(ChainGrowth, IsThatOfTheWorstBranchWhicheverComesLast) {
   TestRig rig;
   const std::uint32_t stem = rig.add({.length = 0.1f, .stiffness = 400, .damping = 40});
-  const TestBone calm{.parent = stem, .length = 0.1f, .friction = 60, .stiffness = 400, .damping = 40, .parent_share = 0};
+  const TestBone calm{
+      .parent = stem, .length = 0.1f, .friction = 60, .stiffness = 400, .damping = 40, .parent_share = 0};
   const TestBone lively{.parent = stem, .length = 0.1f, .friction = 1, .stiffness = 400, .damping = 1};
   TestRig other = rig;
   rig.add(calm), rig.add(lively);

@@ -1,10 +1,10 @@
 // Whole cooks of models that are made up here, chunk by chunk as they were. bob's is in tests/golden, the long sample's beside it.
 
+#include "models/cook_fingerprint.h"
 #include "cook/built_models.h"
 #include "cook/cook.h"
 #include "cook/fitted_wig.h"
 #include "cook/image_files.h"
-#include "models/cook_fingerprint.h"
 #include "models/small_asset.h"
 
 #include <gtest/gtest.h>

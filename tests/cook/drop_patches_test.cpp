@@ -1,7 +1,6 @@
 #include "cook/built_models.h"
 #include "cook/lods/make_lods.h"
 
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

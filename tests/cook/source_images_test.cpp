@@ -1,7 +1,7 @@
+#include "cook/texture/source_images.h"
 #include "cook/image_files.h"
 #include "cook/texture/bake_textures.h"
 #include "cook/texture/image.h"
-#include "cook/texture/source_images.h"
 
 #include <gtest/gtest.h>
 

@@ -57,7 +57,8 @@ struct Ordered {
   [[nodiscard]] Triangles stored(std::uint32_t lod = 0) const {
     Triangles triangles;
     const auto indices = (*asset).lod_indices(lod);
-    for (std::size_t i = 0; i < indices.size(); i += 3) triangles.push_back({indices[i], indices[i + 1], indices[i + 2]});
+    for (std::size_t i = 0; i < indices.size(); i += 3)
+      triangles.push_back({indices[i], indices[i + 1], indices[i + 2]});
     return triangles;
   }
 

@@ -113,7 +113,8 @@ TEST(OpenMaterial, KeepsEveryNumberInItsRange) {
                              {&MaterialRecord::variation, 0, 1}}) {
     const auto with = [&](float value) { return material_refusal([&](auto& m) { m.*range.field = value; }); };
     for (const float good : {range.low, range.high}) EXPECT_EQ(with(good), LoadCode::kOk);
-    for (const float bad : {std::nextafter(range.low, -2e5f), std::nextafter(range.high, 2e5f), kNan}) EXPECT_EQ(with(bad), LoadCode::kNotFinite) << bad;
+    for (const float bad : {std::nextafter(range.low, -2e5f), std::nextafter(range.high, 2e5f), kNan})
+      EXPECT_EQ(with(bad), LoadCode::kNotFinite) << bad;
   }
 }
 

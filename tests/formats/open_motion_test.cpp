@@ -63,8 +63,9 @@ TEST(OpenDynamics, EveryBoneHasARecordThatLeansNoFurtherThanItsLength) {
 
 TEST(OpenAsked, EveryFieldHasItsLimitsAndEveryBoneARecord) {
   using A = AskedRecord;
-  constexpr Limits<A> kLimits[] = {
-      {"friction", &A::friction, 0, 1.0e6f}, {"damping", &A::damping, 0, 1.0e6f}, {"parent_share", &A::parent_share, 0, 1}};
+  constexpr Limits<A> kLimits[] = {{"friction", &A::friction, 0, 1.0e6f},
+                                   {"damping", &A::damping, 0, 1.0e6f},
+                                   {"parent_share", &A::parent_share, 0, 1}};
   for (const std::size_t bone : {0u, 4u}) {
     expect_limits(kLimits, [bone](AssetContents& a) -> AskedRecord& { return a.asked[bone]; });
   }

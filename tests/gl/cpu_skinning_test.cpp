@@ -51,9 +51,9 @@ GLuint program_with(const std::string& defines) {
   const std::string head =
       "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
   const GLuint program = glCreateProgram();
-  glAttachShader(program, compiled(GL_VERTEX_SHADER, head + "#define COIF_PALETTE_ROWS 1024\n" + defines +
-                                                         shader_piece("hair.glsl", "draw_block.glsl") +
-                                                         shader_file("hair.vert")));
+  glAttachShader(
+      program, compiled(GL_VERTEX_SHADER, head + "#define COIF_PALETTE_ROWS 1024\n" + defines +
+                                              shader_piece("hair.glsl", "draw_block.glsl") + shader_file("hair.vert")));
   glAttachShader(program,
                  compiled(GL_FRAGMENT_SHADER, head + "out vec4 unused;\nvoid main() { unused = vec4(0.0); }\n"));
   const char* const outputs[] = {"position", "normal", "tangent"};

@@ -13,7 +13,8 @@ namespace coif::exact_test {
 
 /// The middle pixel over `under`, blended in doubles from the furthest card on; of equal depths the first comes first.
 Pixel composited(std::vector<DrawnCard> cards, const Pixel& under) {
-  std::stable_sort(cards.begin(), cards.end(), [](const DrawnCard& a, const DrawnCard& b) { return a.center[2] < b.center[2]; });
+  std::stable_sort(cards.begin(), cards.end(),
+                   [](const DrawnCard& a, const DrawnCard& b) { return a.center[2] < b.center[2]; });
   std::array<double, 4> sum{double(under[0]), double(under[1]), double(under[2]), double(under[3])};
   for (const DrawnCard& card : cards) {
     const double alpha = card.rgba[3] >= 230 ? 1 : card.rgba[3] < 26 ? 0 : card.rgba[3] / 255.0;
@@ -41,7 +42,7 @@ std::vector<DrawnCard> random_cards(std::uint32_t seed, int count) {
 
 TEST_P(ExactMode, BlendsByDepthWhateverTheOrder) {
   std::vector<DrawnCard> cards{soft_card({255, 0, 0, 100}, 0.3f), soft_card({0, 255, 0, 160}, -0.2f),
-                          soft_card({0, 0, 255, 60}, 0.1f), soft_card({255, 255, 0, 200}, -0.4f)};
+                               soft_card({0, 0, 255, 60}, 0.1f), soft_card({255, 255, 0, 200}, -0.4f)};
   const Pixel expected = composited(cards, {40, 80, 120, 255});
   std::array<std::size_t, 4> order{0, 1, 2, 3};
   do {
@@ -65,7 +66,7 @@ TEST_P(ExactMode, AgreesWithCompositingOnTheProcessor) {
 
 TEST_P(ExactMode, BackFacesAreSortedAmongFrontFaces) {
   std::vector<DrawnCard> cards{soft_card({255, 0, 0, 128}, 0), soft_card({0, 255, 0, 128}, 0.2f),
-                          soft_card({0, 0, 255, 128}, 0.4f)};
+                               soft_card({0, 0, 255, 128}, 0.4f)};
   cards[1].turned = true;
   clear({255, 255, 255, 255});
   draw_exactly(cards);
@@ -74,7 +75,7 @@ TEST_P(ExactMode, BackFacesAreSortedAmongFrontFaces) {
 
 TEST_P(ExactMode, OfOneDepthTheLaterPatchIsInFront) {
   const std::vector<DrawnCard> cards{soft_card({255, 0, 0, 128}, 0.1f), soft_card({0, 255, 0, 90}, 0.1f),
-                                soft_card({0, 0, 255, 150}, 0.1f)};
+                                     soft_card({0, 0, 255, 150}, 0.1f)};
   clear({255, 255, 255, 255});
   draw_exactly(cards);
   EXPECT_TRUE(near(middle_pixel(), composited(cards, {255, 255, 255, 255}), 1));

@@ -51,7 +51,9 @@ class GlTest : public testing::Test {
 
   /// Uploads and draws; both must succeed.
   void draw(const AssetContents& contents, const HeadDraw& desc = at_rest());
-  void draw_cards(std::span<const DrawnCard> cards, const HeadDraw& desc = at_rest()) { draw(card_contents(cards), desc); }
+  void draw_cards(std::span<const DrawnCard> cards, const HeadDraw& desc = at_rest()) {
+    draw(card_contents(cards), desc);
+  }
 
   std::optional<EglContext> context_;
   HairRenderer renderer_;

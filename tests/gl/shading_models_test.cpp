@@ -3,8 +3,8 @@
 #include "gl/gl_test.h"
 #include "gl/reference_shading.h"
 
-#include <Eigen/Geometry>
 #include <GLES3/gl3.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 #include "gl/reference_shading.h"
 #include "render/egl_context.h"
 
-#include <Eigen/Geometry>
 #include <GLES3/gl3.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <vector>

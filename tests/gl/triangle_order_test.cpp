@@ -152,7 +152,8 @@ TEST_F(DrawnByBones, AnOrderOfAnotherAssetOrOfNoneIsRefused) {
 TEST_F(DrawnByBones, IndicesThatTheStreamHasNoRoomForAreRefused) {
   AssetContents contents = soft_cards();
   const std::vector<std::uint32_t> once(contents.indices.end() - 6, contents.indices.end());
-  while (contents.indices.size() * 2 < 300'000) contents.indices.insert(contents.indices.end(), once.begin(), once.end());
+  while (contents.indices.size() * 2 < 300'000)
+    contents.indices.insert(contents.indices.end(), once.begin(), once.end());
   contents.patches.back().index_count = std::uint32_t(contents.indices.size()) - contents.patches.back().first_index;
   load(contents);
   const std::vector<Mat34> rest(kCards);

@@ -102,7 +102,8 @@ TEST_F(Damage, AVertexFartherThanAnAssetReachesIsNamedWithItsMeshAndPlace) {
   file.positions[9] = 5e5f;
   const SourceModel model = import_or_fail(file);
   EXPECT_EQ(model.meshes.at(0).triangles.size(), 3u);
-  EXPECT_TRUE(warns(model, "mesh 'card': 1 triangles dropped: vertex 3 stands at (500000, 1, 0) m")) << warnings_of(model);
+  EXPECT_TRUE(warns(model, "mesh 'card': 1 triangles dropped: vertex 3 stands at (500000, 1, 0) m"))
+      << warnings_of(model);
 }
 
 SmallGltf skinned_strip() {

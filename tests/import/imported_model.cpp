@@ -1,7 +1,7 @@
 #include "import/imported_model.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <limits>
 

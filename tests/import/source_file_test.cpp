@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <string>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <algorithm>
+#include <string>
 
 namespace coif::source_file_test {
 
@@ -71,8 +71,9 @@ TEST_F(Refusal, ContentOfAnotherFormatThanTheSuffix) {
 TEST_F(Refusal, ColladaThatIsNoXml) {
   const std::string whole = test::small_dae("1", "Y_UP");
   expect(folder_.write("cut.dae", whole.substr(0, whole.size() - 5)), Kind::kBadInput, "COLLADA");
-  expect(folder_.write("open.dae", "<COLLADA><float_array id='a' count='1'><accessor source='#a' count='2'/></COLLADA>"),
-         Kind::kBadInput, "COLLADA");
+  expect(
+      folder_.write("open.dae", "<COLLADA><float_array id='a' count='1'><accessor source='#a' count='2'/></COLLADA>"),
+      Kind::kBadInput, "COLLADA");
 }
 
 TEST_F(Refusal, ColladaThatReadsBeyondAnArray) {
@@ -201,7 +202,8 @@ TEST(ColladaArrays, AreFoundWhateverTheirAttributesHold) {
 }
 
 TEST(ColladaArrays, OfTextAreNone) {
-  EXPECT_FALSE(overrun_array(document("id='a' count='3'", "") + "<p><![CDATA[<accessor source='#a' count='4'/>]]></p>"));
+  EXPECT_FALSE(
+      overrun_array(document("id='a' count='3'", "") + "<p><![CDATA[<accessor source='#a' count='4'/>]]></p>"));
   EXPECT_FALSE(overrun_array(document("id='a' count='3'", "") + "<?note <accessor source='#a' count='4'/>?>"));
 }
 

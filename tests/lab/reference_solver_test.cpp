@@ -1,5 +1,5 @@
-#include "lab/reference_model.h"
 #include "lab/reference_solver.h"
+#include "lab/reference_model.h"
 #include "lab/reference_trial.h"
 #include "lab/rig.h"
 #include "report/solver_trial.h"

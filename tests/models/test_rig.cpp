@@ -249,7 +249,9 @@ std::vector<InstructionSet> runnable_sets() {
   return sets;
 }
 
-InstructionSet plainest_set() { return can_run(InstructionSet::kScalar) ? InstructionSet::kScalar : best_instruction_set(); }
+InstructionSet plainest_set() {
+  return can_run(InstructionSet::kScalar) ? InstructionSet::kScalar : best_instruction_set();
+}
 
 float distance(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
 

@@ -62,8 +62,8 @@ class TestRig {
   std::vector<BodyBoneRecord> body_bones;
   std::vector<ColliderRecord> body_colliders;
   std::vector<LimitRecord> limits;  ///< One for each bone, or empty: see limit().
-  std::vector<LinkRecord> links;  ///< See link(); as LINK demands.
-  float substep_rate = 0;  ///< Above 0: the asset is tuned, for this many sub-steps a second.
+  std::vector<LinkRecord> links;    ///< See link(); as LINK demands.
+  float substep_rate = 0;           ///< Above 0: the asset is tuned, for this many sub-steps a second.
   /// In how many levels of detail each bone is simulated, bone 0's 0; empty for an asset with one level.
   std::vector<std::uint8_t> levels;
 };

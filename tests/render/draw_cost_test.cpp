@@ -11,8 +11,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <span>
@@ -243,7 +243,8 @@ TEST_F(FrameTimesTest, HaveEveryPassOfTheFrameInThem) {
                                {.transparency = &kOpaqueMode, .simulation = true},
                                {.transparency = &kBlendMode, .simulation = true}};
   const std::vector<FrameTime> times = times_of(frames);
-  const double least[] = {kDraw, 4 * kDraw, kDraw + kStep, 4 * kDraw + kStep};  // one pass, four, and a step before them
+  const double least[] = {kDraw, 4 * kDraw, kDraw + kStep,
+                          4 * kDraw + kStep};  // one pass, four, and a step before them
   for (std::size_t i = 0; i < std::size(frames); ++i) {
     EXPECT_GE(times[i].seconds, least[i]) << i;
     EXPECT_GE(times[i].step_seconds, frames[i].simulation ? kStep : 0) << i;

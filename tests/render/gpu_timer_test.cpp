@@ -26,7 +26,7 @@ class MadeUpDevice {
 
   std::vector<std::string> extensions{"GL_OTHER", "GL_EXT_disjoint_timer_query"};
   std::string renderer = "DrawnCard 3000";  ///< GL_RENDERER.
-  std::string missing;                 ///< A function that is not found.
+  std::string missing;                      ///< A function that is not found.
   int counter_bits = 64;
   bool disjoint = false;
   bool available = true;

@@ -53,7 +53,8 @@ TEST(AccuracyMeans, LeaveOutMotionsInWhichLittleHappens) {
 
 TEST(AccuracyMeans, TellWhatTheErrorIsOfTheMotion) {
   AccuracyReport report = made_up_accuracy();
-  for (AccuracyRow& row : report.rows) row.of_motion_pct = row.rms_error_pct / 0.4;  // hair that moves by 40 % of its length
+  for (AccuracyRow& row : report.rows)
+    row.of_motion_pct = row.rms_error_pct / 0.4;  // hair that moves by 40 % of its length
   const AccuracyRow mean = mean_of(means_over_motions(report, 60), "thesis", 1);
   EXPECT_NEAR(mean.of_motion_pct, mean.rms_error_pct / 0.4, 1e-9);
 }
@@ -169,7 +170,8 @@ TEST(AccuracyPage, HasAllPartsAndUniqueIds) {
   const std::string page = accuracy_page(made_up_heading(), made_up_accuracy());
   EXPECT_NE(page.find("bob &lt;b&gt;.coif"), std::string::npos);
   EXPECT_EQ(page.find("<b>"), std::string::npos);
-  EXPECT_EQ(count_of(page, "<figure>"), 5u) << "work and precision, the same by its own model, one for each motion, one of the stretch";
+  EXPECT_EQ(count_of(page, "<figure>"), 5u)
+      << "work and precision, the same by its own model, one for each motion, one of the stretch";
   EXPECT_GT(expect_unique_ids(page), 8u);
 }
 

@@ -164,8 +164,9 @@ bool has_column(const Table& table, const std::string& title) {
 
 TEST(DrawingJson, HasTheDocumentedKeysAndTypes) {
   const ordered_json json = cost_json(made_up_heading(), report_with_thesis_table());
-  EXPECT_EQ(keys_of(json["rendering"][0]), (Keys{"heads", "transparency", "samples", "lod", "simulation", "strand_terms", "triangles",
-                                                 "ms_per_frame", "spread_pct", "gpu_ms_per_frame", "device"}));
+  EXPECT_EQ(keys_of(json["rendering"][0]),
+            (Keys{"heads", "transparency", "samples", "lod", "simulation", "strand_terms", "triangles", "ms_per_frame",
+                  "spread_pct", "gpu_ms_per_frame", "device"}));
   EXPECT_TRUE(json["rendering"][0]["simulation"].is_boolean());
   EXPECT_TRUE(json["rendering"][0]["transparency"].is_string());
   EXPECT_EQ(json["rendering"][8]["device"], "made-up device");
@@ -328,7 +329,8 @@ TEST(DrawingText, HasALineForEveryRow) {
   for (const char* line :
        {"\n  blend +1 +4 +1 +no +no +100 +0.250 +2.00 % +0.125\n",
         "\n  blend +10 +1 +0 +yes +no +3000 +5.00 +40.0 % +not measured\n",
-        "\n  20.0 % +10 +40.0 +1 +100 +1.00 +4.00 +75 %\n", "\n +20 +yes +yes +90.0 +2.00 % +30.0 +not measured +11.1 +53\n",
+        "\n  20.0 % +10 +40.0 +1 +100 +1.00 +4.00 +75 %\n",
+        "\n +20 +yes +yes +90.0 +2.00 % +30.0 +not measured +11.1 +53\n",
         "\n +7 +no +no +14.0 +2.00 % +0 +not measured +71.4 +-\n",
         "\n +20 heads: with transparency 1.50 times as long \\(thesis 1.09\\), with simulation 1.500 "
         "times \\(thesis 1.00\\)\n"}) {

@@ -187,8 +187,9 @@ TEST(AccuracyJson, MissingNumbersAreNull) {
 TEST(StabilityJson, HasTheDocumentedKeysAndOutcomes) {
   const ordered_json json = stability_json(made_up_heading(), made_up_stability());
   EXPECT_EQ(keys_of(json), after_heading({"cases", "descriptions"}));
-  EXPECT_EQ(keys_of(json["cases"][0]), (Keys{"case", "solver", "outcome", "stretch_max_pct", "penetration_max_pct",
-                                             "limit_max_rad", "link_stretch_max_pct", "max_speed", "rest_speed", "settle_error_pct"}));
+  EXPECT_EQ(keys_of(json["cases"][0]),
+            (Keys{"case", "solver", "outcome", "stretch_max_pct", "penetration_max_pct", "limit_max_rad",
+                  "link_stretch_max_pct", "max_speed", "rest_speed", "settle_error_pct"}));
   Keys outcomes;
   for (const auto& row : json["cases"]) outcomes.push_back(row["outcome"]);
   EXPECT_EQ(outcomes, (Keys{"ok", "ok", "diverged", "ok", "rejected", "nan"}));

@@ -114,12 +114,14 @@ AccuracyReport made_up_accuracy() {
 StabilityReport made_up_stability() {
   StabilityReport report;
   report.stress_cases = {{"turn_10fps", "head shaken at 10 frames per second"}, {"nan_pose", "a pose of NaN"}};
-  report.rows = {{"turn_10fps", "coif", Outcome::kOk, 0, 0, 0, 9, 12, 0.01, 0.5},
-                 {"turn_10fps", "thesis", Outcome::kOk, 132, 7, 0.9, kNoNumber, 40, 0.5, 3},
-                 {"turn_10fps", "slow", Outcome::kDiverged, 4.0e9, 100, 3, kNoNumber, 1.0e12, kNoNumber, kNoNumber},
-                 {"nan_pose", "coif", Outcome::kOk, 0.25, 0, 1e-6, 10, 1, 0.02, 0.75},
-                 {"nan_pose", "thesis", Outcome::kRejected, kNoNumber, kNoNumber, kNoNumber, kNoNumber, kNoNumber, kNoNumber, kNoNumber},
-                 {"nan_pose", "slow", Outcome::kNan, kNoNumber, kNoNumber, kNoNumber, kNoNumber, kNoNumber, kNoNumber, kNoNumber}};
+  report.rows = {
+      {"turn_10fps", "coif", Outcome::kOk, 0, 0, 0, 9, 12, 0.01, 0.5},
+      {"turn_10fps", "thesis", Outcome::kOk, 132, 7, 0.9, kNoNumber, 40, 0.5, 3},
+      {"turn_10fps", "slow", Outcome::kDiverged, 4.0e9, 100, 3, kNoNumber, 1.0e12, kNoNumber, kNoNumber},
+      {"nan_pose", "coif", Outcome::kOk, 0.25, 0, 1e-6, 10, 1, 0.02, 0.75},
+      {"nan_pose", "thesis", Outcome::kRejected, kNoNumber, kNoNumber, kNoNumber, kNoNumber, kNoNumber, kNoNumber,
+       kNoNumber},
+      {"nan_pose", "slow", Outcome::kNan, kNoNumber, kNoNumber, kNoNumber, kNoNumber, kNoNumber, kNoNumber, kNoNumber}};
   return report;
 }
 
@@ -202,7 +204,7 @@ ThesisTable made_up_thesis_table() {
                               .simulation = simulation,
                               .ms_per_frame = heads * (transparency ? 3 : 2) * (simulation ? 1.5 : 1),
                               .spread_pct = 2,
-                          .step_ms = simulation ? heads * (transparency ? 3 : 2) * 0.5 : 0});
+                              .step_ms = simulation ? heads * (transparency ? 3 : 2) * 0.5 : 0});
       }
     }
   }

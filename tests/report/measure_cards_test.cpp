@@ -37,7 +37,8 @@ class CardsReports : public testing::Test {
     groom_ = std::make_unique<Groom>(test::groom_of(test::strands_of_a_head(120)));
     groom_->path = "a.hair";
     CardsSettings settings = quick();
-    const auto cards = make_cards(*groom_, shape_of(*groom_, kWidth), {kTriangles, settings.texels, settings.rounds, kWidth}, 2);
+    const auto cards =
+        make_cards(*groom_, shape_of(*groom_, kWidth), {kTriangles, settings.texels, settings.rounds, kWidth}, 2);
     if (!cards) throw std::runtime_error(cards.error().message);
     asset_ = std::make_unique<OpenedAsset>(
         asset_of_surface(surface_of(*cards), {1, Eigen::Matrix3f::Identity(), {0, 0.1f, 0}}));

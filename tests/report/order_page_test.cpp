@@ -27,8 +27,9 @@ TEST(OrderJson, HasTheDocumentedKeysAndTypes) {
   EXPECT_EQ(json["asset"], "bob <b>.coif");
   EXPECT_EQ(json["views"], 4);
   EXPECT_EQ(json["orders"], 3);
-  EXPECT_EQ(keys_of(json["rows"][0]), (Keys{"order", "pose", "faces", "psnr_db", "rmse", "worst_psnr_db",
-                                            "bad_pixels_pct", "popping", "median_psnr_db", "ms_per_frame", "sorting_ns", "bytes"}));
+  EXPECT_EQ(keys_of(json["rows"][0]),
+            (Keys{"order", "pose", "faces", "psnr_db", "rmse", "worst_psnr_db", "bad_pixels_pct", "popping",
+                  "median_psnr_db", "ms_per_frame", "sorting_ns", "bytes"}));
   EXPECT_EQ(keys_of(json["modes"][0]), (Keys{"transparency", "samples", "pose", "psnr_db", "rmse", "worst_psnr_db",
                                              "bad_pixels_pct", "popping", "median_psnr_db", "ms_per_frame"}));
   EXPECT_EQ(keys_of(json["thresholds"][0]), (Keys{"opaque_threshold", "is_own", "psnr_db", "rmse", "worst_psnr_db",

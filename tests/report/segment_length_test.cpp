@@ -22,10 +22,10 @@ class SegmentLengths : public testing::TestWithParam<LengthBound> {};
 
 INSTANTIATE_TEST_SUITE_P(Listed, SegmentLengths,
                          testing::Values(LengthBound{"mass-spring", 16, 0.03}, LengthBound{"angular-springs", 64, 0.04},
-                                         LengthBound{"impulse", 8, 0.01},
-                                         LengthBound{"separate", 8, 0.01}, LengthBound{"implicit", 1, 0.03},
-                                         LengthBound{"projective", 1, 1e-9}, LengthBound{"follow-leader", 1, 1e-9},
-                                         LengthBound{"tridiagonal", 3, 1e-6}, LengthBound{"xpbd", 4, 0.005}),
+                                         LengthBound{"impulse", 8, 0.01}, LengthBound{"separate", 8, 0.01},
+                                         LengthBound{"implicit", 1, 0.03}, LengthBound{"projective", 1, 1e-9},
+                                         LengthBound{"follow-leader", 1, 1e-9}, LengthBound{"tridiagonal", 3, 1e-6},
+                                         LengthBound{"xpbd", 4, 0.005}),
                          [](const auto& tested) { return test_name(tested.param.solver); });
 
 TEST_P(SegmentLengths, StayNearRestWhereStepsAreSmall) {

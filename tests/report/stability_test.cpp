@@ -88,7 +88,8 @@ TEST(StressRun, HairThatIsHeldHangsStillInBothModels) {
   for (const Stress& stress : stress_cases()) {
     if (stress.about.description.find("and held") == std::string::npos) continue;
     for (const char* solver : {"cascade", "passive"}) {
-      const StressAsset hair(StressRig{.bones_per_chain = 7, .bone_length = 0.06, .root_resistance = 0.01, .damping_ratio = 0.4});
+      const StressAsset hair(
+          StressRig{.bones_per_chain = 7, .bone_length = 0.06, .root_resistance = 0.01, .damping_ratio = 0.4});
       const StressSubject subject(stress, hair.asset(), sample_of(rig_of(hair.asset()), 64));
       const StabilityRow row = subject.run(*find_measured_solver(solver));
       EXPECT_EQ(row.outcome, Outcome::kOk) << stress.about.name << ", " << solver;

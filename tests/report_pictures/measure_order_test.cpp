@@ -1,9 +1,9 @@
+#include "report/order/measure_order.h"
 #include "lab/rig.h"
 #include "models/absent.h"
 #include "models/small_asset.h"
 #include "render/egl_context.h"
 #include "report/order/drawn_way.h"
-#include "report/order/measure_order.h"
 #include "report_pictures/shells.h"
 
 #include <gtest/gtest.h>

@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-
 namespace coif::allocation_test {
 
 TEST(Allocation, TheCounterCounts) {

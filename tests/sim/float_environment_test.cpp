@@ -22,9 +22,12 @@ std::vector<std::vector<Vec3>> ends_under(const std::function<void()>& choose, I
     choose();
     EXPECT_EQ(test.hair.reset(1, poses[0]), Status::kOk);
     for (std::size_t frame = 0; frame < poses.size(); ++frame) {
-      for (std::uint32_t i = 0; i < 3; ++i) EXPECT_EQ(test.hair.set_head(i, poses[(frame + 40 * i) % 120]), Status::kOk);
-      EXPECT_EQ(test.hair.set_detail(2, {.level = std::uint32_t(frame / 9 % 2), .simulated = frame % 30 > 3}), Status::kOk);
-      EXPECT_EQ(test.hair.step({.substeps = 1 + std::uint32_t(frame / 50), .inertia = frame < 80 ? 1.0f : 0.5f}), Status::kOk);
+      for (std::uint32_t i = 0; i < 3; ++i)
+        EXPECT_EQ(test.hair.set_head(i, poses[(frame + 40 * i) % 120]), Status::kOk);
+      EXPECT_EQ(test.hair.set_detail(2, {.level = std::uint32_t(frame / 9 % 2), .simulated = frame % 30 > 3}),
+                Status::kOk);
+      EXPECT_EQ(test.hair.step({.substeps = 1 + std::uint32_t(frame / 50), .inertia = frame < 80 ? 1.0f : 0.5f}),
+                Status::kOk);
       ends.push_back(test.ends(1));
       ends.push_back(test.ends(2));
     }

@@ -45,7 +45,8 @@ void collect(const fs::path& folder, CacheFiles& files) {
     const std::string name = it->path().filename().string();
     const std::size_t dot = name.find('.');
     std::error_code gone;
-    if (dot == std::string::npos || !is_digits(name.substr(0, dot), kDigitsOfEntry) || !it->is_regular_file(gone)) continue;
+    if (dot == std::string::npos || !is_digits(name.substr(0, dot), kDigitsOfEntry) || !it->is_regular_file(gone))
+      continue;
     const auto file = look_at(it->path());
     if (!file) continue;
     if (name.substr(dot) == kCacheSuffix) files.entries.push_back(*file);
@@ -94,8 +95,13 @@ tl::expected<bool, ToolError> remove_unused(const CacheFile& file) {
 tl::expected<CacheUsage, ToolError> cache_usage(const fs::path& folder) {
   const auto files = files_of(folder);
   if (!files) return tl::unexpected(files.error());
-  CacheUsage usage{files->keys, files->entries.size(), bytes_of(files->entries), files->leftovers.size(),
-                   bytes_of(files->leftovers), {}, {}};
+  CacheUsage usage{files->keys,
+                   files->entries.size(),
+                   bytes_of(files->entries),
+                   files->leftovers.size(),
+                   bytes_of(files->leftovers),
+                   {},
+                   {}};
   if (files->entries.empty()) return usage;
   const auto [oldest, newest] = std::ranges::minmax(files->entries, {}, &CacheFile::used);
   usage.oldest_use = oldest.used;

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <sys/stat.h>
 #include <time.h>
+#include <algorithm>
 
 namespace coif {
 namespace {
@@ -39,7 +39,8 @@ void remove_surplus(const fs::path& folder) {
   std::size_t entries = 0;
   for (const AgedFile& file : files_in(folder)) {
     const bool is_entry = file.path.extension() == kCacheSuffix;
-    const bool stale = is_entry ? ++entries > kMostEntries : fs::file_time_type::clock::now() - file.time > kStaleInCache;
+    const bool stale =
+        is_entry ? ++entries > kMostEntries : fs::file_time_type::clock::now() - file.time > kStaleInCache;
     std::error_code ignored;
     if (stale) fs::remove(file.path, ignored);
   }
@@ -193,8 +194,13 @@ std::string content_digits(std::span<const std::byte> bytes) {
 
 std::string cook_key(const CookIdentity& identity) {
   constexpr const char* kLayout = "coif cache 4";  // of the entries, too: another layout never meets this one's
-  std::vector<std::string> parts{kLayout, identity.tool, identity.importer, identity.place.source.filename().string(),
-                                 content_digits(identity.source_bytes), identity.recipe, identity.draft ? "draft" : ""};
+  std::vector<std::string> parts{kLayout,
+                                 identity.tool,
+                                 identity.importer,
+                                 identity.place.source.filename().string(),
+                                 content_digits(identity.source_bytes),
+                                 identity.recipe,
+                                 identity.draft ? "draft" : ""};
   for (const fs::path& root : identity.place.roots) {
     std::error_code error;
     parts.push_back(fs::proximate(root, identity.place.source_directory(), error).string());

@@ -26,7 +26,7 @@ struct Unit {
   double bytes;
 };
 
-constexpr Unit kUnits[] = {{"", 1},   {"K", 1e3},      {"M", 1e6},       {"G", 1e9},       {"T", 1e12},
+constexpr Unit kUnits[] = {{"", 1},      {"K", 1e3},      {"M", 1e6},         {"G", 1e9},           {"T", 1e12},
                            {"Ki", 1024}, {"Mi", 1048576}, {"Gi", 1073741824}, {"Ti", 1099511627776}};
 
 /// "10G", "1.5Gi", "0". Nothing for what is no size.
@@ -43,7 +43,8 @@ std::string readable(std::uint64_t bytes) {
   for (const Unit& larger : std::span(kUnits).first(5)) {
     if (double(bytes) >= larger.bytes) unit = &larger;
   }
-  return unit == kUnits ? fmt::format("{} bytes", bytes) : fmt::format("{:.1f} {}B", double(bytes) / unit->bytes, unit->name);
+  return unit == kUnits ? fmt::format("{} bytes", bytes)
+                        : fmt::format("{:.1f} {}B", double(bytes) / unit->bytes, unit->name);
 }
 
 std::string age(std::filesystem::file_time_type time) {
@@ -66,10 +67,11 @@ std::string result_text(const CacheOptions& options, const CacheTrimmed& trimmed
   }
   text += fmt::format("{}: {} of {}, {}\n", options.folder, counted(usage.entries, "entry", "entries"),
                       counted(usage.keys, "source", "sources"), readable(usage.bytes));
-  if (usage.oldest_use) text += fmt::format("  last used {} to {} ago\n", age(*usage.newest_use), age(*usage.oldest_use));
+  if (usage.oldest_use)
+    text += fmt::format("  last used {} to {} ago\n", age(*usage.newest_use), age(*usage.oldest_use));
   if (usage.leftovers > 0) {
-    text += fmt::format("  {} of killed cooks, {}: removed with --max-size\n", counted(usage.leftovers, "file", "files"),
-                        readable(usage.leftover_bytes));
+    text += fmt::format("  {} of killed cooks, {}: removed with --max-size\n",
+                        counted(usage.leftovers, "file", "files"), readable(usage.leftover_bytes));
   }
   return text;
 }
@@ -112,12 +114,14 @@ Command add_cache(CLI::App& program) {
   const auto parse = [options](const std::string& text) {
     options->max_bytes = parse_size(text);
     if (!options->max_bytes) {
-      throw CLI::ValidationError("--max-size", fmt::format("'{}' is no size, such as 10G, 512M or 1.5Gi (K is 1000, Ki 1024)", text));
+      throw CLI::ValidationError("--max-size",
+                                 fmt::format("'{}' is no size, such as 10G, 512M or 1.5Gi (K is 1000, Ki 1024)", text));
     }
   };
-  app->add_option_function<std::string>("--max-size", parse,
-                                        "Remove what was not used for longest until no more than this is left, and what killed "
-                                        "cooks left; cooks may run meanwhile")
+  app->add_option_function<std::string>(
+         "--max-size", parse,
+         "Remove what was not used for longest until no more than this is left, and what killed "
+         "cooks left; cooks may run meanwhile")
       ->type_name("10G");
   app->add_flag("--stats", options->stats, "Print how much there is, and when it was last used");
   add_format(*app, options->format);

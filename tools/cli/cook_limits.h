@@ -10,9 +10,9 @@
 namespace coif {
 
 struct CookAllowance {
-  std::uint64_t memory_bytes = 0;     ///< To add to what the process has.
-  std::chrono::seconds whole{0};      ///< Of the cook.
-  std::chrono::seconds pass{0};       ///< Of each pass; as long as the whole where it is not asked for.
+  std::uint64_t memory_bytes = 0;  ///< To add to what the process has.
+  std::chrono::seconds whole{0};   ///< Of the cook.
+  std::chrono::seconds pass{0};    ///< Of each pass; as long as the whole where it is not asked for.
   unsigned threads = 1;
 };
 

@@ -6,8 +6,8 @@
 #include "report/page/html_page.h"
 #include "validate/issue_codes.h"
 
-#include <Eigen/Core>
 #include <fmt/format.h>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -145,7 +145,8 @@ PictureSettings look_at(const Asset& asset, std::uint32_t patch) {
   PictureSettings settings;
   settings.width = settings.height = 360;
   settings.patches = true;
-  while (settings.lod + 1 < asset.stored_lods().size() && patch >= asset.stored_lods()[settings.lod + 1].first_patch) ++settings.lod;
+  while (settings.lod + 1 < asset.stored_lods().size() && patch >= asset.stored_lods()[settings.lod + 1].first_patch)
+    ++settings.lod;
   settings.marked_patch = patch - (asset.stored_lods().empty() ? 0 : asset.stored_lods()[settings.lod].first_patch);
   const PatchRecord& record = asset.patches()[patch];
   const Eigen::Vector3d from = middle_of(asset, asset.indices().subspan(record.first_index, record.index_count)) -

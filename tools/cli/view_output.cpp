@@ -23,7 +23,8 @@ tl::expected<AssetFile, ToolError> open_drawable(const std::string& path, FileBy
 }
 
 tl::expected<std::string, ToolError> filled_page(const std::filesystem::path& place, std::string_view page,
-                                                 const AssetFile& file, const std::string& path, std::string_view sheet) {
+                                                 const AssetFile& file, const std::string& path,
+                                                 std::string_view sheet) {
   auto text = view_page(page, file.bytes(), std::filesystem::path(path).filename().string(), sheet);
   if (!text) return tl::unexpected(ToolError{text.error().kind, place.string() + ": " + text.error().message});
   return text;

@@ -20,9 +20,9 @@ CLI::Option* add_page(CLI::App& app, std::string& page);
 [[nodiscard]] tl::expected<AssetFile, ToolError> open_drawable(const std::string& path, FileBytes bytes);
 
 /// `page`, which was read at `place`, with this asset, by its file's name, and view_page()'s `sheet`. Errors: those of view_page().
-[[nodiscard]] tl::expected<std::string, ToolError> filled_page(const std::filesystem::path& place, std::string_view page,
-                                                               const AssetFile& file, const std::string& path,
-                                                               std::string_view sheet = {});
+[[nodiscard]] tl::expected<std::string, ToolError> filled_page(const std::filesystem::path& place,
+                                                               std::string_view page, const AssetFile& file,
+                                                               const std::string& path, std::string_view sheet = {});
 
 /// The same of the page that is found as --page says. Errors: those of find_view_page() and FileBytes::read() too.
 [[nodiscard]] tl::expected<std::string, ToolError> filled_page(const std::string& page, const AssetFile& file,

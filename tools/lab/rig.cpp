@@ -36,8 +36,8 @@ RigBone bone_of(const BoneRecord& bone, const DynamicsRecord& dynamics, std::uin
 }
 
 std::optional<AskedRecord> changed_from(const AskedRecord& asked, const DynamicsRecord& given) {
-  const bool is_same = asked.friction == given.friction && asked.damping == given.damping &&
-                       asked.parent_share == given.parent_share;
+  const bool is_same =
+      asked.friction == given.friction && asked.damping == given.damping && asked.parent_share == given.parent_share;
   return is_same ? std::nullopt : std::optional(asked);
 }
 
@@ -71,7 +71,8 @@ Rig rig_of(const Asset& asset) {
   }
   rig.colliders.assign(asset.colliders().begin(), asset.colliders().end());
   for (const LinkRecord& link : asset.links()) {
-    rig.links.push_back({link.bone - rig.rigid_count, link.to - rig.rigid_count, double(link.shortest), double(link.longest)});
+    rig.links.push_back(
+        {link.bone - rig.rigid_count, link.to - rig.rigid_count, double(link.shortest), double(link.longest)});
   }
   find_tips(asset, rig);
   return rig;

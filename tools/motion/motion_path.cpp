@@ -74,12 +74,12 @@ struct JumpKnots {
   const double lift = 0.4 + push;                             // seconds, as is the next
   const double landing = lift + 2 * take_off / kGravity;
   const JumpKnot knots[7] = {{0, 0, 0},
-                         {0.4, -kCrouch, 0},
-                         {lift, 0, take_off},
-                         {landing, 0, -take_off},
-                         {landing + push, -kCrouch, 0},
-                         {landing + push + 0.5, 0, 0},
-                         {landing + push + 0.8, 0, 0}};
+                             {0.4, -kCrouch, 0},
+                             {lift, 0, take_off},
+                             {landing, 0, -take_off},
+                             {landing + push, -kCrouch, 0},
+                             {landing + push + 0.5, 0, 0},
+                             {landing + push + 0.8, 0, 0}};
   [[nodiscard]] double period() const { return std::end(knots)[-1].seconds; }
 };
 
@@ -180,7 +180,8 @@ std::vector<PathBreak> breaks_of(Motion motion, double until) {
   if (motion == Motion::kJump) {
     const JumpKnots jumps;
     std::vector<double> offsets;
-    for (const JumpKnot* knot = jumps.knots + 1; knot != std::end(jumps.knots); ++knot) offsets.push_back(knot->seconds);
+    for (const JumpKnot* knot = jumps.knots + 1; knot != std::end(jumps.knots); ++knot)
+      offsets.push_back(knot->seconds);
     repeat(offsets, jumps.period(), until, breaks);
   }
   if (motion == Motion::kTeleport) {

@@ -35,9 +35,9 @@ using Clock = std::chrono::steady_clock;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr int kMillisecondsOfLook = 50;  // how soon somebody who waits for a child notices that nobody wants its answer
-constexpr int kPipeDescriptor = 3;      // in a limited child, after its other descriptors are closed
-constexpr rlim_t kMaxDescriptors = 32;  // model, side files, dynamic loader
-constexpr int kExitOutOfMemory = 112;   // outside the range of ordinary programs and of sanitizers
+constexpr int kPipeDescriptor = 3;       // in a limited child, after its other descriptors are closed
+constexpr rlim_t kMaxDescriptors = 32;   // model, side files, dynamic loader
+constexpr int kExitOutOfMemory = 112;    // outside the range of ordinary programs and of sanitizers
 constexpr int kExitFailed = 113;
 constexpr int kExitNoDescriptors = 114;
 

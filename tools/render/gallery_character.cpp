@@ -8,8 +8,8 @@
 
 #include <coif/hair.h>
 
-#include <Eigen/Core>
 #include <fmt/format.h>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>

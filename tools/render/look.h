@@ -7,8 +7,9 @@ namespace coif {
 struct LookSettings {
   std::uint32_t width = 280;  ///< Of one picture, pixels, 64..1024.
   std::uint32_t height = 280;
-  std::string title;              ///< Above all pictures.
-  std::vector<std::string> told;  ///< What the cook had to say, a paragraph each, below them; other bytes than ASCII are replaced.
+  std::string title;  ///< Above all pictures.
+  std::vector<std::string>
+      told;  ///< What the cook had to say, a paragraph each, below them; other bytes than ASCII are replaced.
 };
 
 /// One sheet that shows whether a cook came out right: the hair from all sides, its patches and the direction of its strands, the

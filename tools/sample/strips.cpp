@@ -123,9 +123,7 @@ Vector3d point_on_hair(const HairCourse& course, double along) {
   return pushed_clear(point, 0.003 + 0.5 * course.lift, head_distance, head_normal);
 }
 
-double azimuth_of(const Vector3d& point) {
-  return std::atan2(point.x(), point.z() - kCraniumCenter.z()) / kDegree;
-}
+double azimuth_of(const Vector3d& point) { return std::atan2(point.x(), point.z() - kCraniumCenter.z()) / kDegree; }
 
 SkinInfluences rounded_influences(std::array<std::pair<int, double>, 4> shares) {
   constexpr double kSteps = 256.0;

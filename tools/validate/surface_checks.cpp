@@ -2,8 +2,8 @@
 #include "cook/select/mesh_topology.h"
 #include "validate/asset_checks.h"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>

@@ -10,35 +10,35 @@ namespace coif {
 /// Why a file was refused. The order is the order of the checks.
 enum class LoadCode : std::uint8_t {
   kOk = 0,
-  kTooSmall,          ///< Shorter than the header.
-  kMisaligned,        ///< The caller's memory does not start at a multiple of 16 (64 where texels are used).
-  kMagic,             ///< Not a cooked hair asset.
-  kMajorVersion,      ///< Cooked for another major version of the format.
-  kSize,              ///< The header's size is not the size of the bytes given: truncated or extended.
-  kChunkCount,        ///< More chunks than the format allows, or than the file can hold.
-  kHash,              ///< Bytes were changed after cooking: in the chunk named, else in the header or the table.
-  kChunkRange,        ///< A chunk lies outside the file, overlaps another or is not aligned.
-  kChunkDuplicate,    ///< The same chunk twice.
-  kChunkUnknown,      ///< A chunk that must be understood is not known to this version.
-  kChunkMissing,      ///< A chunk that another needs is absent.
-  kChunkSize,         ///< A chunk's size does not fit its records or the count declared elsewhere.
-  kReserved,          ///< A reserved field is not zero.
-  kNotFinite,         ///< A number is NaN, infinite or outside its range.
-  kEnumerator,        ///< An enumerator has a value that this version does not know.
-  kReference,         ///< An index points outside the array it refers to.
-  kBoneOrder,         ///< Head first, then scalp, then simulated, parents before children: broken.
-  kBoneJoint,         ///< A bone does not start where its simulated parent ends.
-  kColliderSet,       ///< A bone's set names a collider that does not exist, or belongs to a rigid bone.
-  kChainCover,        ///< Chains do not cover the simulated bones exactly once.
-  kOpenBones,         ///< A chain's order keeps more bones waiting for children than a solver has room for.
-  kPatchCover,        ///< Patches do not cover the index list exactly once, in order.
-  kLodCover,          ///< Levels of detail do not cover the patches exactly once, in order.
-  kLodOrder,          ///< Screen sizes do not fall to 0 from level to level, or errors do not grow from 0.
-  kLodBones,          ///< A bone is simulated in levels where it cannot be, or not in level 0.
-  kOrderCover,        ///< A draw order does not have every triangle of a level of detail exactly once.
-  kWeightSum,         ///< Skin weights of a vertex do not add up to one.
-  kName,              ///< Names do not end with a zero byte.
-  kLinkOrder,         ///< Links are not trees between bones of equal depth in different chains, by depth.
+  kTooSmall,        ///< Shorter than the header.
+  kMisaligned,      ///< The caller's memory does not start at a multiple of 16 (64 where texels are used).
+  kMagic,           ///< Not a cooked hair asset.
+  kMajorVersion,    ///< Cooked for another major version of the format.
+  kSize,            ///< The header's size is not the size of the bytes given: truncated or extended.
+  kChunkCount,      ///< More chunks than the format allows, or than the file can hold.
+  kHash,            ///< Bytes were changed after cooking: in the chunk named, else in the header or the table.
+  kChunkRange,      ///< A chunk lies outside the file, overlaps another or is not aligned.
+  kChunkDuplicate,  ///< The same chunk twice.
+  kChunkUnknown,    ///< A chunk that must be understood is not known to this version.
+  kChunkMissing,    ///< A chunk that another needs is absent.
+  kChunkSize,       ///< A chunk's size does not fit its records or the count declared elsewhere.
+  kReserved,        ///< A reserved field is not zero.
+  kNotFinite,       ///< A number is NaN, infinite or outside its range.
+  kEnumerator,      ///< An enumerator has a value that this version does not know.
+  kReference,       ///< An index points outside the array it refers to.
+  kBoneOrder,       ///< Head first, then scalp, then simulated, parents before children: broken.
+  kBoneJoint,       ///< A bone does not start where its simulated parent ends.
+  kColliderSet,     ///< A bone's set names a collider that does not exist, or belongs to a rigid bone.
+  kChainCover,      ///< Chains do not cover the simulated bones exactly once.
+  kOpenBones,       ///< A chain's order keeps more bones waiting for children than a solver has room for.
+  kPatchCover,      ///< Patches do not cover the index list exactly once, in order.
+  kLodCover,        ///< Levels of detail do not cover the patches exactly once, in order.
+  kLodOrder,        ///< Screen sizes do not fall to 0 from level to level, or errors do not grow from 0.
+  kLodBones,        ///< A bone is simulated in levels where it cannot be, or not in level 0.
+  kOrderCover,      ///< A draw order does not have every triangle of a level of detail exactly once.
+  kWeightSum,       ///< Skin weights of a vertex do not add up to one.
+  kName,            ///< Names do not end with a zero byte.
+  kLinkOrder,       ///< Links are not trees between bones of equal depth in different chains, by depth.
 };
 
 /// The result of opening an asset; carries its own evidence.

@@ -19,9 +19,9 @@ struct ShadingTraits {
 /// In the order of ShadingModel.
 inline constexpr ShadingTraits kShadingModels[] = {
     //               primary  secondary  coloured  fibre
-    {"thesis",       true,    true,      true,     false},
-    {"kajiya-kay",   true,    false,     true,     false},
-    {"marschner",    true,    true,      false,    true},
+    {"thesis", true, true, true, false},
+    {"kajiya-kay", true, false, true, false},
+    {"marschner", true, true, false, true},
 };
 inline constexpr std::uint32_t kShadingModelCount = sizeof kShadingModels / sizeof kShadingModels[0];
 
@@ -32,8 +32,8 @@ constexpr bool is_shading_valid(const MaterialRecord& m) {
   if (model >= kShadingModelCount) return false;
   const float least_roughness = kShadingModels[model].has_fiber ? kLeastRoughness : 0.0f;
   return within(m.tilt, -kMostTilt, kMostTilt) && within(m.roughness, least_roughness, kMostRoughness) &&
-         within(m.scatter, 0.0f, 1.0f) && within(m.light_cut, 0.0f, 1.0f) &&
-         within(m.glow, 0.0f, kMostGlow) && within(m.root_shade, 0.0f, 1.0f) && within(m.variation, 0.0f, 1.0f);
+         within(m.scatter, 0.0f, 1.0f) && within(m.light_cut, 0.0f, 1.0f) && within(m.glow, 0.0f, kMostGlow) &&
+         within(m.root_shade, 0.0f, 1.0f) && within(m.variation, 0.0f, 1.0f);
 }
 
 }  // namespace coif

@@ -1,7 +1,7 @@
 #include "gl/transparency/exact.h"
 
-#include "gl/textures.h"
 #include "gl/shader_programs.h"
+#include "gl/textures.h"
 
 #include <hair_shaders.h>
 
@@ -37,7 +37,8 @@ GLsizeiptr head_bytes(std::uint32_t pixels) {
 bool build_resolve(const ModeDraw& draw, ListMemory& lists) {
   constexpr const char* kVertex[] = {kShaderListResolveVert};
   constexpr const char* kFragment[] = {kShaderFragmentListsGlsl, kShaderListResolveFrag};
-  if (lists.program == 0) lists.program = build_program(draw.renderer.gl, kGlsl310, kVertex, kFragment, draw.renderer.failure);
+  if (lists.program == 0)
+    lists.program = build_program(draw.renderer.gl, kGlsl310, kVertex, kFragment, draw.renderer.failure);
   return lists.program != 0;
 }
 
@@ -115,7 +116,8 @@ bool make_lists(const ModeDraw& draw, const PixelArea& area, ListMemory& lists) 
   lists.heads = make_buffer(gl, head_bytes(pixels), GL_DYNAMIC_READ);
   lists.pixels = pixels;
   if (gl.GetError() == GL_NO_ERROR) return true;
-  std::snprintf(draw.renderer.failure, sizeof draw.renderer.failure, "no memory for lists of %u texels", unsigned{lists.capacity});
+  std::snprintf(draw.renderer.failure, sizeof draw.renderer.failure, "no memory for lists of %u texels",
+                unsigned{lists.capacity});
   release(gl, lists);
   return false;
 }

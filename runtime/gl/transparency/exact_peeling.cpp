@@ -166,8 +166,8 @@ bool make_peel_targets(const ModeDraw& draw, const PixelArea& area, ExactMemory&
   memory.functions.GenQueries(1, &peel.query);
   if (is_made) return true;
   release(draw.renderer.gl, memory.functions, peel);
-  std::snprintf(draw.renderer.failure, sizeof draw.renderer.failure, "no memory for layers of %d x %d pixels", int{width},
-                int{height});
+  std::snprintf(draw.renderer.failure, sizeof draw.renderer.failure, "no memory for layers of %d x %d pixels",
+                int{width}, int{height});
   return false;
 }
 

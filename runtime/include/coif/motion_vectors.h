@@ -20,7 +20,7 @@ struct MotionDesc {
   /// The last frame's. A jitter of the camera stays out of the vectors where both matrices have this frame's.
   float previous_clip_from_world[16] = {};
   Vec3 previous_eye;
-  float alpha = 0.5f;  ///< Texels from this alpha on have a vector, 0..1.
+  float alpha = 0.5f;                        ///< Texels from this alpha on have a vector, 0..1.
   const MaterialRecord* material = nullptr;  ///< As in DrawDesc.
 };
 

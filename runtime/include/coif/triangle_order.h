@@ -90,7 +90,7 @@ class COIF_API BoneOrder final : public TriangleOrder {
 
   Level levels_[kMaxLods];
   Group* groups_ = nullptr;
-  Key* keys_ = nullptr;  ///< Room for those of one level.
+  Key* keys_ = nullptr;           ///< Room for those of one level.
   std::byte* indices_ = nullptr;  ///< Bone by bone, once for each of the asset's orders.
   std::uint8_t order_of_view_[kViewCells] = {};
   std::uint32_t index_bytes_ = 0;

@@ -18,10 +18,10 @@ struct PoseLanes {
 
 /// Of one part of a step, and of the row at hand. For kChains all lanes are of one head.
 struct RowCharacter {
-  std::uint32_t collider_count = 0;         ///< Of the head that has most.
-  const ColliderBounds* bounds = nullptr;   ///< For each, one lane for each head of the block.
-  const ColliderWay* of_lane[kLanes];       ///< The first of each head's. Not set where there are none,
-  std::uint32_t counts[kLanes];             ///< since this is made in every part of a step.
+  std::uint32_t collider_count = 0;        ///< Of the head that has most.
+  const ColliderBounds* bounds = nullptr;  ///< For each, one lane for each head of the block.
+  const ColliderWay* of_lane[kLanes];      ///< The first of each head's. Not set where there are none,
+  std::uint32_t counts[kLanes];            ///< since this is made in every part of a step.
   std::int32_t only_head = -1;       ///< Lane in the block of the head that all lanes are of; -1: lanes are heads.
   std::uint32_t body_colliders = 0;  ///< ColliderWay::place below this: one of the asset's.
   const std::uint32_t* body_sets = nullptr;  ///< For each bone, for each lane: which of the asset's it may touch.

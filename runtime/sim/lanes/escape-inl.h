@@ -24,7 +24,7 @@ inline constexpr float kStartsIn = 1e-4f;
 /// start is on its surface what is deeper than the start.
 template <class D>
 COIF_RARE hn::Mask<D> lies_in(D d, hn::Mask<D> asked, const PlacedCollider& collider, const TouchingBone<D>& bone,
-                               const V3<D>& direction) {
+                              const V3<D>& direction) {
   if (hn::AllFalse(d, asked)) return asked;
   const auto most = hn::Set(d, kLiesIn * collider.size);
   if (collider.shape == ColliderShape::kPlane) {

@@ -56,7 +56,8 @@ struct BoneLanes {
   Lanes parent_share;
   Lanes torsion;
   Lanes resistance;
-  Lanes carried;  ///< Moment of inertia of all that hangs from the start, at rest, if bones weigh a kilogram a metre: kg m^2.
+  Lanes
+      carried;  ///< Moment of inertia of all that hangs from the start, at rest, if bones weigh a kilogram a metre: kg m^2.
   alignas(64) std::uint32_t colliders[kLanes];  ///< Sets.
   alignas(64) std::int32_t levels[kLanes];  ///< In how many levels of detail, from the finest, the bone is simulated.
 };
@@ -166,7 +167,8 @@ struct HeadLanes {
   Lanes3 way;            ///< To there, metres.
   Lanes3 velocity;       ///< Now, m/s and rad/s.
   Lanes3 angular_velocity;
-  Lanes3 mean_velocity;  ///< Over the last step. Where is_told: at the end of the coming one, for which the mean is not needed.
+  Lanes3
+      mean_velocity;  ///< Over the last step. Where is_told: at the end of the coming one, for which the mean is not needed.
   Lanes3 mean_angular_velocity;
   Lanes is_told;                    ///< 1: the host said how fast the head arrives; or 0.
   Lanes last_dt;                    ///< Seconds; 0: there was no step yet.

@@ -14,7 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-inline constexpr float kBeyond = 1e-6f;  ///< Radians: nearer is within, so that what was turned back is not turned again.
+inline constexpr float kBeyond =
+    1e-6f;  ///< Radians: nearer is within, so that what was turned back is not turned again.
 
 /// A direction in the limit's own axes: (x, y) and the part of it that the first angle goes to. For a cone x is part of that.
 template <class D>

@@ -9,11 +9,11 @@ namespace coif {
 
 /// One step, and the equal parts that it is made of. SI units, world axes.
 struct StepParts {
-  float dt = 0;             ///< Seconds, of the whole step, at most kLongestStep.
-  float carried = 0;        ///< Share of the heads' ways through which the hair was carried before the step began.
+  float dt = 0;              ///< Seconds, of the whole step, at most kLongestStep.
+  float carried = 0;         ///< Share of the heads' ways through which the hair was carried before the step began.
   bool has_stalled = false;  ///< One frame of it took longer than kMaxTimeStep.
-  std::uint32_t count = 1;  ///< Sub-steps.
-  Vec3 gravity;             ///< In the hair's metres, unless has_true_gravity.
+  std::uint32_t count = 1;   ///< Sub-steps.
+  Vec3 gravity;              ///< In the hair's metres, unless has_true_gravity.
   bool has_true_gravity = false;  ///< `gravity` is in the world's metres.
   Vec3 wind;
   float air_follow = 1;

@@ -39,7 +39,7 @@ struct HeadGuess {
 struct HairInside {
   double area = 0;      ///< Of the hair's surface.
   double vertices = 0;  ///< Of its vertices.
-  double pokes = 0;     ///< Of the directions in which there is hair near the head, those in which none is outside of it.
+  double pokes = 0;  ///< Of the directions in which there is hair near the head, those in which none is outside of it.
 };
 
 [[nodiscard]] HairInside hair_inside(const HairMesh& hair, const HeadEllipsoid& head);

@@ -119,8 +119,10 @@ Figure over_rates(const AccuracyReport& report, std::string title, std::string c
 
 /// Of whose code the times are: what ships, with all that a game gets, and studies of methods.
 constexpr const char* kWhoseCode =
-    " Times are not of equal code: coif, cascade, passive and thesis are the library itself, single precision in vectors of sixteen "
-    "lanes, of which one head uses as many as it has chains of a shape, bone matrices included; the others are this report's own, "
+    " Times are not of equal code: coif, cascade, passive and thesis are the library itself, single precision in "
+    "vectors of sixteen "
+    "lanes, of which one head uses as many as it has chains of a shape, bone matrices included; the others are this "
+    "report's own, "
     "double precision, one bone after the other, without matrices.";
 
 Figure over_cost(std::string title, std::string caption) {
@@ -144,7 +146,8 @@ void add_solver(const AccuracyReport& report, const std::string& solver, double 
 Figure work_precision_figure(const AccuracyReport& report) {
   const double fps = main_frame_rate(report);
   const auto means = means_over_motions(report, fps);
-  Figure figure = over_cost(fmt::format("Error against cost at {} frames per second", fps),
+  Figure figure =
+      over_cost(fmt::format("Error against cost at {} frames per second", fps),
                 "Every point is one solver with one number of sub-steps or iterations, over all motions; further left "
                 "is cheaper, further down more exact. Ringed points are the Pareto front: whatever is not on it is "
                 "beaten in both by something that is.");
@@ -167,11 +170,13 @@ Figure work_precision_figure(const AccuracyReport& report) {
 Figure own_model_figure(const AccuracyReport& report) {
   const double fps = main_frame_rate(report);
   const auto means = means_over_motions(report, fps);
-  Figure figure = over_cost(
-      fmt::format("Error against each solver's own model at {} frames per second", fps),
-      "What more steps can mend: how far each solver is from where it comes itself with ever finer steps. How far that is "
-      "from the asset's own motion is in the table, and no number of steps changes it. Algorithm 1 and the thesis's attempts "
-      "before it are not here: their strengths are shares of a step, and finer steps come to other hair.");
+  Figure figure =
+      over_cost(fmt::format("Error against each solver's own model at {} frames per second", fps),
+                "What more steps can mend: how far each solver is from where it comes itself with ever finer steps. "
+                "How far that is "
+                "from the asset's own motion is in the table, and no number of steps changes it. Algorithm 1 and the "
+                "thesis's attempts "
+                "before it are not here: their strengths are shares of a step, and finer steps come to other hair.");
   figure.plot.y_label = "RMS distance to its own converged motion, % of the chain's length";
   for (const std::string& solver : names_of(report.rows, &AccuracyRow::solver)) {
     std::vector<PlotPoint> points;
@@ -244,13 +249,18 @@ std::string accuracy_page(const ReportHeading& heading, const AccuracyReport& re
   page.figure(work_precision_figure(report));
   page.figure(own_model_figure(report));
   page.table(settings_table(report));
-  page.paragraph(fmt::format(
-      "All motions at {} frames per second. Steps are sub-steps of a frame, or iterations for solvers that repeat their "
-      "constraints instead. Errors are distances of chain tips, seen from the head, in % of the chain's length; stretch "
-      "is in % of a bone's length; penetration is how deep a bone's end is in a collider, in % of the collider's radius, "
-      "and beside it the same of whole bones. Time is the least that one thread took of several runs, of its processor's own clock: other "
-      "programs do not count. Where it is less than with fewer steps the machine was disturbed all the same, and the row says so.",
-      main_frame_rate(report)));
+  page.paragraph(
+      fmt::format("All motions at {} frames per second. Steps are sub-steps of a frame, or iterations for solvers that "
+                  "repeat their "
+                  "constraints instead. Errors are distances of chain tips, seen from the head, in % of the chain's "
+                  "length; stretch "
+                  "is in % of a bone's length; penetration is how deep a bone's end is in a collider, in % of the "
+                  "collider's radius, "
+                  "and beside it the same of whole bones. Time is the least that one thread took of several runs, of "
+                  "its processor's own clock: other "
+                  "programs do not count. Where it is less than with fewer steps the machine was disturbed all the "
+                  "same, and the row says so.",
+                  main_frame_rate(report)));
   page.heading("Does it look the same at every frame rate?");
   page.paragraph(
       "A solver whose error is large and changes with the frame rate makes hair that looks different on every machine; "
@@ -268,7 +278,8 @@ std::string accuracy_page(const ReportHeading& heading, const AccuracyReport& re
   for (const std::string& sentence : {own_reference_summary(report), numbers_read(report), velocities_told(report)}) {
     if (!sentence.empty()) page.paragraph(sentence);
   }
-  page.paragraph("The same of the other methods' own models: each run twice, the second time with steps of double length.");
+  page.paragraph(
+      "The same of the other methods' own models: each run twice, the second time with steps of double length.");
   page.table(page_table(own_reference_columns(report.budget_rms_pct), report.own_reference));
   page.heading("Where does the hair come to rest?");
   page.paragraph("RMS distance of the tips under a still head to the reference's rest, in % of the length.");
@@ -277,8 +288,10 @@ std::string accuracy_page(const ReportHeading& heading, const AccuracyReport& re
     page.heading("How does it swing?");
     page.paragraph(
         "After a charge from 0 to 8 m/s in 0.3 s, at 60 frames per second: how far each tip is thrown, how far it then "
-        "comes to the other side, and when it stays within a twentieth of the first. As the asset asks for, and by Algorithm 1 "
-        "with the artist's resistance and friction and eight iterations; apart is the RMS distance of the two, their different rests "
+        "comes to the other side, and when it stays within a twentieth of the first. As the asset asks for, and by "
+        "Algorithm 1 "
+        "with the artist's resistance and friction and eight iterations; apart is the RMS distance of the two, their "
+        "different rests "
         "included.");
     page.figure(swing_figure(report.swings.longest));
     page.table(page_table(swing_columns(), report.swings.rows));
@@ -286,9 +299,11 @@ std::string accuracy_page(const ReportHeading& heading, const AccuracyReport& re
   if (!report.stroke.empty()) {
     page.heading("With a hand in it");
     page.paragraph(
-        "On a character, a hand stroking the hair of a head that stands still: against the same solver, told of the same hand "
+        "On a character, a hand stroking the hair of a head that stands still: against the same solver, told of the "
+        "same hand "
         "3840 times a second. What that differs by from half as many steps is beside it: smaller errors say nothing. "
-        "Penetration is the deepest that any part of a bone was in the hand, in % of the hand's radius, bones that start in there "
+        "Penetration is the deepest that any part of a bone was in the hand, in % of the hand's radius, bones that "
+        "start in there "
         "aside.");
     page.table(page_table(stroke_columns(), report.stroke));
   }

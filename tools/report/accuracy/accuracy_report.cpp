@@ -25,9 +25,9 @@ AccuracyRow& find_or_add(std::vector<AccuracyRow>& means, const AccuracyRow& row
   mean.code = row.code;
   for (double AccuracyRow::*figure :
        {&AccuracyRow::ns_per_bone_frame, &AccuracyRow::rms_error_pct, &AccuracyRow::own_error_pct,
-        &AccuracyRow::model_distance_pct, &AccuracyRow::max_error_pct,
-        &AccuracyRow::worst_second_pct, &AccuracyRow::of_motion_pct, &AccuracyRow::stretch_max_pct,
-        &AccuracyRow::penetration_max_pct, &AccuracyRow::segment_penetration_max_pct}) {
+        &AccuracyRow::model_distance_pct, &AccuracyRow::max_error_pct, &AccuracyRow::worst_second_pct,
+        &AccuracyRow::of_motion_pct, &AccuracyRow::stretch_max_pct, &AccuracyRow::penetration_max_pct,
+        &AccuracyRow::segment_penetration_max_pct}) {
     mean.*figure = 0;
   }
   return mean;

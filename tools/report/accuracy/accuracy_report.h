@@ -34,8 +34,8 @@ struct AccuracyRow {
   /// RMS distance to where the solver itself comes with ever finer steps (own_model.h). Missing where that is no one motion.
   double own_error_pct = kNoNumber;
   double model_distance_pct = kNoNumber;  ///< RMS distance of that to the converged solution: no step mends it.
-  double of_motion_pct = kNoNumber;     ///< The RMS error in % of how far the tips move from their rest, RMS too.
-  double stretch_max_pct = kNoNumber;   ///< Worst |length / rest - 1|.
+  double of_motion_pct = kNoNumber;       ///< The RMS error in % of how far the tips move from their rest, RMS too.
+  double stretch_max_pct = kNoNumber;     ///< Worst |length / rest - 1|.
   /// Worst depth of a bone's tail in a collider, in % of the collider's smallest radius.
   double penetration_max_pct = kNoNumber;
   double segment_penetration_max_pct = kNoNumber;  ///< The same of whole bones, between their ends too.
@@ -118,7 +118,9 @@ struct OwnReferenceRow {
 
 /// A motion is one where two computations of it differ by no more, %. Where no budget says what matters, a percent of the
 /// hair's length is about what an eye notices.
-[[nodiscard]] inline double largest_self_difference(double budget_pct) { return std::isfinite(budget_pct) ? budget_pct : 1; }
+[[nodiscard]] inline double largest_self_difference(double budget_pct) {
+  return std::isfinite(budget_pct) ? budget_pct : 1;
+}
 
 /// Where the hair comes to rest under a still head.
 struct SettleRow {
@@ -154,10 +156,10 @@ struct AccuracyReport {
   std::vector<OwnReferenceRow> own_reference;
   std::vector<SettleRow> settle;
   Swings swings;
-  std::vector<StrokeRow> stroke;       ///< Of the whole suite with `coif`; else empty.
-  double passive_share = 0;            ///< Of the bones: in the model in which bones hold back their parents.
-  double conditioned_share = 0;        ///< Of the bones: given other numbers than the artist's, so as to have one motion.
-  bool tells_velocities = false;       ///< To rows; not to swings and strokes.
+  std::vector<StrokeRow> stroke;  ///< Of the whole suite with `coif`; else empty.
+  double passive_share = 0;       ///< Of the bones: in the model in which bones hold back their parents.
+  double conditioned_share = 0;   ///< Of the bones: given other numbers than the artist's, so as to have one motion.
+  bool tells_velocities = false;  ///< To rows; not to swings and strokes.
   std::optional<ChosenSolver> chosen;  ///< Empty where nothing meets the budget.
   double budget_rms_pct = kNoNumber;   ///< The error budget that `chosen` meets.
 };
@@ -218,8 +220,7 @@ void mark_fronts(std::span<AccuracyRow> rows);
 
 /// Error against frame rate in one motion: the runtime's solvers and the best of the others, each with its fewest
 /// sub-steps, which is how they are run where nobody asks for more.
-[[nodiscard]] Figure frame_rate_figure(const AccuracyReport& report,
-                                                 const std::string& motion);
+[[nodiscard]] Figure frame_rate_figure(const AccuracyReport& report, const std::string& motion);
 
 /// Worst stretch over the motions against frame rate, every solver with its fewest sub-steps.
 [[nodiscard]] Figure stretch_figure(const AccuracyReport& report);

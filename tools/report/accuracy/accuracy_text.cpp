@@ -92,10 +92,12 @@ std::string accuracy_summary(const AccuracyReport& report) {
 /// What the solvers that do not ship solve instead.
 std::string model_text(double passive_share) {
   constexpr const char* kCascade =
-      "bones do not pull on their parents; the methods whose bones do (all but coif and projective) solve another equation, "
+      "bones do not pull on their parents; the methods whose bones do (all but coif and projective) solve another "
+      "equation, "
       "and a part of their distance is that difference, whatever their steps.";
   constexpr const char* kPassive =
-      "bones hold back their parents, by a potential of their bending; the other methods solve other equations, and a part "
+      "bones hold back their parents, by a potential of their bending; the other methods solve other equations, and a "
+      "part "
       "of their distance is that difference, whatever their steps.";
   if (passive_share == 0) return fmt::format("In that model {}", kCascade);
   if (passive_share == 1) return fmt::format("In that model {}", kPassive);
@@ -115,8 +117,7 @@ std::string reference_summary(const AccuracyReport& report) {
     return fmt::format(
         "Errors are distances to a converged solution of the same model. Computed twice, with steps of double length, "
         "it agrees with itself to {} in every motion; errors above that are the solvers'. {}",
-        percent_text(worst),
-        model_text(report.passive_share));
+        percent_text(worst), model_text(report.passive_share));
   }
   return fmt::format(
       "Errors are distances to a converged solution of the same model, but in {} it does not agree with itself to {}: "
@@ -136,15 +137,18 @@ std::string own_reference_summary(const AccuracyReport& report) {
     if (!motions.empty()) named.push_back(fmt::format("{} in {}", solver, fmt::join(motions, ", ")));
   }
   if (named.empty()) return "";
-  return fmt::format("Ever finer steps do not come to one motion (within {}) of {}: no error against their own model is told there.",
-                     budget_text(limit), fmt::join(named, "; "));
+  return fmt::format(
+      "Ever finer steps do not come to one motion (within {}) of {}: no error against their own model is told there.",
+      budget_text(limit), fmt::join(named, "; "));
 }
 
 std::string numbers_read(const AccuracyReport& report) {
   if (report.conditioned_share == 0) return "";
   return fmt::format(
-      "In {:.2g} % of the bones the cook changed friction, damping or parent_share so that they have one motion. The reference, "
-      "coif, cascade and passive read these numbers; thesis and the other methods read the artist's, so that a part of their "
+      "In {:.2g} % of the bones the cook changed friction, damping or parent_share so that they have one motion. The "
+      "reference, "
+      "coif, cascade and passive read these numbers; thesis and the other methods read the artist's, so that a part of "
+      "their "
       "distance is that difference.",
       100 * report.conditioned_share);
 }

@@ -34,7 +34,8 @@ class AccuracyMeasurement {
     for (const NamedPath& motion : motions) measure_motion(motion, solvers);
     measure_settling(solvers);
     const auto passive = std::ranges::count(sample_.rig.bones, ChainModel::kPassive, &RigBone::model);
-    const auto changed = std::ranges::count_if(sample_.rig.bones, [](const RigBone& bone) { return bone.asked.has_value(); });
+    const auto changed =
+        std::ranges::count_if(sample_.rig.bones, [](const RigBone& bone) { return bone.asked.has_value(); });
     const double bones = double(std::max<std::size_t>(sample_.rig.bones.size(), 1));
     report_.passive_share = double(passive) / bones;
     report_.conditioned_share = double(changed) / bones;

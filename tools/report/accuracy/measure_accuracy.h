@@ -82,7 +82,8 @@ struct TipError {
                                  const FramePoses& b_frames, const Rig& rig);
 
 /// RMS distance of two runs' tips at the frames, as a share of the chain's length.
-[[nodiscard]] double rms_between(const ReferenceRun& a, const ReferenceRun& b, const FramePoses& frames, const Rig& rig);
+[[nodiscard]] double rms_between(const ReferenceRun& a, const ReferenceRun& b, const FramePoses& frames,
+                                 const Rig& rig);
 
 /// Nanoseconds of one step per bone, by the thread's own clock: the least of some rounds through the motion's first frames, on
 /// the calling thread. NaN where a step is refused.

@@ -64,7 +64,8 @@ TipAgreement agreement_of(const Rig& rig, std::size_t tip, std::span<const Eigen
 /// As the reference is: twice, the second time with steps of double length.
 ReferenceRun run_finely(const OwnMotion& motion) {
   std::vector<Eigen::Vector3d> runs[2];
-  parallel_for(2, all_threads(), [&](std::size_t i) { runs[i] = places_at(motion, kStepsPerSecond / (i == 0 ? 1 : 2)); });
+  parallel_for(2, all_threads(),
+               [&](std::size_t i) { runs[i] = places_at(motion, kStepsPerSecond / (i == 0 ? 1 : 2)); });
   ReferenceRun run{.times = motion.times, .agreement = {}, .places = std::move(runs[0])};
   for (std::size_t tip = 0; tip < motion.rig.tips.size(); ++tip) {
     const auto coarse = std::span(runs[1]).subspan(tip * run.times.size(), run.times.size());

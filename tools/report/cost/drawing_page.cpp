@@ -16,7 +16,8 @@ void add_crowds(const CostReport& report, HtmlPage& page) {
   page.paragraph(fmt::format(
       "Device: {}, {} x {} pixels, three lights, hair alone; time until the device has finished. Blend is the four "
       "passes with soft edges; opaque draws once and cuts off; those beside "
-      "them draw once with softer edges; exact, the reference, sorts every pixel. Samples are those of a pixel. Simulated frames are "
+      "them draw once with softer edges; exact, the reference, sorts every pixel. Samples are those of a pixel. "
+      "Simulated frames are "
       "stepped before they are drawn, on the same thread.",
       device_text(rendering.device), rendering.width, rendering.height));
   page.paragraph(device_time_text(rendering));
@@ -46,7 +47,8 @@ void add_thesis_table(const CostReport& report, HtmlPage& page) {
   page.paragraph(fmt::format(
       "Here: {}, {} x {} pixels, hair alone, heads of one size, all of them in the picture. Thesis: {}, {} x {} "
       "pixels, frames of a whole game. A ratio is how many times as long a frame takes with as without: transparency "
-      "of frames that have it and that have not, simulation of the frames that have it, with their stepping and without. The thesis's come from whole frames a second, and what else its "
+      "of frames that have it and that have not, simulation of the frames that have it, with their stepping and "
+      "without. The thesis's come from whole frames a second, and what else its "
       "game draws takes part of every frame, so that transparency weighs less there.",
       device_text(report.rendering.device), measured.width, measured.height, kThesisTableDevice, kThesisTableWidth,
       kThesisTableHeight));

@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint32_t kMostPixels = 1024, kLeastPixels = 16, kMostFrames = 360;
 constexpr double kThresholds[] = {0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95};
 constexpr double kSameThreshold = 0.005;      // an 8-bit alpha or so
-constexpr double kSortingShare = 0.2;             // of the time for times
+constexpr double kSortingShare = 0.2;         // of the time for times
 constexpr std::uint32_t kThresholdViews = 3;  // thresholds differ alike from all sides: one in so many views will do
 
 tl::expected<void, ToolError> check(const OrderSettings& settings) {
@@ -185,8 +185,8 @@ class OrderMeasurement {
     const std::vector<DrawnWay> ways = ways_of(settings_.modes);
     const std::vector<double> times = measure_order_times(pictures_, comparer_, ways, poses_[0].moments[0],
                                                           ways_.finest.indices, settings_.timing_seconds);
-    const auto sorting = measure_sorting(pictures_, comparer_, ways_, poses_[0].moments[0],
-                                         kSortingShare * settings_.timing_seconds);
+    const auto sorting =
+        measure_sorting(pictures_, comparer_, ways_, poses_[0].moments[0], kSortingShare * settings_.timing_seconds);
     for (std::size_t i = 0; i < ways.size(); ++i) {
       const double ms = times[i];
       for (OrderRow& row : report_.rows) {

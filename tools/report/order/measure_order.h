@@ -2,9 +2,9 @@
 
 #include "base/tool_error.h"
 #include "render/order_pictures.h"
-#include "report/page/report_heading.h"
 #include "report/order/drawn_way.h"
 #include "report/order/order_report.h"
+#include "report/page/report_heading.h"
 #include "write/asset_writer.h"
 
 #include <coif/asset.h>
@@ -101,9 +101,8 @@ class PictureComparer {
 /// Nanoseconds of the processor that it takes to choose or to make one head's order, seen from one side after the other, all
 /// ways in turns for about `seconds`; nothing for a way with one order for all sides.
 [[nodiscard]] std::vector<std::optional<double>> measure_sorting(const OrderPictures& pictures,
-                                                                 const PictureComparer& comparer,
-                                                                 const OrderWays& ways, const PosedHair& hair,
-                                                                 double seconds);
+                                                                 const PictureComparer& comparer, const OrderWays& ways,
+                                                                 const PosedHair& hair, double seconds);
 
 /// How much of the hair is left where `asset`, which `pictures` has as `model` with all its levels, is drawn as in a game
 /// at 512, 256, ... 16 pixels, mean over some views around it. Errors: those of OrderPictures.

@@ -12,7 +12,8 @@ namespace {
 constexpr const char* kWhatOrdersAre =
     "file: as the source file has the patches. head: by distance from the head, the thesis's. best: the best single "
     "order that the cooker found. view: as cooked, an order for each group of directions. bones: bones sorted while "
-    "drawing, by the renderer (thesis 8.1). triangles: each triangle sorted for each picture, what no cooked order needs. Of the motions "
+    "drawing, by the renderer (thesis 8.1). triangles: each triangle sorted for each picture, what no cooked order "
+    "needs. Of the motions "
     "the cooker has seen moments of turn and charge, none of tumble.";
 
 void add_orders(const OrderReport& report, HtmlPage& page) {

@@ -27,8 +27,7 @@ using ColumnValue = std::variant<Cell, bool, std::uint64_t, double, std::array<d
 /// Text, cells and directions as they are; numbers that may be missing as numbers or NaN.
 template <typename Value>
 [[nodiscard]] ColumnValue column_value(const Value& value) {
-  if constexpr (std::same_as<Value, bool> || std::same_as<Value, Cell> ||
-                std::same_as<Value, std::array<double, 3>>) {
+  if constexpr (std::same_as<Value, bool> || std::same_as<Value, Cell> || std::same_as<Value, std::array<double, 3>>) {
     return value;
   } else if constexpr (std::unsigned_integral<Value>) {
     return std::uint64_t{value};

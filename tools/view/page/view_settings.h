@@ -24,7 +24,7 @@ struct ViewSettings {
 
   float solver = 0, beside = 0;  ///< `beside`: of a second head, 0: none.
   float iterations = 1;
-  float preset = 0;              ///< 0: none, what moves the hair is its own.
+  float preset = 0;  ///< 0: none, what moves the hair is its own.
   float liveliness = 0, gravity_scale = 1, friction = 0, air_follow = 1;
   float angle_limit = 180;  ///< Degrees.
   float lod = 0;

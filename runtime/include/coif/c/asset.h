@@ -181,7 +181,7 @@ const coif_bone* coif_asset_bones(const coif_asset* asset, uint32_t* count);
 const char* coif_asset_bone_name(const coif_asset* asset, uint32_t bone);
 const coif_chain* coif_asset_chains(const coif_asset* asset, uint32_t* count);
 const coif_limit* coif_asset_limits(const coif_asset* asset, uint32_t* count); /* One per bone, or none. */
-const coif_link* coif_asset_links(const coif_asset* asset, uint32_t* count); /* Between chains; by depth. */
+const coif_link* coif_asset_links(const coif_asset* asset, uint32_t* count);   /* Between chains; by depth. */
 const coif_collider* coif_asset_colliders(const coif_asset* asset, uint32_t* count);
 const coif_body_bone* coif_asset_body_bones(const coif_asset* asset, uint32_t* count);
 const char* coif_asset_body_bone_name(const coif_asset* asset, uint32_t body_bone); /* As coif_asset_bone_name(). */

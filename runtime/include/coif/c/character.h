@@ -19,8 +19,8 @@ typedef struct coif_quat {
 /* World space, metres, at the end of the coming step. */
 typedef struct coif_moving_collider {
   double center[3];
-  coif_quat rotation; /* world from the collider's own axes, in which the next ones are */
-  coif_vec3 axis;     /* capsules: to the segment's other end; plane: normal */
+  coif_quat rotation;     /* world from the collider's own axes, in which the next ones are */
+  coif_vec3 axis;         /* capsules: to the segment's other end; plane: normal */
   coif_vec3 half_extents; /* box; ellipsoid: semi-axes */
   float radius;
   float end_radius;
@@ -40,7 +40,8 @@ typedef struct coif_body_pose {
  * has a count. */
 
 /* At most coif_hair_desc.moving_colliders; none are never too many. */
-coif_status coif_hair_set_colliders(coif_hair* hair, uint32_t instance, const coif_moving_collider* colliders, uint32_t count);
+coif_status coif_hair_set_colliders(coif_hair* hair, uint32_t instance, const coif_moving_collider* colliders,
+                                    uint32_t count);
 /* ... coif_hair_desc.follows_body; one pose for each body bone of the asset, in their order. */
 coif_status coif_hair_set_body(coif_hair* hair, uint32_t instance, const coif_body_pose* bones, uint32_t count);
 /* ... coif_hair_desc.follows_poses; a rotation for each bone, a weight for each chain or one for all. None of either: the
