@@ -1,5 +1,5 @@
-// What tools and renderers ask of an open asset. Apart from open(), so that a program that only opens and simulates does
-// not link it.
+// What tools and renderers ask of an open asset. Apart from open(), so that a program that only opens and simulates
+// does not link it.
 #include <coif/asset.h>
 
 namespace coif {

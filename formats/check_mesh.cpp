@@ -7,8 +7,8 @@ LoadStatus lod_error(LoadCode code, std::size_t level, std::uint64_t expected = 
   return {code, chunk::kLods, level, expected, found};
 }
 
-/// Whatever is simulated is so in the finest level and in no level where its parent has become rigid to its own. Names the
-/// first bone that is not so, with the largest number it may have.
+/// Whatever is simulated is so in the finest level and in no level where its parent has become rigid to its own. Names
+/// the first bone that is not so, with the largest number it may have.
 LoadStatus check_lod_bones(const Asset& asset) {
   const auto counts = asset.lod_bones();
   const auto bones = asset.bones();
@@ -57,8 +57,8 @@ LoadStatus check_lods(const Asset& asset) {
 
 namespace {
 
-// Meshes have thousands of records, and nearly always all are good. So each record's faults are one word without a branch,
-// all words together are looked at once, and only a mesh that has a fault is searched for its place.
+// Meshes have thousands of records, and nearly always all are good. So each record's faults are one word without a
+// branch, all words together are looked at once, and only a mesh that has a fault is searched for its place.
 
 /// Unit within 5 %: rounding to 16 bits is far below, a zero or garbage vector far above.
 bool is_unit_snorm(const std::int16_t (&v)[4]) {
@@ -165,17 +165,17 @@ LoadStatus order_error(LoadCode code, std::size_t item, std::uint64_t expected =
   return {code, chunk::kOrders, item, expected, found};
 }
 
-/// Spreads a triangle's number over all bits, so that sums of the results tell one set of triangles from another. Source:
-/// the finaliser of SplitMix64 (Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators").
+/// Spreads a triangle's number over all bits, so that sums of the results tell one set of triangles from another.
+/// Source: the finaliser of SplitMix64 (Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators").
 std::uint64_t scatter(std::uint64_t x) {
   x = (x ^ x >> 30) * 0xBF58476D1CE4E5B9u;
   x = (x ^ x >> 27) * 0x94D049BB133111EBu;
   return x ^ x >> 31;
 }
 
-/// One level's triangles `first` to `first + count` in all further orders. There is no memory for a mark per triangle: that
-/// each occurs once is shown by a sum, certain against accidents. A forged list that passes draws wrong triangles, as many
-/// as it should, all of them the level's.
+/// One level's triangles `first` to `first + count` in all further orders. There is no memory for a mark per triangle:
+/// that each occurs once is shown by a sum, certain against accidents. A forged list that passes draws wrong triangles,
+/// as many as it should, all of them the level's.
 LoadStatus check_level(const Asset& asset, std::size_t first, std::size_t count) {
   std::uint64_t expected = 0;
   for (std::size_t t = first; t < first + count; ++t) expected += scatter(t + 1);

@@ -96,7 +96,8 @@ bool is_name(const MotionNameRecord& motion) {
   return has_ended && motion.name[0] != 0;
 }
 
-/// Each name, and that every row's motion has one. Assets without names are older: their rows' numbers are not indices of ours.
+/// Each name, and that every row's motion has one. Assets without names are older: their rows' numbers are not indices
+/// of ours.
 LoadStatus check_motion_names(const Asset& asset) {
   const auto names = asset.motion_names();
   for (std::size_t i = 0; i < names.size(); ++i) {

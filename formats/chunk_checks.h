@@ -47,8 +47,8 @@ inline constexpr float kMaxCoordinate = 1.0e5f;  ///< Metres, texture repeats, c
 
 inline bool in_range(float value, float low, float high) { return value >= low && value <= high; }
 
-/// The top bit is set where `value` is NaN, infinite or larger than kMaxCoordinate: floats without their sign are ordered
-/// as their bits are. For many numbers at once, whose words are joined and looked at once.
+/// The top bit is set where `value` is NaN, infinite or larger than kMaxCoordinate: floats without their sign are
+/// ordered as their bits are. For many numbers at once, whose words are joined and looked at once.
 inline std::uint32_t beyond_limit(float value) {
   return bit_cast<std::uint32_t>(kMaxCoordinate) - (bit_cast<std::uint32_t>(value) & 0x7FFFFFFFu);
 }

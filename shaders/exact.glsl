@@ -1,4 +1,5 @@
-// Soft texels in the order of their depth: lists that are sorted, or layers that are peeled. See README.md, Exact order.
+// Soft texels in the order of their depth: lists that are sorted, or layers that are peeled. See README.md, Exact
+// order.
 
 //// fragment_lists.glsl
 // Lists of soft texels, one for each pixel, in the layout of ListHead in runtime/gl/transparency/exact_lists.cpp.
@@ -52,8 +53,8 @@ void main() {
 }
 
 //// list_resolve.frag
-// Sorts a pixel's list and blends it from far to near. After fragment_lists.glsl. The nearest texel behind the last one is
-// looked for again and again: lists are a few dozen long, may be longer, and nothing has to be kept.
+// Sorts a pixel's list and blends it from far to near. After fragment_lists.glsl. The nearest texel behind the last one
+// is looked for again and again: lists are a few dozen long, may be longer, and nothing has to be kept.
 out vec4 fragment;
 
 // Whether a is blended before b. Nodes lie in a list as they arrived, which differs from run to run; so the last word
@@ -98,8 +99,8 @@ void main() {
 }
 
 //// peel_place.glsl
-// A texel's place in the order of its pixel: by depth, at one depth by its triangle's last vertex. Texels are peeled from
-// the far one on.
+// A texel's place in the order of its pixel: by depth, at one depth by its triangle's last vertex. Texels are peeled
+// from the far one on.
 uniform highp usampler2D peeled_layer;  // the texel drawn last: bits of its depth, corner
 flat in int corner;
 
@@ -112,7 +113,8 @@ bool is_peeled() {
 }
 
 //// peel_depth.frag
-// Finds the depth of the furthest texel that is not yet peeled: the depth buffer keeps the greatest. After peel_place.glsl.
+// Finds the depth of the furthest texel that is not yet peeled: the depth buffer keeps the greatest. After
+// peel_place.glsl.
 in vec2 uv;
 out uint found_depth;
 

@@ -23,15 +23,16 @@ float light_reaching(int i) {
 #ifdef COIF_STRAND_TERMS
 const float kDarkRoot = 0.4;  // how far from the root a strand gets its whole colour, of its length
 
-// What a strand's colour is here: darker at the root, and with a lightness of its own, which the texture's shift tells it from
-// its neighbours by.
+// What a strand's colour is here: darker at the root, and with a lightness of its own, which the texture's shift tells
+// it from its neighbours by.
 vec3 own_color(vec3 color, float shift) {
   float root = 1.0 - strands.y * (1.0 - smoothstep(0.0, kDarkRoot, place));
   return color * root * (1.0 + 2.0 * strands.z * shift);
 }
 
-// Light that many strands pass on from behind them towards the eye: around the cone that the papers call TT, wide, since each of
-// them turns it a little, and from where the surface is seen from its edge, or a light would shine through the head.
+// Light that many strands pass on from behind them towards the eye: around the cone that the papers call TT, wide,
+// since each of them turns it a little, and from where the surface is seen from its edge, or a light would shine
+// through the head.
 float through_hair(Strand strand, vec3 towards) {
   float behind = max(-dot(strand.view, towards), 0.0);
   float off_cone = dot(strand.tangent, towards) + dot(strand.tangent, strand.view);

@@ -2,8 +2,8 @@
 
 //// draw_block.glsl
 // Values of one draw. The same layout as DrawBlock in coif/drawing.h. Everything is in view space, which has the
-// world's axes and its origin at the eye: the host's world may be kilometres wide, so 32-bit floats are kept for what is
-// near enough to be seen well.
+// world's axes and its origin at the eye: the host's world may be kilometres wide, so 32-bit floats are kept for what
+// is near enough to be seen well.
 layout(std140) uniform DrawBlock {
   mat4 clip_from_view;
   vec4 base_color;         // linear, times the base texture

@@ -1,5 +1,5 @@
-// Skins a vertex with four bones, with one, or not at all, and puts it where its head is. Positions, normals and tangents
-// come in head space at rest and leave in view space: the world's axes, its origin at the eye.
+// Skins a vertex with four bones, with one, or not at all, and puts it where its head is. Positions, normals and
+// tangents come in head space at rest and leave in view space: the world's axes, its origin at the eye.
 layout(location = 0) in vec3 rest_position;
 layout(location = 1) in vec4 rest_normal;   // w: share of the ambient light that reaches it
 layout(location = 2) in vec4 rest_tangent;  // w: place along the strand, 0 root, 1 tip

@@ -1,8 +1,9 @@
 // How far hair has moved in the picture since the last frame, for temporal anti-aliasing and motion blur.
 
 //// hair_motion.vert
-// Comes after hair.vert, with COIF_MOTION: where the vertex is in clip space, and where it was in the last frame. A head's
-// rows in PaletteBlock are twice as many, this frame's first; of bones in a texture the last frame's are in its second half.
+// Comes after hair.vert, with COIF_MOTION: where the vertex is in clip space, and where it was in the last frame. A
+// head's rows in PaletteBlock are twice as many, this frame's first; of bones in a texture the last frame's are in its
+// second half.
 out vec4 place_now;
 out vec4 place_before;
 
@@ -40,8 +41,8 @@ void send_motion() {
 }
 
 //// hair_motion.frag
-// The way in the picture from where the hair was in the last frame to where it is: in parts of the viewport, to the right
-// and upwards. Of the texels that the pass keeps.
+// The way in the picture from where the hair was in the last frame to where it is: in parts of the viewport, to the
+// right and upwards. Of the texels that the pass keeps.
 in vec2 uv;
 in vec4 place_now;
 in vec4 place_before;

@@ -39,8 +39,8 @@ void main() {
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }
 
 //// hair_steps.frag after hair_shadow_steps.glsl
-// Compresses a texel's layers into the two steps whose squared error is least, over the hair itself and over what lies behind
-// all of it. After a line that defines COIF_SHADOW_PEELS, 2..6.
+// Compresses a texel's layers into the two steps whose squared error is least, over the hair itself and over what lies
+// behind all of it. After a line that defines COIF_SHADOW_PEELS, 2..6.
 uniform vec4 shadow_depth;
 uniform vec4 shadow_map;
 uniform vec4 peeled_corner;  // xy: of the peeled part, in the map

@@ -1,21 +1,23 @@
 // Shadows on hair, and on whatever a host draws. What fills the deep shadow map is in hair_peel.glsl.
 
 //// hair_shadow_solid.glsl
-// What shadow maps of both kinds have in common: a map of depths, which alone is a plain shadow map. For a host's own fragment
-// shader too: HairShadow::code() is this and what comes after it, uniforms() gives the arguments.
+// What shadow maps of both kinds have in common: a map of depths, which alone is a plain shadow map. For a host's own
+// fragment shader too: HairShadow::code() is this and what comes after it, uniforms() gives the arguments.
 //
 //   place  map_from_origin * vec4(point, 1.0)
 //   slope  hair_slope(place)
 //   depth  x, y, z: metres from the light are (x + y * z01) / (1 + z * z01) where the map holds z01; w: bias, metres
-//   map    x: texels each way; y: thickness of the first layer, metres; z: opacity of 1.0 in a texel; w: a texel's width, metres
+//   map    x: texels each way; y: thickness of the first layer, metres; z: opacity of 1.0 in a texel; w: a texel's
+// width, metres
 
 uniform highp sampler2D hair_shadow_solid;  // where the light first meets something
 
 float hair_shadow_metres(float z, vec4 depth) { return (depth.x + depth.y * z) / (1.0 + depth.z * z); }
 
-// How the map's depth changes across it, on the surface through `place`: each texel is compared with the surface itself, not
-// with one of its points, so that none shades itself (Isidoro 2006, "Shadow mapping: GPU-based tips and techniques"). Call
-// it where the neighbours' values are known: before any discard, and outside of branches that not all take.
+// How the map's depth changes across it, on the surface through `place`: each texel is compared with the surface
+// itself, not with one of its points, so that none shades itself (Isidoro 2006, "Shadow mapping: GPU-based tips and
+// techniques"). Call it where the neighbours' values are known: before any discard, and outside of branches that not
+// all take.
 vec2 hair_slope(vec4 place) {
   const float kSteepest = 64.0;  // 89 degrees from facing the light: beyond, neighbours in the picture tell nothing
   vec3 p = place.xyz / place.w;
@@ -27,8 +29,8 @@ vec2 hair_slope(vec4 place) {
   return clamp(slope / area, -kSteepest, kSteepest);
 }
 
-// What solid things let pass, by percentage-closer filtering (Reeves et al. 1987) over a box two texels wide. Compared by
-// hand: the hardware has one depth for all the texels it filters, but the surface has another at each.
+// What solid things let pass, by percentage-closer filtering (Reeves et al. 1987) over a box two texels wide. Compared
+// by hand: the hardware has one depth for all the texels it filters, but the surface has another at each.
 float hair_solid_pass(vec3 p, vec2 slope, vec4 depth, vec4 map) {
   vec2 place = p.xy * map.x;
   ivec2 middle = ivec2(floor(place)), last = ivec2(map.x) - 1;
@@ -123,10 +125,10 @@ float hair_texel_pass(ivec2 texel, float z, vec4 depth, vec4 map) {
 }
 
 //// hair_shadow_steps.glsl after hair_shadow_layered.glsl
-// The share of a light that reaches a point, by deep shadow maps (Lokovic and Veach 2000; HairShadow with kDeepShadow). How
-// much light passes a texel's hair is a function of depth; the map has the two steps that come nearest to it. A step lies
-// half way between the hair that takes the light and the hair behind it, so neither needs a bias (Woo 1992, "The shadow
-// depth map revisited").
+// The share of a light that reaches a point, by deep shadow maps (Lokovic and Veach 2000; HairShadow with kDeepShadow).
+// How much light passes a texel's hair is a function of depth; the map has the two steps that come nearest to it. A
+// step lies half way between the hair that takes the light and the hair behind it, so neither needs a bias (Woo 1992,
+// "The shadow depth map revisited").
 
 // 13 bits: depth of the first step; 9: how far behind it the second one is; 5 and 5: what passes the first, and both.
 uniform highp usampler2D hair_shadow_steps;
@@ -142,9 +144,10 @@ float hair_texel_pass(ivec2 texel, float z, vec4 depth, vec4 map) {
 }
 
 //// hair_shadow_slices.glsl after hair_shadow_layered.glsl
-// The share of a light that reaches a point, by opacity shadow maps (Kim and Neumann 2001; HairShadow with kOpacityShadow),
-// after a line that defines COIF_SHADOW_SLICES as 4, 8 or 12: planes across the light, equally far apart over all of the
-// map's depth, each with the opacity, -log(1 - alpha), of all soft hair before it. Solid hair is in the map of solid things.
+// The share of a light that reaches a point, by opacity shadow maps (Kim and Neumann 2001; HairShadow with
+// kOpacityShadow), after a line that defines COIF_SHADOW_SLICES as 4, 8 or 12: planes across the light, equally far
+// apart over all of the map's depth, each with the opacity, -log(1 - alpha), of all soft hair before it. Solid hair is
+// in the map of solid things.
 
 uniform highp sampler2D hair_shadow_slices;
 #if COIF_SHADOW_SLICES > 4
@@ -154,8 +157,8 @@ uniform highp sampler2D hair_shadow_middle_slices;
 uniform highp sampler2D hair_shadow_far_slices;
 #endif
 
-// How far a point has come from plane `first` towards each of the next four, `place` in units of the planes' distance: with
-// weights that are linear between two planes and 0 at all others.
+// How far a point has come from plane `first` towards each of the next four, `place` in units of the planes' distance:
+// with weights that are linear between two planes and 0 at all others.
 vec4 slice_weights(float place, float first) { return max(1.0 - abs(place - first - vec4(0.0, 1.0, 2.0, 3.0)), 0.0); }
 
 float hair_texel_pass(ivec2 texel, float z, vec4 depth, vec4 map) {

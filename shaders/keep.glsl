@@ -1,4 +1,5 @@
-// Which texels are drawn, and how much of a pixel each covers: one piece for each way to draw hair that lets light through.
+// Which texels are drawn, and how much of a pixel each covers: one piece for each way to draw hair that lets light
+// through.
 
 //// keep_range.glsl
 // Which texels a pass draws. Each pass owns a half-open range of alpha, so no texel is drawn by two colour passes.
@@ -13,8 +14,8 @@ float keep(float alpha) {
 }
 
 //// keep_sharpened.glsl
-// How much of a pixel lies inside the line where alpha crosses the cut, for alpha to coverage: over the width of one pixel
-// it goes from 0 to 1, however slowly the texture's own alpha changes there.
+// How much of a pixel lies inside the line where alpha crosses the cut, for alpha to coverage: over the width of one
+// pixel it goes from 0 to 1, however slowly the texture's own alpha changes there.
 uniform vec3 alpha_range;  // x: the cut
 
 const float kLeastWidth = 1e-4;  // of a pixel, in alpha: where alpha does not change the cut is a step
@@ -37,8 +38,8 @@ out vec4 fragment;
 void write_fragment(vec3 linear, float coverage) { fragment = vec4(encoded(linear), coverage); }
 
 //// keep_proportional.glsl
-// Alpha to coverage (the thesis's 4.1.2) without its random pattern: of a pixel's samples as many as come nearest to the
-// texel's alpha. The number is told as an exact share, since drivers may round any other up or down.
+// Alpha to coverage (the thesis's 4.1.2) without its random pattern: of a pixel's samples as many as come nearest to
+// the texel's alpha. The number is told as an exact share, since drivers may round any other up or down.
 uniform vec3 alpha_range;  // from x on drawn; y: samples of a pixel; from z on all of them
 
 float keep(float alpha) {
@@ -82,8 +83,8 @@ float keep(float alpha) {
 }
 
 //// keep_masked.glsl after scattered.glsl
-// The same where a shader may say which samples are drawn (OpenGL ES 3.2): so many of them from a random one on, so that what
-// two surfaces leave out has nothing to do with each other.
+// The same where a shader may say which samples are drawn (OpenGL ES 3.2): so many of them from a random one on, so
+// that what two surfaces leave out has nothing to do with each other.
 uniform vec3 alpha_range;  // from x on drawn, from z on all samples
 flat in int corner;        // the triangle's last vertex
 
@@ -102,9 +103,9 @@ float keep(float alpha) {
 }
 
 //// keep_checkerboard.glsl
-// Screen-door as published (the thesis's 4.1.1): soft texels are drawn, solid, in half of the pixels, whatever their alpha.
-// The half is the same for all surfaces, so the nearest soft one hides all others there, and the other half shows what is
-// solid behind them: two surfaces at most (its Figure 7).
+// Screen-door as published (the thesis's 4.1.1): soft texels are drawn, solid, in half of the pixels, whatever their
+// alpha. The half is the same for all surfaces, so the nearest soft one hides all others there, and the other half
+// shows what is solid behind them: two surfaces at most (its Figure 7).
 uniform vec3 alpha_range;  // from x on drawn, from z on in every pixel
 
 float keep(float alpha) {
@@ -124,8 +125,8 @@ uint rank_in_square(uvec2 pixel) {
 }
 
 //// keep_bayer.glsl
-// Screen-door with Bayer's ordered pattern: 17 levels of alpha instead of one. The pattern is the same for all surfaces, so one
-// behind another is seen only as far as its alpha is greater.
+// Screen-door with Bayer's ordered pattern: 17 levels of alpha instead of one. The pattern is the same for all
+// surfaces, so one behind another is seen only as far as its alpha is greater.
 uniform vec3 alpha_range;  // from x on drawn, from z on in every pixel
 
 float keep(float alpha) {
@@ -145,8 +146,8 @@ float keep(float alpha) {
 #ifdef COIF_ALPHA_TEST
   if (alpha < alpha_range.x) discard;
   // With one pattern for all, a strand would hide just those behind it that have its own pixels, and two layers would
-  // cover no more than one. Each triangle mixes the ranks in another way, which leaves them as evenly spread; and in another
-  // way in each square, or two large triangles would cover too much or too little together wherever they meet.
+  // cover no more than one. Each triangle mixes the ranks in another way, which leaves them as evenly spread; and in
+  // another way in each square, or two large triangles would cover too much or too little together wherever they meet.
   uvec2 pixel = uvec2(gl_FragCoord.xy), square = pixel >> 2u;
   uint rank = rank_in_square(pixel) ^ (scattered(uint(corner) ^ square.x << 10 ^ square.y << 20) & 15u);
   if (alpha < alpha_range.z && alpha * 16.0 < float(rank) + 0.5) discard;
@@ -156,8 +157,8 @@ float keep(float alpha) {
 
 //// keep_hashed.glsl after scattered.glsl
 // Hashed alpha testing (Wyman and McGuire, "Hashed Alpha Testing", I3D 2017): a soft texel is drawn, solid, where its
-// alpha is above a threshold that is a hash of its place on the hair at rest. The pattern is fixed to the hair, whatever
-// the bones and the camera do, and its grain has about the size of a pixel.
+// alpha is above a threshold that is a hash of its place on the hair at rest. The pattern is fixed to the hair,
+// whatever the bones and the camera do, and its grain has about the size of a pixel.
 uniform vec3 alpha_range;  // from x on drawn, from z on in every pixel
 in vec3 rest_place;        // metres, head space
 
@@ -168,9 +169,9 @@ float hash_of_cell(vec3 cell) {
   return float(bits >> 8) / 16777216.0;
 }
 
-// Of the paper's section 4, with a width for each axis: hair is mostly seen at a slant, and a grid as coarse as its widest
-// side would show. Cells are powers of two in size, and between two sizes the hashes are mixed. The sum of two even numbers
-// is not even; its distribution function makes it so again.
+// Of the paper's section 4, with a width for each axis: hair is mostly seen at a slant, and a grid as coarse as its
+// widest side would show. Cells are powers of two in size, and between two sizes the hashes are mixed. The sum of two
+// even numbers is not even; its distribution function makes it so again.
 float hashed_threshold(vec3 place) {
   vec3 width = max(abs(dFdx(place)), abs(dFdy(place)));  // metres of the hair to a pixel
   vec3 level = -log2(max(width, vec3(1e-7)));

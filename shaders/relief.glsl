@@ -1,5 +1,5 @@
-// How the surface and its strands lie where maps say it: COIF_NORMAL_MAP, COIF_STRAND_MAP. Without either the piece is left
-// out. Ridges of strands are ridges from both sides: a card is a sheet of strands without thickness.
+// How the surface and its strands lie where maps say it: COIF_NORMAL_MAP, COIF_STRAND_MAP. Without either the piece is
+// left out. Ridges of strands are ridges from both sides: a card is a sheet of strands without thickness.
 
 #ifdef COIF_NORMAL_MAP
 uniform sampler2D normal_texture;  // red, green: the unit normal along u and v below
@@ -13,8 +13,9 @@ const float kSteepest = 0.1;  // cosine: nearer to the surface than this no norm
 // Eight bits have no 0 between -1 and 1: 128 of 255 stands for it.
 vec2 two_sided(vec2 channels) { return (channels * 255.0 - 128.0) / 127.0; }
 
-// Unit vectors on the surface with the normal n, at right angles: where U grows, and where V does. Taken from the neighbouring
-// pixels, so that no vertex has to hold them and mirrored or turned textures need nothing; nought where the texture stands still.
+// Unit vectors on the surface with the normal n, at right angles: where U grows, and where V does. Taken from the
+// neighbouring pixels, so that no vertex has to hold them and mirrored or turned textures need nothing; nought where
+// the texture stands still.
 void texture_axes(vec3 n, out vec3 u, out vec3 v) {
   vec3 px = dFdx(position), py = dFdy(position);
   vec2 tx = dFdx(uv), ty = dFdy(uv);

@@ -4,7 +4,8 @@
 // What every shading model is given and gives back. A model is one file shading_<name>.glsl with two functions:
 //
 //   void add_light(inout Reflected sum, Strand strand, vec3 towards, vec3 color)
-//       Adds what one light gives. `towards`: unit, to the light. `color`: linear, as much as a white matte surface that
+//       Adds what one light gives. `towards`: unit, to the light. `color`: linear, as much as a white matte surface
+// that
 //       faces the light sends out; of a distant light that is its irradiance over pi.
 //   vec3 tint(Strand strand)
 //       What the finished sums are multiplied with.
@@ -38,7 +39,8 @@ float pow2(float x) { return x * x; }
 // Algorithm 3 of the thesis (5.3.2), the model of Scheuermann 2004 with small changes.
 //
 //   diffuse    saturate(mix(0.5, 1, N.L))
-//   highlight  smoothstep(-1, 0, T.H) (1 - (T.H)^2)^(exponent / 2) color, H = normalize(V + L), T the tangent moved along
+//   highlight  smoothstep(-1, 0, T.H) (1 - (T.H)^2)^(exponent / 2) color, H = normalize(V + L), T the tangent moved
+// along
 //              the normal by the material's shift and the texture's; the secondary one is masked by the texture
 //
 // Reads primary and secondary (rgb, exponent) and shift.xy of the block. Sums are multiplied with the strand's colour.
@@ -71,12 +73,13 @@ void add_light(inout Reflected sum, Strand strand, vec3 towards, vec3 color) {
 // Kajiya and Kay 1989, "Rendering fur with three dimensional textures", section 3.2.
 //
 //   diffuse    sin(T, L): a matte cylinder too thin to see, whose lit half is seen as a whole
-//   highlight  max(sin(T, L) sin(T, V) - cos(T, L) cos(T, V), 0)^exponent color: the cosine of the angle between V and the
+//   highlight  max(sin(T, L) sin(T, V) - cos(T, L) cos(T, V), 0)^exponent color: the cosine of the angle between V and
+// the
 //              cone of mirrored light, whose axis is the strand
 //
-// Reads primary (rgb, exponent) of the block. As published there is one highlight, and every strand of a sheet has it at
-// the same place; here the texture's shift moves it, or cards would shine like foil. Sums are multiplied with the strand's
-// colour.
+// Reads primary (rgb, exponent) of the block. As published there is one highlight, and every strand of a sheet has it
+// at the same place; here the texture's shift moves it, or cards would shine like foil. Sums are multiplied with the
+// strand's colour.
 
 vec3 tint(Strand strand) { return strand.color; }
 
@@ -93,8 +96,9 @@ void add_light(inout Reflected sum, Strand strand, vec3 towards, vec3 color) {
 }
 
 //// shading_marschner.glsl
-// Light through a fibre: Marschner et al. 2003, "Light scattering from human hair fibers", with the curves that Karis fitted
-// to it ("Physically based hair shading in Unreal", SIGGRAPH 2016 course), and a share that many strands scatter.
+// Light through a fibre: Marschner et al. 2003, "Light scattering from human hair fibers", with the curves that Karis
+// fitted to it ("Physically based hair shading in Unreal", SIGGRAPH 2016 course), and a share that many strands
+// scatter.
 //
 // Three ways through the fibre, each M(along the strand) N(around it):
 //   R    reflected by the surface
@@ -104,9 +108,10 @@ void add_light(inout Reflected sum, Strand strand, vec3 towards, vec3 color) {
 //   R    1/4 cos(phi / 2) F                              F at the half angle
 //   TT   exp(-3.65 cos(phi) - 3.98) (1 - F)^2 A          F at h, A = color^(sqrt(1 - (h / n')^2) / (2 cos(theta_d)))
 //   TRT  exp(17 cos(phi) - 16.78) (1 - F)^2 F A          F at h = sqrt(3) / 2, A = color^(0.8 / cos(theta_d))
-// with Schlick's F for n = 1.55, n' = sqrt(n^2 - sin^2(theta_d)) / cos(theta_d), and h = cos(phi / 2) (1 + (0.6 - 0.8 cos(phi)) / n').
-// dot(L, T) = sin(theta_l) makes each M integrate to 1 over d sin(theta_l), and M N over directions to what N lets through,
-// so that a fibre never sends out more than it gets. With `scatter` s, TT keeps 1 - s of its light; what others would pass on is
+// with Schlick's F for n = 1.55, n' = sqrt(n^2 - sin^2(theta_d)) / cos(theta_d), and h = cos(phi / 2) (1 + (0.6 - 0.8
+// cos(phi)) / n'). dot(L, T) = sin(theta_l) makes each M integrate to 1 over d sin(theta_l), and M N over directions to
+// what N lets through, so that a fibre never sends out more than it gets. With `scatter` s, TT keeps 1 - s of its
+// light; what others would pass on is
 //   s (1 - F)^2 color saturate((N.L + 0.5) / 2.25), which is color at most where light comes from everywhere.
 // Strands lie on a head: all of it fades as the light goes behind the surface, saturate(1 + 2 N.L).
 //

@@ -20,8 +20,8 @@ using EditableChunk =
                        typename ChunkRecord<kId>::Type, std::vector<typename ChunkRecord<kId>::Type>>;
 
 /// Everything a .coif can hold: a field for each chunk by its name in COIF_CHUNKS, such as `skeleton`, `bones` or
-/// `lod_bones`. An empty one leaves its chunk out; `material`, `provenance` and `tuning` have one record or none. Offsets and
-/// bytes of `textures` refer to `texels`.
+/// `lod_bones`. An empty one leaves its chunk out; `material`, `provenance` and `tuning` have one record or none.
+/// Offsets and bytes of `textures` refer to `texels`.
 struct AssetContents {
 #define COIF_FIELD(constant, id, Record, count, name, ...) EditableChunk<chunk::constant> name{};
   COIF_CHUNKS(COIF_FIELD)
@@ -36,8 +36,8 @@ struct AssetContents {
 /// the caller's bug; open the result to find out.
 [[nodiscard]] std::vector<std::byte> write_asset(AssetContents contents);
 
-/// Empties the chunks that `coif strip` knows by this word; returns how many bytes of records they were. Names of body bones
-/// stay as long as these do.
+/// Empties the chunks that `coif strip` knows by this word; returns how many bytes of records they were. Names of body
+/// bones stay as long as these do.
 std::uint64_t clear_group(std::string_view group, AssetContents& contents);
 
 // A file from its chunks, whatever they mean.

@@ -87,7 +87,8 @@ class Stripper {
     return out;
   }
 
-  /// How many there are up to the last that the level draws: a cook puts those that only coarser levels draw behind them.
+  /// How many there are up to the last that the level draws: a cook puts those that only coarser levels draw behind
+  /// them.
   [[nodiscard]] std::size_t finest_vertices() const {
     const auto indices = asset_.lod_indices(0);
     return indices.empty() ? asset_.vertices().size() : std::size_t(std::ranges::max(indices)) + 1;

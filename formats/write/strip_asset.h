@@ -26,10 +26,11 @@ struct StrippedAsset {
 /// `chunks`, and behind them all others that mean nothing without one of them.
 [[nodiscard]] std::vector<std::uint32_t> with_dependents(std::span<const std::uint32_t> chunks);
 
-/// Removes with_dependents(chunks) from the open asset that lies in `file`; those that it does not have are ignored, needed
-/// ones must not be asked for. What refers to them is rewritten: without NAME bones are nameless, without COLL they touch
-/// nothing, without CHAN or DYNA all are rigid and nothing touches the body, without LODS only the finest level's patches,
-/// indices and draw orders are left. All other chunks keep their bytes and order, unknown ones too. Nothing to remove gives the bytes of `file`.
+/// Removes with_dependents(chunks) from the open asset that lies in `file`; those that it does not have are ignored,
+/// needed ones must not be asked for. What refers to them is rewritten: without NAME bones are nameless, without COLL
+/// they touch nothing, without CHAN or DYNA all are rigid and nothing touches the body, without LODS only the finest
+/// level's patches, indices and draw orders are left. All other chunks keep their bytes and order, unknown ones too.
+/// Nothing to remove gives the bytes of `file`.
 [[nodiscard]] StrippedAsset strip_asset(const Asset& asset, std::span<const std::byte> file,
                                         std::span<const std::uint32_t> chunks);
 

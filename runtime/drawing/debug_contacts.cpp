@@ -77,8 +77,8 @@ Vec3 along(const debug::PosedBone& bone, float share) {
   return plus(bone.start, times(minus(bone.end, bone.start), share));
 }
 
-/// Where on the bone the gap is smallest, share of its length: solids are convex, so there is one such place. Of a bone that starts inside, and of
-/// one that is kept inside, only the end counts.
+/// Where on the bone the gap is smallest, share of its length: solids are convex, so there is one such place. Of a bone
+/// that starts inside, and of one that is kept inside, only the end counts.
 float nearest_share(const DebugCollider& c, const debug::PosedBone& bone, float radius) {
   if (c.keeps_inside || gap_to(c, bone.start).metres < radius) return 1;
   float low = 0, high = 1;

@@ -21,7 +21,8 @@ inline HeadTurn turn_of(const HeadPose& pose) {
            {scale * (s * (x * z - w * y)), scale * (s * (y * z + w * x)), scale * (1 - s * (x * x + y * y))}}};
 }
 
-/// kBadPose for a number that is not finite or a rotation that is no unit quaternion, kBadScale for a scale out of its range.
+/// kBadPose for a number that is not finite or a rotation that is no unit quaternion, kBadScale for a scale out of its
+/// range.
 inline Status check_pose(const HeadPose& pose) {
   constexpr double kUnitTolerance = 2e-3;  // of the squared length; Hair::set_head() takes the same
   const double x = pose.rotation.x, y = pose.rotation.y, z = pose.rotation.z, w = pose.rotation.w;

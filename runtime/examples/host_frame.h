@@ -1,6 +1,6 @@
 #pragma once
-// Stands for the engine: its OpenGL ES context, and its renderer with a framebuffer of its own, a camera, and things that it
-// draws itself. Nothing here is about hair.
+// Stands for the engine: its OpenGL ES context, and its renderer with a framebuffer of its own, a camera, and things
+// that it draws itself. Nothing here is about hair.
 
 #include <coif/renderer.h>
 

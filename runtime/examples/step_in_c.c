@@ -1,5 +1,5 @@
-/* The simulation's C interface from one end to the other: three heads, one asset, two seconds of nodding. Prints a hash of
- * all matrices of all frames, which is the same in every language (step_in_csharp.cs) and on every processor.
+/* The simulation's C interface from one end to the other: three heads, one asset, two seconds of nodding. Prints a hash
+ * of all matrices of all frames, which is the same in every language (step_in_csharp.cs) and on every processor.
  *
  *   step_in_c bob.coif
  */

@@ -22,7 +22,8 @@ struct LastFrame {
 class CrowdDraw {
  public:
   /// Refers to all of its arguments. `block`: filled for this draw, with `eye` at its origin.
-  /// `order`: makes each head's order; null: the asset's own. It fits the model, and the stream has room for its indices.
+  /// `order`: makes each head's order; null: the asset's own. It fits the model, and the stream has room for its
+  /// indices.
   CrowdDraw(RendererState& renderer, const ModelState& model, std::span<const HairInstance> instances,
             const MaterialRecord& material, Component component, const Vec3& eye, const DrawBlock& block,
             TriangleOrder* order = nullptr, const LastFrame* last = nullptr);

@@ -70,8 +70,8 @@
   X(MapBufferRange)                  \
   X(UnmapBuffer)
 
-/// Defines a struct of the functions in LIST, each with its exact type, and load(): fills it, and returns the name of the
-/// first function that the host does not find, null when all are there.
+/// Defines a struct of the functions in LIST, each with its exact type, and load(): fills it, and returns the name of
+/// the first function that the host does not find, null when all are there.
 #define COIF_GL_TABLE(Table, LIST)             \
   struct Table {                               \
     LIST(COIF_GL_MEMBER)                       \

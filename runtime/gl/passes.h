@@ -35,7 +35,8 @@ struct FragmentCode {
     std::int32_t unit = 0;
   } samplers[2] = {};
   std::uint32_t storage_blocks = 0;  ///< Buffers that it writes to. Above 0 the program needs OpenGL ES 3.1.
-  /// Whether it says which samples are drawn, for which the program needs OpenGL ES 3.2, or takes the place of one that does.
+  /// Whether it says which samples are drawn, for which the program needs OpenGL ES 3.2, or takes the place of one that
+  /// does.
   enum class SampleMask : std::uint8_t { kNotUsed, kWritten, kMissing } sample_mask = SampleMask::kNotUsed;
   bool thins = false;  ///< Drops some of the texels between Pass::alpha_min and solid_from.
 };
@@ -116,8 +117,8 @@ void set_pass_state(const GlFunctions& gl, const Pass& pass);
 /// Everything that the two above set, at OpenGL's initial values.
 void leave_draw_state(const GlFunctions& gl);
 
-/// One call of HairRenderer::draw(): everything is checked, built and bound. The renderer is there for modes with objects of
-/// their own.
+/// One call of HairRenderer::draw(): everything is checked, built and bound. The renderer is there for modes with
+/// objects of their own.
 struct ModeDraw {
   RendererState& renderer;
   CrowdDraw& crowd;

@@ -7,15 +7,16 @@
 
 namespace coif {
 
-/// A renderer's buffer for a frame's data: uniform blocks of one draw after the other, written round and round. A part of
-/// it is written again only when the GPU has passed the fence behind its last use, so that neither the driver has to find
-/// new memory nor anyone to wait, if the buffer holds some frames.
+/// A renderer's buffer for a frame's data: uniform blocks of one draw after the other, written round and round. A part
+/// of it is written again only when the GPU has passed the fence behind its last use, so that neither the driver has to
+/// find new memory nor anyone to wait, if the buffer holds some frames.
 class StreamBuffer {
  public:
   static constexpr std::uint32_t kParts = 4;
 
-  /// Leaves the uniform buffer binding empty. False where the driver has no memory. `scratch`: null, or a part's bytes to write
-  /// to where nothing can be mapped; what is sent from there the driver itself keeps apart from what the GPU still reads.
+  /// Leaves the uniform buffer binding empty. False where the driver has no memory. `scratch`: null, or a part's bytes
+  /// to write to where nothing can be mapped; what is sent from there the driver itself keeps apart from what the GPU
+  /// still reads.
   [[nodiscard]] bool create(const GlFunctions& gl, std::uint32_t bytes, std::byte* scratch = nullptr);
   void destroy(const GlFunctions& gl);
 
@@ -26,8 +27,8 @@ class StreamBuffer {
     return (bytes + alignment_ - 1) / alignment_ * alignment_;
   }
 
-  /// Room for `bytes`, at most most(), to be filled before give(); with `slack` bytes behind it that may be bound but not
-  /// written. Null where the driver cannot map it. Binds the buffer as uniform buffer.
+  /// Room for `bytes`, at most most(), to be filled before give(); with `slack` bytes behind it that may be bound but
+  /// not written. Null where the driver cannot map it. Binds the buffer as uniform buffer.
   std::byte* take(const GlFunctions& gl, std::uint32_t bytes, std::uint32_t slack);
   /// Of the room taken last, from the buffer's start.
   [[nodiscard]] std::uint32_t offset() const { return offset_; }

@@ -34,16 +34,17 @@ void reset_unpack_state(const GlFunctions& gl);
 /// the active unit. Errors show in glGetError.
 GLuint upload_texture(const RendererState& renderer, const Asset& asset, TextureRole role);
 
-/// One without mips, for what shaders read texel by texel. Leaves it bound to the active unit. Errors show in glGetError.
+/// One without mips, for what shaders read texel by texel. Leaves it bound to the active unit. Errors show in
+/// glGetError.
 [[nodiscard]] GLuint make_texture(const GlFunctions& gl, GLenum format, GLsizei width, GLsizei height);
 
-/// A texture for the matrices of as many bones, three texels each, 256 bones to a row: with one a row, the most bones would
-/// exceed the height of 2048 that OpenGL ES 3.0 promises. Those of further frames begin with a row of their own. Leaves the
-/// active unit's 2D texture empty.
+/// A texture for the matrices of as many bones, three texels each, 256 bones to a row: with one a row, the most bones
+/// would exceed the height of 2048 that OpenGL ES 3.0 promises. Those of further frames begin with a row of their own.
+/// Leaves the active unit's 2D texture empty.
 [[nodiscard]] GLuint make_palette_texture(const GlFunctions& gl, std::uint32_t bones, std::uint32_t frames = 1);
 
-/// Copies one frame's matrices, which lie in `buffer` from `offset` on, and leaves the texture bound to its unit. Resets the
-/// active unit, the pixel unpack buffer and GL_UNPACK state on its way.
+/// Copies one frame's matrices, which lie in `buffer` from `offset` on, and leaves the texture bound to its unit.
+/// Resets the active unit, the pixel unpack buffer and GL_UNPACK state on its way.
 void send_palette_texture(const GlFunctions& gl, GLuint buffer, std::uint32_t offset, GLuint texture,
                           std::uint32_t bones, std::uint32_t frame = 0);
 

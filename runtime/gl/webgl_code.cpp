@@ -7,8 +7,8 @@ constexpr std::uint32_t kSide = 4;  // texels of a block, each way
 constexpr std::size_t kChannels = 2, kChannelBytes = 8;
 constexpr int kMaxValue = 2047;
 
-/// Khronos Data Format Specification 1.3, table 115: how far texels lie from their block's base. The second four of a row are
-/// the first four's mirror, less one.
+/// Khronos Data Format Specification 1.3, table 115: how far texels lie from their block's base. The second four of a
+/// row are the first four's mirror, less one.
 constexpr std::int8_t kModifiers[16][4] = {{-3, -6, -9, -15}, {-3, -7, -10, -13}, {-2, -5, -8, -13}, {-2, -4, -6, -13},
                                            {-3, -6, -8, -12}, {-3, -7, -9, -11},  {-4, -7, -8, -11}, {-3, -5, -8, -11},
                                            {-2, -6, -8, -10}, {-2, -5, -8, -10},  {-2, -4, -8, -10}, {-2, -5, -7, -10},

@@ -22,8 +22,8 @@ struct WebGlCode {
                    std::span<std::byte> scratch);
 };
 
-/// A row of blocks of RG11 EAC, four rows of `width` texels as two bytes each, the nearest to what a sampler would return.
-/// `blocks` has 16 bytes for each four texels begun; `out` 8 * width.
+/// A row of blocks of RG11 EAC, four rows of `width` texels as two bytes each, the nearest to what a sampler would
+/// return. `blocks` has 16 bytes for each four texels begun; `out` 8 * width.
 void decode_eac_rows(std::span<const std::byte> blocks, std::uint32_t width, std::span<std::byte> out);
 
 }  // namespace coif

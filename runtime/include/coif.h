@@ -1,10 +1,10 @@
 #ifndef COIF_H
 #define COIF_H
-/* coif for hosts that are not written in C++: engines with a C interface, and languages that call C. This header is all of
- * it: simulation below, in coif/c/character.h and coif/c/air.h, the asset in coif/c/asset.h, what a renderer needs in coif/c/drawing.h and
- * coif/c/observing.h. Each function is the
- * function or method of coif/hair.h, coif/asset.h, coif/lod.h, coif/drawing.h or coif/skinning.h of that name, where the rules
- * are: nothing allocates, throws, locks, reads a file or keeps anything global; whatever the error, everything stays as it was.
+/* coif for hosts that are not written in C++: engines with a C interface, and languages that call C. This header is all
+ * of it: simulation below, in coif/c/character.h and coif/c/air.h, the asset in coif/c/asset.h, what a renderer needs
+ * in coif/c/drawing.h and coif/c/observing.h. Each function is the function or method of coif/hair.h, coif/asset.h,
+ * coif/lod.h, coif/drawing.h or coif/skinning.h of that name, where the rules are: nothing allocates, throws, locks,
+ * reads a file or keeps anything global; whatever the error, everything stays as it was.
  *
  * Plain data has the same layout as in C++. Descriptions are filled with their defaults by the function beside them, so
  * that members which later versions add (minor versions before 1.0, major versions from then on) have values. */
@@ -80,8 +80,9 @@ const char* coif_hair_bone_name(const coif_hair* hair, uint32_t bone);
 
 /* The first pose that a head is told puts it there; then the hair feels every way. */
 coif_status coif_hair_set_head(coif_hair* hair, uint32_t instance, const coif_head_pose* pose);
-/* Every instance's at once, instance_count() poses; those that did not change cost next to nothing. COIF_SIZE_MISMATCH: nothing
- * is set. COIF_BAD_POSE or COIF_BAD_SCALE: heads whose pose is bad stay where they were told to be, the others are set. */
+/* Every instance's at once, instance_count() poses; those that did not change cost next to nothing. COIF_SIZE_MISMATCH:
+ * nothing is set. COIF_BAD_POSE or COIF_BAD_SCALE: heads whose pose is bad stay where they were told to be, the others
+ * are set. */
 coif_status coif_hair_set_heads(coif_hair* hair, const coif_head_pose* poses, size_t count);
 /* The same as coif_hair_set_head() for a host that knows how fast the head moves when it arrives. */
 coif_status coif_hair_set_moving_head(coif_hair* hair, uint32_t instance, const coif_head_pose* pose,
@@ -102,7 +103,8 @@ void coif_hair_finish_step(coif_hair* hair);
 coif_status coif_hair_settle(coif_hair* hair, const uint32_t* instances, uint32_t count, float seconds,
                              const coif_step_settings* settings);
 
-/* The crowd's state as bytes, to go back to: see Hair::save() in coif/hair.h. `bytes` are exactly coif_hair_saved_bytes(). */
+/* The crowd's state as bytes, to go back to: see Hair::save() in coif/hair.h. `bytes` are exactly
+ * coif_hair_saved_bytes(). */
 size_t coif_hair_saved_bytes(const coif_hair* hair);
 coif_status coif_hair_save(const coif_hair* hair, void* bytes, size_t size);
 coif_status coif_hair_restore(coif_hair* hair, const void* bytes, size_t size);

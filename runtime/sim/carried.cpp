@@ -4,13 +4,13 @@
 namespace coif {
 namespace {
 
-/// What hangs from a bone's start, at rest, for bones of a kilogram a metre, each at its end: mass, and its moments about that
-/// place.
+/// What hangs from a bone's start, at rest, for bones of a kilogram a metre, each at its end: mass, and its moments
+/// about that place.
 struct Hanging {
   double mass = 0, first[3] = {}, second = 0;
 
-  /// Adds what has these moments about the start `to` to those about `from`. Steps from bone to bone: nothing cancels, however
-  /// far hair is from the origin.
+  /// Adds what has these moments about the start `to` to those about `from`. Steps from bone to bone: nothing cancels,
+  /// however far hair is from the origin.
   void add(const Hanging& other, const Vec3& to, const Vec3& from) {
     const double way[3] = {double(to.x) - double(from.x), double(to.y) - double(from.y), double(to.z) - double(from.z)};
     for (int k = 0; k < 3; ++k) {

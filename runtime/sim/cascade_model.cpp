@@ -7,8 +7,9 @@ namespace {
 
 CoifState* state_of(const ChainLane& chain) { return static_cast<CoifState*>(chain.state); }
 
-/// `step` in the terms of the target's velocities at both ends of the step, u0 and u1, its way w, the bone's own velocity
-/// v0, gravity g and air a instead of load and bend (MODEL.md, "The step"), where with friction c and the step h
+/// `step` in the terms of the target's velocities at both ends of the step, u0 and u1, its way w, the bone's own
+/// velocity v0, gravity g and air a instead of load and bend (MODEL.md, "The step"), where with friction c and the step
+/// h
 ///     load = g s + c (a - (u0 + u1) / 2) - (u1 - u0) / h,   bend = (u0 + u1) h / 2 - w + c h^2 / 12 (u1 - u0).
 /// In double precision: the terms cancel.
 struct Terms {

@@ -1,6 +1,6 @@
 #pragma once
-// Chains that hang together: which bones of a crowd's rows links are about, and what keeps them in their lengths. Once per head and
-// part of a step, after the rows.
+// Chains that hang together: which bones of a crowd's rows links are about, and what keeps them in their lengths. Once
+// per head and part of a step, after the rows.
 
 #include "lanes/character_row.h"
 #include "lanes/linked_bone.h"
@@ -82,8 +82,8 @@ struct LinkCode {
   void (*create)(CrowdState& crowd) = nullptr;
   /// What a row of a block was stepped with; of those without linked chains nothing is kept.
   void (*keep_row)(CrowdState& crowd, std::uint32_t block, std::size_t row, const RowStep& step) = nullptr;
-  /// Of one head of a block, whose linked rows are in LinkState::steps: `lane` is its own in these rows, -1 where each chain has one.
-  /// Returns the sum of the squared speeds of the linked chains' tips against the head, (m/s)^2.
+  /// Of one head of a block, whose linked rows are in LinkState::steps: `lane` is its own in these rows, -1 where each
+  /// chain has one. Returns the sum of the squared speeds of the linked chains' tips against the head, (m/s)^2.
   float (*keep)(CrowdState& crowd, std::uint32_t block, std::int32_t lane) = nullptr;
 };
 

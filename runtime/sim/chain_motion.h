@@ -28,8 +28,8 @@ class ChainMotion {
   const ChainLane& chain_;
 };
 
-/// The head goes and turns faster by so much, in the hair's metres, and its hair with it, as if it were rigid. Only particles that go
-/// where they go, and not where their bones do, feel `velocity`.
+/// The head goes and turns faster by so much, in the hair's metres, and its hair with it, as if it were rigid. Only
+/// particles that go where they go, and not where their bones do, feel `velocity`.
 inline void add_motion(const Solver& solver, const ChainLane& chain, const Vec3& velocity, const Vec3& turning) {
   ChainMotion motion(solver, chain);
   for (std::size_t i = 0; i < chain.bones.size(); ++i) {

@@ -16,7 +16,8 @@ HeadAir air_of(const CharacterState& character, std::uint32_t instance) {
   return character.airs.empty() ? HeadAir{} : character.airs[instance];
 }
 
-/// The waves at a head in the middle of a part of a step, which ends `back` seconds later, where `left` of its way is still to go.
+/// The waves at a head in the middle of a part of a step, which ends `back` seconds later, where `left` of its way is
+/// still to go.
 void meet_gusts(const GustField& field, const HeadLanes& heads, std::uint32_t i, float back, float left, float strength,
                 GustLanes& lanes) {
   const Vec3 way = lane(heads.way, i) * left;

@@ -186,8 +186,8 @@ void stand_still(CrowdState& crowd, std::uint32_t slot);
 /// The hair turned by `by` as if it were rigid.
 void turn_hair(CrowdState& crowd, std::uint32_t slot, const Quat& by);
 
-/// Puts the head of `slot`, without a way there, where it has to be to arrive at its next pose in `dt` seconds if it goes
-/// on as it did, in its own new directions, or as it was told to, and takes the hair along.
+/// Puts the head of `slot`, without a way there, where it has to be to arrive at its next pose in `dt` seconds if it
+/// goes on as it did, in its own new directions, or as it was told to, and takes the hair along.
 void jump(CrowdState& crowd, std::uint32_t slot, float dt);
 
 }  // namespace coif

@@ -1,6 +1,6 @@
 #pragma once
-// The parts of a step, and which heads are stepped together: those that are treated alike share blocks, so that a block has
-// no idle lanes and no branches between its lanes.
+// The parts of a step, and which heads are stepped together: those that are treated alike share blocks, so that a block
+// has no idle lanes and no branches between its lanes.
 
 #include "crowd.h"
 #include "step_settings.h"
@@ -22,9 +22,9 @@ void step_block(CrowdState& crowd, std::uint32_t block);
 /// Lets those fall asleep that have come to rest.
 void finish_step(CrowdState& crowd);
 
-/// Number of treatments: idle, and for each set of dynamics each level of detail at each phase of each interval. With the interval 2^p, every
-/// 2^p-th group of sixteen instances is stepped in the same step, so that steps cost about the same; the group is that of
-/// the instance's number, so that its turn does not depend on what the others do.
+/// Number of treatments: idle, and for each set of dynamics each level of detail at each phase of each interval. With
+/// the interval 2^p, every 2^p-th group of sixteen instances is stepped in the same step, so that steps cost about the
+/// same; the group is that of the instance's number, so that its turn does not depend on what the others do.
 [[nodiscard]] std::uint32_t treatment_count(std::uint32_t levels, std::uint32_t intervals, std::uint32_t sets);
 
 /// Blocks that suffice for any division of the instances among the treatments.

@@ -1,4 +1,5 @@
-// Heads whose hair has other dynamics than the rest of the crowd. Each set has its own coefficients, and its heads blocks of their own.
+// Heads whose hair has other dynamics than the rest of the crowd. Each set has its own coefficients, and its heads
+// blocks of their own.
 
 #include <coif/hair.h>
 

@@ -18,11 +18,11 @@
 
 namespace coif {
 
-/// While it lives, numbers are rounded to nearest, subnormals are kept and nothing traps, whatever the host's thread has
-/// chosen for itself; then that is back, with its flags. Lanes that a choice leaves out compute along, and may divide by
-/// zero there. Most threads have chosen nothing; then this costs next to nothing (writing the register takes as long as
-/// setting a head), and what is computed leaves its flags. Around calls of functions in other files: within one the compiler
-/// may move arithmetic past it.
+/// While it lives, numbers are rounded to nearest, subnormals are kept and nothing traps, whatever the host's thread
+/// has chosen for itself; then that is back, with its flags. Lanes that a choice leaves out compute along, and may
+/// divide by zero there. Most threads have chosen nothing; then this costs next to nothing (writing the register takes
+/// as long as setting a head), and what is computed leaves its flags. Around calls of functions in other files: within
+/// one the compiler may move arithmetic past it.
 class FloatEnvironment {
  public:
   FloatEnvironment() : host_(read()), is_plain_(has_plain_control(host_)) {

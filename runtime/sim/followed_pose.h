@@ -20,7 +20,8 @@ inline void arrive(PoseLanes& pose, std::uint32_t lane) {
   set_lane(pose.pull_before, lane, coif::lane(pose.pull_now, lane));
 }
 
-/// Calls visit(bone of the asset, PoseLanes, lane, constants, lane of those, bone in the row) for each simulated bone of a head.
+/// Calls visit(bone of the asset, PoseLanes, lane, constants, lane of those, bone in the row) for each simulated bone
+/// of a head.
 template <typename Visit>
 void for_each_pose(CrowdState& crowd, std::uint32_t slot, const Visit& visit) {
   const std::size_t first = crowd.first_state(slot);

@@ -15,7 +15,8 @@ constexpr float kAcross = 0.4f;
 
 bool is_within(float value, float least, float most) { return value >= least && value <= most; }
 
-/// A number in 0..1 for each seed and wave and use; after Steele et al. 2014, "Fast Splittable Pseudorandom Number Generators".
+/// A number in 0..1 for each seed and wave and use; after Steele et al. 2014, "Fast Splittable Pseudorandom Number
+/// Generators".
 double drawn(std::uint32_t seed, std::uint32_t wave, std::uint32_t use) {
   std::uint64_t z = (std::uint64_t{seed} << 16 | wave << 8 | use) * 0x9E37'79B9'7F4A'7C15u + 0x9E37'79B9'7F4A'7C15u;
   z = (z ^ z >> 30) * 0xBF58'476D'1CE4'E5B9u;

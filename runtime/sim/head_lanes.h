@@ -15,8 +15,8 @@
 
 namespace coif {
 
-/// A head that stands is told where it stands in every frame, and most of a crowd may stand: what was told before is known
-/// by its bits, before anything is computed.
+/// A head that stands is told where it stands in every frame, and most of a crowd may stand: what was told before is
+/// known by its bits, before anything is computed.
 inline bool is_told_again(const HeadPose* poses, const HeadPose* told, std::size_t count) {
   return std::memcmp(poses, told, count * sizeof(HeadPose)) == 0;
 }
@@ -38,8 +38,8 @@ inline void stand_upright(HeadLanes& heads) {
   for (float& per_scale : heads.per_scale.v) per_scale = 1.0f;
 }
 
-/// What has been set replaces what was set before; the way is counted from where the last step left the head. False where it
-/// is too far for single precision.
+/// What has been set replaces what was set before; the way is counted from where the last step left the head. False
+/// where it is too far for single precision.
 inline bool aim_head(HeadLanes& heads, std::uint32_t i, const HeadPose& unit) {
   const double from[3] = {heads.next_position[0][i], heads.next_position[1][i], heads.next_position[2][i]};
   Vec3 way;
@@ -80,8 +80,8 @@ inline void stop_head(HeadLanes& heads, std::uint32_t i) {
   heads.quiet.v[i] = 0.0f;
 }
 
-/// What a jump of a head does to its hair: it is turned as if it were rigid, then it goes and turns faster with its head by so much,
-/// world, m/s and rad/s.
+/// What a jump of a head does to its hair: it is turned as if it were rigid, then it goes and turns faster with its
+/// head by so much, world, m/s and rad/s.
 struct HairJump {
   Quat turn;
   Vec3 velocity, turning;
@@ -89,8 +89,8 @@ struct HairJump {
   [[nodiscard]] bool is_faster() const { return !(velocity == Vec3{} && turning == Vec3{}); }
 };
 
-/// Puts the head, without a way there, where it has to be to arrive at its next pose in `dt` seconds if it goes on as it did, in its
-/// own new directions, or as it was told to.
+/// Puts the head, without a way there, where it has to be to arrive at its next pose in `dt` seconds if it goes on as
+/// it did, in its own new directions, or as it was told to.
 inline HairJump jump_head(HeadLanes& heads, std::uint32_t i, float dt) {
   const bool is_told = heads.is_told.v[i] != 0.0f;
   const Quat now = lane(heads.rotation, i);
@@ -131,8 +131,8 @@ inline RestWatch rest_watch(const StepSettings& settings, float dt) {
   return {dt, settings.sleep_speed * settings.sleep_speed, settings.sleep_after};
 }
 
-/// After HeadCode::finish(), of the first `count` lanes: adds to `may_sleep` who may. Returns those whose hair has to be put to rest,
-/// since it flies or the head is lost.
+/// After HeadCode::finish(), of the first `count` lanes: adds to `may_sleep` who may. Returns those whose hair has to
+/// be put to rest, since it flies or the head is lost.
 inline std::uint32_t sort_out(const RestingHeads& resting, std::uint32_t count, std::uint16_t is_lost,
                               std::uint16_t& may_sleep) {
   const std::uint32_t in_use = (1u << count) - 1, ended = (is_lost | resting.flies) & in_use;

@@ -1,6 +1,6 @@
 #pragma once
-// What hosts say of heads, thousands of times a frame: inline, and so for files in which no FloatEnvironment lives. All in double
-// precision, which is exact to single.
+// What hosts say of heads, thousands of times a frame: inline, and so for files in which no FloatEnvironment lives. All
+// in double precision, which is exact to single.
 
 #include <coif/math.h>
 #include <coif/status.h>

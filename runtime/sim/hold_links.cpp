@@ -146,8 +146,7 @@ void LinkedHead::begin(std::uint32_t b) {
   place_end(bone);
 }
 
-/// Of a bone that is turned, limits and children ask for the frames above: of bones that stay as they were, too. From here on the chain's
-/// frames are kept.
+/// Limits and children of a turned bone ask for all frames above it: from here on the chain's frames are kept.
 void LinkedHead::need_frames(std::uint32_t b) {
   const std::uint32_t chain = links_.bones[b].chain;
   if (moved_[chain] != 0) return;
@@ -213,8 +212,9 @@ void LinkedHead::aim(HeldBone& bone, const Vec3& place, float wanted, float cosi
   bone.is_forced = true;
 }
 
-/// Turns one bone of the link alone: the one that hangs on the other, as those that hang on it come after it. Where a collider or a limit
-/// stands in the way the bone goes round the other's end until it is clear of that: else two strands would hang on either side of a neck.
+/// Turns one bone of the link alone: the one that hangs on the other, as those that hang on it come after it. Where a
+/// collider or a limit stands in the way the bone goes round the other's end until it is clear of that: else two
+/// strands would hang on either side of a neck.
 void LinkedHead::close(const ChainLink& link) {
   const Gap gap = gap_of(link);
   if (gap.excess == 0.0f) return;
@@ -260,7 +260,7 @@ void LinkedHead::hold_places(const LinkLevel& level) {
   for (const ChainLink& link : links) close(link);
 }
 
-/// A link that has its longest length gets no longer, one that has its shortest no shorter. Returns the speed that was taken.
+/// A link at its longest length gets no longer, one at its shortest no shorter. Returns the speed that was taken.
 float LinkedHead::slow(const ChainLink& link) {
   HeldBone &bone = held_[link.bone], &to = held_[link.to];
   const Gap gap = gap_of(link);

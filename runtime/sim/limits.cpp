@@ -15,7 +15,8 @@ void set_angle(float radians, float widest, float widest_cosine, std::uint32_t l
 
 }  // namespace
 
-/// A hinge is a spherical limit whose second angle is 0, and so is a cone that leaves nothing: only locks stop both ways.
+/// A hinge is a spherical limit whose second angle is 0, and so is a cone that leaves nothing: only locks stop both
+/// ways.
 void set_limit(const LimitRecord& limit, std::uint32_t lane, LimitLanes& lanes) {
   const float first = limit.kind == LimitKind::kUnlimited ? kNoAngleLimit : limit.angles[0];
   const bool is_round = limit.kind <= LimitKind::kCone && first > 0.0f;

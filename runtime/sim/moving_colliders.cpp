@@ -134,8 +134,8 @@ void stay(ColliderWay& way) {
   way.axes[0] = way.axes[1];
 }
 
-/// Half a thickness from look to look: then what is in front of it stays in front. Further than so many looks show it has been
-/// put there.
+/// Half a thickness from look to look: then what is in front of it stays in front. Further than so many looks show it
+/// has been put there.
 void find_looks(ColliderWay& way, bool& has_way) {
   const float looks = std::ceil(longest_way(way) / (0.5f * thickness_of(way)));
   has_way = has_way && looks <= float(kMostLooks) && !turns_over(way);

@@ -1,6 +1,6 @@
 #pragma once
-// Colliders that move against the head: the game's own and those that hang on the bones of a body. What hosts told, and where
-// that is during a step, in head space and metres of the hair.
+// Colliders that move against the head: the game's own and those that hang on the bones of a body. What hosts told, and
+// where that is during a step, in head space and metres of the hair.
 
 #include "lanes/lane_layout.h"
 #include "lanes/step_parts.h"
@@ -57,8 +57,8 @@ struct ColliderBounds {
 /// Where it is at the share `s` of the step.
 void place_at(const ColliderWay& way, float s, PlacedCollider& placed);
 
-/// Where the colliders of a block's heads go in this step, for those that hair may reach; `put` has a bit for each head that was put
-/// somewhere, and its colliders with it.
+/// Where the colliders of a block's heads go in this step, for those that hair may reach; `put` has a bit for each head
+/// that was put somewhere, and its colliders with it.
 void begin_colliders(CrowdState& crowd, std::uint32_t block, const HeadStepLanes& step, std::uint16_t put,
                      const StepParts& parts);
 

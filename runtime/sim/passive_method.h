@@ -8,8 +8,9 @@
 
 namespace coif {
 
-/// Generalized-alpha (Chung and Hulbert 1993, "A Time Integration Algorithm for Structural Dynamics With Improved Numerical
-/// Dissipation"): second order, and of what swings too fast for the step this share of the amplitude is left after each.
+/// Generalized-alpha (Chung and Hulbert 1993, "A Time Integration Algorithm for Structural Dynamics With Improved
+/// Numerical Dissipation"): second order, and of what swings too fast for the step this share of the amplitude is left
+/// after each.
 inline constexpr double kPassiveRho = 0.4;
 
 /// With the acceleration a and the method's own lagging one l, over a step of dt in which a particle makes its way w:

@@ -1,4 +1,5 @@
-// Blows between two steps. Whatever the solver, a bone's state says where it is or which way it points, and how fast its particle goes.
+// Blows between two steps. Whatever the solver, a bone's state says where it is or which way it points, and how fast
+// its particle goes.
 
 #include <coif/hair.h>
 
@@ -89,8 +90,8 @@ struct Carrying {
   Vec3 velocity, turning;
 };
 
-/// Bones that turn about their starts: what an impulse would add along them is lost, and what it adds to a start its bone has already.
-/// Parents come first.
+/// Bones that turn about their starts: what an impulse would add along them is lost, and what it adds to a start its
+/// bone has already. Parents come first.
 class PushedBones {
  public:
   PushedBones(const ChainMotion& pushed, const ChainLane& chain, const Carrying& head, const FeltImpulse& impulse)

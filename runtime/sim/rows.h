@@ -15,7 +15,8 @@ namespace coif {
 
 struct Solver;
 
-/// What lies side by side in a row. Either way there is no gather and no shuffle: a row's lanes are neighbours in memory.
+/// What lies side by side in a row. Either way there is no gather and no shuffle: a row's lanes are neighbours in
+/// memory.
 enum class LaneOrder : std::uint8_t {
   kHeads,   ///< The same chain of sixteen heads: for crowds.
   kChains,  ///< Up to sixteen chains of equal shape of one head: for few heads with many chains.

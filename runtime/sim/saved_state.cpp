@@ -1,5 +1,5 @@
-// A crowd's state as bytes. All that moves is written head by head, in the order of their numbers, so that the same state has
-// the same bytes whatever blocks its heads lie in, and nothing that is read back can lead anywhere.
+// A crowd's state as bytes. All that moves is written head by head, in the order of their numbers, so that the same
+// state has the same bytes whatever blocks its heads lie in, and nothing that is read back can lead anywhere.
 
 #include <coif/hair.h>
 

@@ -98,7 +98,8 @@ struct Solver {
   void (*turn)(const ChainLane& chain, const Quat& by) = nullptr;
   /// Takes all motion out; the shape stays.
   void (*calm)(const ChainLane& chain) = nullptr;
-  /// False for what no bone's state can be, of a lane in which each bone's begins at byte `at` of its Lanes; all numbers are finite.
+  /// False for what no bone's state can be, of a lane in which each bone's begins at byte `at` of its Lanes; all
+  /// numbers are finite.
   bool (*could_be)(const SavedLane& lane, std::size_t at) = nullptr;
   /// The bones' tails, head space, metres; as many as the chain has bones. `palette` are the chain's matrices.
   void (*tails)(const ChainLane& chain, const Quat& head_rotation, std::span<const Mat34> palette,

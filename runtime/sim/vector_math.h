@@ -1,5 +1,6 @@
 #pragma once
-// Arithmetic on the plain types of coif/math.h, for the simulation's own files: once per step or per head, not per lane.
+// Arithmetic on the plain types of coif/math.h, for the simulation's own files: once per step or per head, not per
+// lane.
 
 #include <coif/math.h>
 #include <coif/status.h>
@@ -21,7 +22,8 @@ inline float length(const Vec3& a) { return std::sqrt(dot(a, a)); }
 /// The part of `v` at a right angle to the unit vector `direction`.
 constexpr Vec3 across(const Vec3& v, const Vec3& direction) { return v - direction * dot(v, direction); }
 
-/// `v` made unit; `fallback` where it has no direction or a length that is not finite. As direction_or() of the lanes does it.
+/// `v` made unit; `fallback` where it has no direction or a length that is not finite. As direction_or() of the lanes
+/// does it.
 inline Vec3 unit_or(const Vec3& v, const Vec3& fallback) {
   const float size2 = dot(v, v);
   const bool has_direction = size2 > 1e-18f && size2 < 1e38f;
@@ -99,7 +101,8 @@ inline Quat renormalised(const Quat& q) {
 /// Its length is off one by no more than hosts may be; false for anything with a NaN or an infinity.
 [[nodiscard]] bool is_unit(const Quat& rotation);
 
-/// Copies `pose` to `unit` with its rotation normalised; kBadPose or kBadScale, with `unit` untouched, where coif/hair.h says so.
+/// Copies `pose` to `unit` with its rotation normalised; kBadPose or kBadScale, with `unit` untouched, where
+/// coif/hair.h says so.
 Status normalise_pose(const HeadPose& pose, HeadPose& unit);
 
 }  // namespace coif

@@ -22,8 +22,8 @@ void wait_a_moment() {
 #endif
 }
 
-/// Keeps the calling thread on one of `cores`; counts round. Left to itself a busy machine puts two threads that never wait
-/// on one core, where each stands in the other's way.
+/// Keeps the calling thread on one of `cores`; counts round. Left to itself a busy machine puts two threads that never
+/// wait on one core, where each stands in the other's way.
 void stay_on_core(const cpu_set_t& cores, std::uint32_t which) {
   std::uint32_t left = which % std::uint32_t(CPU_COUNT(&cores));
   for (std::size_t core = 0; core < CPU_SETSIZE; ++core) {

@@ -13,8 +13,8 @@ namespace coif {
 
 /// The least that a game's own scheduler does: threads that stay alive from frame to frame and take jobs from counters.
 /// Each begins with its own share, so that what a job touches is still in the cache of the core that ran it in the last
-/// frame, and goes on with what others have left. They never sleep, since waking a thread takes as long as a frame of this
-/// folder's crowds.
+/// frame, and goes on with what others have left. They never sleep, since waking a thread takes as long as a frame of
+/// this folder's crowds.
 class JobCrew {
  public:
   /// Calls work(job). May be called from all threads of the crew at once.
@@ -31,9 +31,9 @@ class JobCrew {
   /// The same on the thread that calls, while the others wait on their cores, where no other program runs meanwhile.
   void run_alone(std::uint32_t jobs, const Work& work);
 
-  /// The longest that a thread of the crew was kept from its core between the ends of the last two run(), seconds: what it
-  /// took by the clock without what it was given of a processor. On a machine that does other things too it tells frames
-  /// in which all threads ran from those in which one waited for another program.
+  /// The longest that a thread of the crew was kept from its core between the ends of the last two run(), seconds: what
+  /// it took by the clock without what it was given of a processor. On a machine that does other things too it tells
+  /// frames in which all threads ran from those in which one waited for another program.
   [[nodiscard]] double longest_absence() const;
 
  private:

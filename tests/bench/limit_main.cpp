@@ -37,8 +37,8 @@ int print_peaks(std::span<char*> sizes) {
   return 0;
 }
 
-/// Frames after a few that learn what the later ones remember. Only those are inside TimedCrowd::step() that are asked for
-/// and those few: a counter that is run with two numbers of frames finds what one costs.
+/// Frames after a few that learn what the later ones remember. Only those are inside TimedCrowd::step() that are asked
+/// for and those few: a counter that is run with two numbers of frames finds what one costs.
 int run_frames(const CrowdRun& run, int frames) {
   TimedCrowd crowd(run);
   Stopwatch watch = stopwatch_for(run.shape.bone_count());

@@ -11,7 +11,8 @@ enum class VectorWidth : int { k4 = 4, k8 = 8, k16 = 16 };
 
 [[nodiscard]] bool has_width(VectorWidth width);
 
-/// Instructions that do nothing, per nanosecond: as many as the processor takes in. 0 where this is not known how to ask.
+/// Instructions that do nothing, per nanosecond: as many as the processor takes in. 0 where this is not known how to
+/// ask.
 [[nodiscard]] double peak_instructions();
 
 /// Vector multiplications and additions per nanosecond, half of them each, none of them fused or waiting for another.

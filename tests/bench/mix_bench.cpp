@@ -1,4 +1,5 @@
-// A scene of many assets with few heads each: all in one HairWorld, a Hair for each asset, and what full crowds of each asset cost.
+// A scene of many assets with few heads each: all in one HairWorld, a Hair for each asset, and what full crowds of each
+// asset cost.
 #include "bench/benches.h"
 
 #include "bench/frame_times.h"
@@ -133,7 +134,8 @@ class MixedWorld {
 
 constexpr int kFramesInTurn = 4;
 
-/// One of the things that are timed in turns: some frames each, after one in which its numbers come back into the near caches.
+/// One of the things that are timed in turns: some frames each, after one in which its numbers come back into the near
+/// caches.
 template <typename Scene>
 class TimedScene {
  public:

@@ -36,8 +36,8 @@ class TimedCrowd {
   /// folder's own.
   explicit TimedCrowd(const CrowdRun& run);
 
-  /// Computes where the heads will be `dt` seconds later; 0 for heads that stand still. Not part of what is timed: a game
-  /// has the poses.
+  /// Computes where the heads will be `dt` seconds later; 0 for heads that stand still. Not part of what is timed: a
+  /// game has the poses.
   void plan(double dt);
   /// Hands the planned poses to the runtime. Found by its name as step() is.
   [[gnu::noinline]] void set_heads();

@@ -1,5 +1,6 @@
-// coif_hold_heads [--drawn] FILE.coif...: whether hair of heads that are held comes to rest, in 26 attitudes, one line for each way to
-// run each asset. --drawn: two ways an asset, another two for each name. Exit code 1 where some hair is restless.
+// coif_hold_heads [--drawn] FILE.coif...: whether hair of heads that are held comes to rest, in 26 attitudes, one line
+// for each way to run each asset. --drawn: two ways an asset, another two for each name. Exit code 1 where some hair is
+// restless.
 
 #include "base/files.h"
 #include "lab/rig.h"

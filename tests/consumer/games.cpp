@@ -1,5 +1,5 @@
-// The smallest programs that use one part of coif each; which one this is, its build defines. The guards look what was linked
-// into each of them. All of it is refused here: there is neither an asset nor an OpenGL context.
+// The smallest programs that use one part of coif each; which one this is, its build defines. The guards look what was
+// linked into each of them. All of it is refused here: there is neither an asset nor an OpenGL context.
 #if defined GAME_only_open
 // A tool of a game that reads assets and nothing else.
 #include <coif/asset.h>

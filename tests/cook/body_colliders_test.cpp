@@ -15,7 +15,8 @@ namespace coif::body_colliders_test {
 using Shape = SourceCollider::Shape;
 constexpr std::uint32_t kHips = 0, kShoulder = 1, kHead = 2;
 
-/// Hips > (LeftShoulder, Head > (hair_a > hair_a_end, hair_b > hair_b_end)); a spring on each hair, 0.2 m straight down.
+/// Hips > (LeftShoulder, Head > (hair_a > hair_a_end, hair_b > hair_b_end)); a spring on each hair, 0.2 m straight
+/// down.
 class BodyCollidersTest : public testing::Test {
  protected:
   BodyCollidersTest() : recipe_(default_recipe()) {

@@ -30,8 +30,9 @@ struct StripDesc {
 /// Vertices at one place are welded; no strands yet. Without `patches` all of it is one.
 [[nodiscard]] HairStrips strips_from(HairMesh mesh, PatchSet patches = {});
 
-/// A sheet of `columns` by `rows` quads over `turn` radians: its upper half on a ball of `radius` metres around (0, 1.6, 0),
-/// from the crown down to the widest, its lower half hanging straight down from there. V is 0 at the crown, 1 at the edge.
+/// A sheet of `columns` by `rows` quads over `turn` radians: its upper half on a ball of `radius` metres around
+/// (0, 1.6, 0), from the crown down to the widest, its lower half hanging straight down from there. V is 0 at the
+/// crown, 1 at the edge.
 [[nodiscard]] SourceMesh make_cap(std::uint32_t columns, std::uint32_t rows, float turn, float radius = 0.1f);
 
 /// Appends `part` to `mesh`, not connected, moved by `node` alone where `mesh` has influences.

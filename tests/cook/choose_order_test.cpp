@@ -16,7 +16,8 @@
 
 namespace coif::choose_order_test {
 
-/// Four cards one behind the other, in the order of their distance from the head: as seen from +Z the nearest comes first.
+/// Four cards one behind the other, in the order of their distance from the head: as seen from +Z the nearest comes
+/// first.
 AssetContents stack() {
   std::vector<Card> cards;
   for (int i = 0; i < 4; ++i) cards.push_back({.center = {0, 0, -0.02f * float(i)}, .alpha = 150});

@@ -1,4 +1,5 @@
-// Whole cooks of models that are made up here, chunk by chunk as they were. bob's is in tests/golden, the long sample's beside it.
+// Whole cooks of models that are made up here, chunk by chunk as they were. bob's is in tests/golden, the long sample's
+// beside it.
 
 #include "models/cook_fingerprint.h"
 #include "cook/built_models.h"

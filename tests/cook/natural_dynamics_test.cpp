@@ -170,8 +170,8 @@ TEST(NaturalHair, LongHairHangsAndShortHairStands) {
   EXPECT_LT(natural, tilted_to(with_preset(middle, "stiff"), 45) - 2);
 }
 
-/// After the head has got to 8 m/s within 0.3 s: how far hair swings past its rest, of how far it swung first, and how long it is
-/// before it stays within a twentieth of that, seconds.
+/// After the head has got to 8 m/s within 0.3 s: how far hair swings past its rest, of how far it swung first, and how
+/// long it is before it stays within a twentieth of that, seconds.
 struct Swing {
   double overshoot = 0, settles = 0;
 };

@@ -18,8 +18,8 @@ namespace coif::order_bones_test {
 
 constexpr std::uint32_t kRoot = 0;  ///< The head carries every chain here.
 
-/// Chains below a head; `trees[c][i]` is the parent of bone i of chain c inside the chain, kNone for those below the head.
-/// Bones are named "<chain>.<bone>" and each is its own node.
+/// Chains below a head; `trees[c][i]` is the parent of bone i of chain c inside the chain, kNone for those below the
+/// head. Bones are named "<chain>.<bone>" and each is its own node.
 Skeleton skeleton_of(const std::vector<std::vector<std::uint32_t>>& trees) {
   Skeleton skeleton;
   skeleton.bones.resize(1);

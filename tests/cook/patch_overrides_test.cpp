@@ -26,8 +26,8 @@ std::string refusal_of(const std::string& text) {
   return recipe ? "" : recipe.error().message;
 }
 
-/// Four tails around a head without bones, 0.4 m long: behind, right, in front and left, meshes "tail_0" to "tail_3", the last
-/// two of another material, which shows another part of the texture.
+/// Four tails around a head without bones, 0.4 m long: behind, right, in front and left, meshes "tail_0" to "tail_3",
+/// the last two of another material, which shows another part of the texture.
 SourceModel four_tails() {
   SourceModel model;
   model.path = "wig.glb";

@@ -1,8 +1,10 @@
-// A runner's pony tail. The head's bob up and down changes the weight that the hair feels twice per swing, which pumps a small sway to a
-// large one where the hair's own period is near two steps: Mathieu's equation (Keller 2010, "Ponytail motion", SIAM J. Appl. Math. 70).
+// A runner's pony tail. The head's bob up and down changes the weight that the hair feels twice per swing, which pumps
+// a small sway to a large one where the hair's own period is near two steps: Mathieu's equation (Keller 2010, "Ponytail
+// motion", SIAM J. Appl. Math. 70).
 //
-// Theory here: the chain for small angles, with the numbers that the cook gives its joints, under the bob alone. Floquet's multiplier of one
-// step says by how much a sway grows; above 0 per second it grows until the angles are large.
+// Theory here: the chain for small angles, with the numbers that the cook gives its joints, under the bob alone.
+// Floquet's multiplier of one step says by how much a sway grows; above 0 per second it grows until the angles are
+// large.
 
 #include "cook/cook.h"
 #include "cook/dynamics/choose_model.h"
@@ -54,7 +56,8 @@ AssetContents hanging_hair(double length, bool is_tied) {
   return contents;
 }
 
-/// A hanging chain's equation for small angles a of its bones against the vertical: M a'' + (D + friction M) a' + (K + G) a = 0.
+/// A hanging chain's equation for small angles a of its bones against the vertical: M a'' + (D + friction M) a' + (K +
+/// G) a = 0.
 struct SmallSwings {
   MatrixXd mass, bending, weight, damping;
   double friction = 0;

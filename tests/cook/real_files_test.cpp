@@ -1,5 +1,5 @@
-// Artists' files, cooked without a recipe. They are not part of the project: where the folder is absent every case skips
-// and says so.
+// Artists' files, cooked without a recipe. They are not part of the project: where the folder is absent every case
+// skips and says so.
 
 #include "cook/cook.h"
 #include "cook/select/head.h"

@@ -19,7 +19,8 @@ namespace coif::settle_size_test {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-/// Hair around a head of 0.1 m at (0, 1.6, 0), open towards +Z, with tails of half a metre; a node in the head, no body.
+/// Hair around a head of 0.1 m at (0, 1.6, 0), open towards +Z, with tails of half a metre; a node in the head, no
+/// body.
 SourceModel long_hair() {
   SourceModel model;
   add_node(model, "root", kNoIndex, {0, 0, 0});

@@ -122,8 +122,8 @@ TEST(BuildSkeleton, AnEndMarkerThatSmoothingGaveSomeSkinIsNoBone) {
   EXPECT_EQ(heavy->bones.size(), 5u) << "what is mostly its own it moves";
 }
 
-/// Where the bone of node 0 ends that starts at the origin below one that comes from the side, 0.2 m. It has so much of one
-/// vertex 0.1 m below and of another 0.2 m below.
+/// Where the bone of node 0 ends that starts at the origin below one that comes from the side, 0.2 m. It has so much of
+/// one vertex 0.1 m below and of another 0.2 m below.
 Eigen::Vector3d tail_by_weights(float upper, float lower) {
   SourceModel model;
   add_node(model, "hair", kNoIndex, {0, 0, 0});

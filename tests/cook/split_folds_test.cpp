@@ -164,7 +164,8 @@ TEST(SplitPartings, HairFromTheForeheadToATieStaysWhole) {
   EXPECT_EQ(cut(whole_band([](const Vector3f& p, float) { return Vector3f(p.z(), p.y(), p.x()); })), 0u);
 }
 
-/// Round the head from the left temple over the nape and back, `turns` of the way; `lift` metres off it, both ends `rise` above the middle.
+/// Round the head from the left temple over the nape and back, `turns` of the way; `lift` metres off it, both ends
+/// `rise` above the middle.
 std::uint32_t cut_wreath(float turns, float lift, float rise) {
   HairStrips hair = whole_band([&](const Vector3f&, float along) {
     const float angle = 6.2832f * turns * (along - 0.5f), radius = 0.09f + lift;

@@ -1,5 +1,5 @@
-// How often the cooker is right about which end of a strip is the root, where that is known otherwise: from strands that
-// the strips were made along, or from the bones of rigged files, which it is not shown.
+// How often the cooker is right about which end of a strip is the root, where that is known otherwise: from strands
+// that the strips were made along, or from the bones of rigged files, which it is not shown.
 
 #include "cook/built_models.h"
 #include "cook/hair_styles.h"
@@ -137,7 +137,8 @@ std::vector<float> depth_of_vertices(const HairMesh& mesh, std::span<const float
   return depth;
 }
 
-/// A patch is right where bones at its tips are farther from the head than at its roots, by a tenth of all that move it.
+/// A patch is right where bones at its tips are farther from the head than at its roots, by a tenth of all that move
+/// it.
 Tally judge_by_bones(const Found& found, std::span<const float> depth_of_node) {
   const std::vector<float> depth = depth_of_vertices(found.hair.mesh, depth_of_node);
   Tally tally;

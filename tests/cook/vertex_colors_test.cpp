@@ -19,7 +19,8 @@ class VertexColors : public testing::Test {
  protected:
   VertexColors() { model_.path = "wig.glb"; }
 
-  /// A surface over the whole of a white image, or of none, whose vertices have the color of where they stand in the texture.
+  /// A surface over the whole of a white image, or of none, whose vertices have the color of where they stand in the
+  /// texture.
   SourceMaterial& add(const char* name, bool has_image,
                       const std::function<Eigen::Vector4f(const Eigen::Vector2f&)>& color) {
     SourceMaterial& material = add_surface(model_, name);

@@ -34,8 +34,8 @@ struct Lines {
 
 constexpr float kHalfRoot = 0.70710678f;
 
-/// Directions, in the limit's own axes, of all points but the bone's start. The bone `hair_2` starts at (0, -0.05, 0); its limit's y points
-/// down and its z to -X.
+/// Directions, in the limit's own axes, of all points but the bone's start. The bone `hair_2` starts at (0, -0.05, 0);
+/// its limit's y points down and its z to -X.
 std::vector<Point> directions(LimitKind kind, float first, float second) {
   AssetContents contents = small_asset();
   contents.limits.assign(contents.bones.size(), {LimitKind::kUnlimited, {}, 0, {0, 0, 0, 1}});

@@ -1,7 +1,7 @@
 // How far two pictures are apart: picture_difference A B BALD LEAST_DB
 //
-// PSNR over all pixels, and over those where A is not BALD, which is A without its hair. The exit code is 0 where the hair's is
-// LEAST_DB or more, of at least a thousand pixels.
+// PSNR over all pixels, and over those where A is not BALD, which is A without its hair. The exit code is 0 where the
+// hair's is LEAST_DB or more, of at least a thousand pixels.
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC

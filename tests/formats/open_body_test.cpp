@@ -1,6 +1,6 @@
-// What open() demands of the body's bones and colliders, and of limits. small_asset() has two bones of the body, a sphere on the
-// first, a capsule and a plane on the second; bone 2 may touch the first and the last, bone 3 the capsule; bone 3
-// has a cone as its limit, bone 4 a spherical one.
+// What open() demands of the body's bones and colliders, and of limits. small_asset() has two bones of the body, a
+// sphere on the first, a capsule and a plane on the second; bone 2 may touch the first and the last, bone 3 the
+// capsule; bone 3 has a cone as its limit, bone 4 a spherical one.
 
 #include "models/small_asset.h"
 

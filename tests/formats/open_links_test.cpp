@@ -1,5 +1,5 @@
-// What open() demands of the links between chains. small_asset() has hair_1 (bone 2) and hair_2 below it in one chain, the fringe
-// (bone 4) in another, and a link of the fringe to hair_1.
+// What open() demands of the links between chains. small_asset() has hair_1 (bone 2) and hair_2 below it in one chain,
+// the fringe (bone 4) in another, and a link of the fringe to hair_1.
 
 #include "models/small_asset.h"
 

@@ -130,8 +130,8 @@ TEST(OpenMaterial, AsksForAWidthOnlyWhereTheModelHasOne) {
   EXPECT_EQ(with(ShadingModel::kMarschner, kLeastRoughness), LoadCode::kOk);
 }
 
-// What open() demands of levels of detail. small_asset() has two: level 0 draws patches 0 and 1 and simulates bones 2, 3
-// (on 2) and 4; level 1 draws patch 2 and simulates bone 2 alone.
+// What open() demands of levels of detail. small_asset() has two: level 0 draws patches 0 and 1 and simulates bones 2,
+// 3 (on 2) and 4; level 1 draws patch 2 and simulates bone 2 alone.
 
 /// As many levels as there are patches, all bones simulated in each.
 void make_levels(AssetContents& asset, std::uint32_t count) {

@@ -30,8 +30,8 @@ AssetContents with_chain(const std::vector<std::uint32_t>& parents) {
   return contents;
 }
 
-/// A comb: a stem of `stem` bones, each but the last with a tooth. Teeth come after the whole stem, from its tip upwards
-/// or from its root downwards.
+/// A comb: a stem of `stem` bones, each but the last with a tooth. Teeth come after the whole stem, from its tip
+/// upwards or from its root downwards.
 std::vector<std::uint32_t> comb(std::uint32_t stem, bool tip_first) {
   std::vector<std::uint32_t> parents = {kRoot};
   for (std::uint32_t b = 1; b < stem; ++b) parents.push_back(b - 1);

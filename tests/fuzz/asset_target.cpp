@@ -84,8 +84,8 @@ void play_with(const Asset& asset, const Solver& solver) {
   skin(asset, hair.palette(0));
 }
 
-/// Some frames of a game: a few heads that move, turn, jump and change their level of detail, stepped by all solvers and
-/// skinned. Numbers are finite, and the memory asked for suits the asset.
+/// Some frames of a game: a few heads that move, turn, jump and change their level of detail, stepped by all solvers
+/// and skinned. Numbers are finite, and the memory asked for suits the asset.
 void play_asset(const Asset& asset) {
   const std::uint32_t substeps = tuned_substeps(asset, kMaxTimeStep);
   promise(substeps >= 1 && substeps <= kMaxSubsteps, "the tuned sub-steps can be asked for");

@@ -32,8 +32,8 @@ SourceNode node(const char* name, std::uint32_t parent, const Eigen::Affine3d& m
   return {name, parent, model_from_node};
 }
 
-/// What an importer would have made of a scene like the seeds': strip, body > head > hair_1 > hair_2 > hair_end, and beside
-/// hair_1 a mirrored and a flattened node.
+/// What an importer would have made of a scene like the seeds': strip, body > head > hair_1 > hair_2 > hair_end, and
+/// beside hair_1 a mirrored and a flattened node.
 SourceModel model_before_extensions() {
   const auto at = [](double y) { return Eigen::Affine3d(Eigen::Translation3d(0, y, 0)); };
   SourceModel model;

@@ -1,5 +1,5 @@
-// The program of libFuzzer for the readers of strands alone, which need neither the runtime nor the cook and are built in a minute.
-// COIF_FUZZ_TARGET in the environment names the reader that gets the bytes.
+// The program of libFuzzer for the readers of strands alone, which need neither the runtime nor the cook and are built
+// in a minute. COIF_FUZZ_TARGET in the environment names the reader that gets the bytes.
 
 #include "fuzz/targets.h"
 

@@ -28,7 +28,8 @@ std::vector<std::uint8_t> bytes_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// 1 where the target accepted nothing: seeds of a format that has changed since show nothing of what comes after the refusal.
+/// 1 where the target accepted nothing: seeds of a format that has changed since show nothing of what comes after the
+/// refusal.
 int replay(const Target& target, std::span<char* const> paths) {
   std::size_t inputs = 0, accepted = 0;
   for (const fs::path path : paths) {

@@ -1,6 +1,6 @@
 #pragma once
-// Readers of foreign bytes, each as a function that any driver may call: libFuzzer with bytes of its own, replay.cpp with
-// those of files.
+// Readers of foreign bytes, each as a function that any driver may call: libFuzzer with bytes of its own, replay.cpp
+// with those of files.
 
 #include <cstdint>
 #include <filesystem>
@@ -11,8 +11,8 @@ namespace coif::fuzz {
 
 using Input = std::span<const std::uint8_t>;
 
-/// Hands the bytes to one reader, and what the reader accepts to whoever comes next. True where it accepted. A promise of
-/// the reader that is broken ends the process.
+/// Hands the bytes to one reader, and what the reader accepts to whoever comes next. True where it accepted. A promise
+/// of the reader that is broken ends the process.
 struct Target {
   std::string_view name;
   bool (*run)(Input);
@@ -33,7 +33,8 @@ bool try_recipe(Input input);        ///< A recipe's text, and printing it.
 bool try_tressfx(Input input);       ///< A .tfx.
 bool try_vrm(Input input);           ///< The extensions of a .gltf, .glb or .vrm. False where it has no spring.
 
-/// Those of the program: target_table.cpp has all, strand_table.cpp those that need no more than the readers of strands.
+/// Those of the program: target_table.cpp has all, strand_table.cpp those that need no more than the readers of
+/// strands.
 std::span<const Target> all_targets();
 
 /// Null where there is no target of that name; `usage` is then printed to the standard error output, with the names.

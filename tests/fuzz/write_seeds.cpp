@@ -1,4 +1,5 @@
-// Writes those seeds of the corpora that are not text: fuzz_write_seeds FOLDER. To be run again when their format changes.
+// Writes those seeds of the corpora that are not text: fuzz_write_seeds FOLDER. To be run again when their format
+// changes.
 
 #include "cache/small_entry.h"
 #include "cook/recipe/recipe.h"

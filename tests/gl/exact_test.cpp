@@ -247,7 +247,8 @@ TEST_P(ExactModes, GiveTheSamePicture) {
   }
 }
 
-// Peeling blends layer after layer into the target, which rounds each: by two in Mesa, three on a graphics card of NVIDIA's.
+// Peeling blends layer after layer into the target, which rounds each: by two in Mesa, three on a graphics card of
+// NVIDIA's.
 TEST_P(ExactModes, GiveNearlyTheSameBytes) {
   const DrawnAsset wig(bytes_);
   for (const float turn : kTurns) {

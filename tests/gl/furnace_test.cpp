@@ -1,5 +1,5 @@
-// White furnace: light from everywhere alike, so strong that a white matte surface sends out 1. What sends out more adds
-// energy, and with many lights looks as if it glowed. Prints the table of shaders/SHADING.md.
+// White furnace: light from everywhere alike, so strong that a white matte surface sends out 1. What sends out more
+// adds energy, and with many lights looks as if it glowed. Prints the table of shaders/SHADING.md.
 
 #include "cook/pack/pack.h"
 #include "gl/reference_shading.h"

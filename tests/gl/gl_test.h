@@ -83,8 +83,8 @@ inline int worst_difference(const std::vector<std::uint8_t>& a, const std::vecto
   return worst;
 }
 
-/// A host that writes down what a renderer asks of OpenGL and passes it on. One at a time: OpenGL's functions do not know
-/// who calls.
+/// A host that writes down what a renderer asks of OpenGL and passes it on. One at a time: OpenGL's functions do not
+/// know who calls.
 class CountedCalls {
  public:
   /// Passes calls on to the functions that `real` finds.

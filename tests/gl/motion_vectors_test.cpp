@@ -45,7 +45,8 @@ std::vector<Point> projected(const Asset& asset, const Frame& frame) {
 
 class MotionVectors : public MotionScene {
  protected:
-  /// What a pixel's nearest triangle says; nothing where none is there, or an edge or another triangle is too near to tell.
+  /// What a pixel's nearest triangle says; nothing where none is there, or an edge or another triangle is too near to
+  /// tell.
   struct Expected {
     std::optional<Vector> vector;
     double depth = 1;
@@ -57,7 +58,8 @@ class MotionVectors : public MotionScene {
   static int compare(const std::vector<Vector>& found, const std::vector<Expected>& expected);
 };
 
-/// Where a pixel's centre lies in a triangle on the screen: the corners' shares, perspective taken into account, and its depth.
+/// Where a pixel's centre lies in a triangle on the screen: the corners' shares, perspective taken into account, and
+/// its depth.
 struct Inside {
   std::array<double, 3> share;
   double depth;

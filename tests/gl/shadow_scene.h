@@ -10,8 +10,8 @@
 
 namespace coif {
 
-/// A white card in the middle of the picture that catches the shadow of others, by a light from the upper right, which is out
-/// of the picture: what is half a metre towards the light shades the card's middle and leaves its left side.
+/// A white card in the middle of the picture that catches the shadow of others, by a light from the upper right, which
+/// is out of the picture: what is half a metre towards the light shades the card's middle and leaves its left side.
 class ShadowScene : public CountedGlTest {
  protected:
   /// The way to the light: metres up are metres to the right.

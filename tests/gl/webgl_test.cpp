@@ -147,8 +147,8 @@ TEST_F(WebGl, FramesGiveNoBufferStorage) {
   model.destroy();
 }
 
-/// Red and blue cards in one place in turns, half transparent: what is drawn last shows most. Stored, that is blue; from behind it
-/// is red. Indices of two orders take more room than the scratch has.
+/// Red and blue cards in one place in turns, half transparent: what is drawn last shows most. Stored, that is blue;
+/// from behind it is red. Indices of two orders take more room than the scratch has.
 AssetContents many_orders(std::uint32_t cards, bool has_many_vertices) {
   AssetContents contents =
       card_contents(std::array{DrawnCard{.rgba = {255, 0, 0, 128}}, DrawnCard{.rgba = {0, 0, 255, 128}}});
@@ -193,7 +193,8 @@ TEST_F(WebGl, RefusesOrdersOfEachHead) {
 }
 
 TEST_F(WebGl, CompressedTexturesAreDecoded) {
-  // As passes_test's compressed texture, of random blocks: what the driver decodes itself is the same within a byte's step.
+  // As passes_test's compressed texture, of random blocks: what the driver decodes itself is the same within a byte's
+  // step.
   AssetContents contents = card_contents(std::array{DrawnCard{.rgba = {200, 180, 160, 255}}});
   for (float& color : contents.material[0].secondary_color) color = 1;
   contents.material[0].secondary_exponent = 4;

@@ -39,7 +39,8 @@ TEST(JoinedLines, RingsEndWhereTheyBegin) {
   EXPECT_EQ(joined({{0, 0}}, 1), (std::vector<Line>{{0, 0}}));
 }
 
-/// However strands are cut into segments, and in whatever order and direction these come, they are the same strands again.
+/// However strands are cut into segments, and in whatever order and direction these come, they are the same strands
+/// again.
 TEST(JoinedLines, SegmentsInAnyOrderAreTheStrandsAgain) {
   std::mt19937 random(7);
   for (int round = 0; round < 50; ++round) {

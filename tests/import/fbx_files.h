@@ -29,7 +29,8 @@ struct FbxTree {
 /// A binary file of version 7400 (32-bit sizes), 7500 (64-bit sizes) and others.
 [[nodiscard]] std::string binary_fbx(std::uint32_t version, const std::vector<FbxTree>& records);
 
-/// A hidden group (object 1) of levels of detail with the mesh 2, whose key "Long" is on by 50 %, between shapes at 25 and 75.
+/// A hidden group (object 1) of levels of detail with the mesh 2, whose key "Long" is on by 50 %, between shapes at 25
+/// and 75.
 [[nodiscard]] std::string small_binary_fbx(std::uint32_t version);
 
 /// A shape key of a model's triangle: its shapes move the third corner, one after the other, by 10, 20 ... along X.

@@ -103,7 +103,8 @@ TEST(FbxTextures, BinaryFilesSayTheSame) {
   EXPECT_EQ(objects->find(1)->name, "Hair");
 }
 
-/// The coordinates of the triangle's corners at (0, 0), (1, 0) and (0, 1) with a texture of these properties, V growing upwards.
+/// The coordinates of the triangle's corners at (0, 0), (1, 0) and (0, 1) with a texture of these properties, V growing
+/// upwards.
 std::vector<Eigen::Vector2f> placed_uvs(const std::string& properties, const std::string& creator = "") {
   const TemporaryFolder folder;
   std::string file = test::text_fbx({{20, "hair", 0, ""}});

@@ -15,8 +15,8 @@
 
 namespace coif::test {
 
-/// How an accessor stores its numbers. Numbers are written as `component` can hold them: the nearest integer, of a fraction where it
-/// is normalized.
+/// How an accessor stores its numbers. Numbers are written as `component` can hold them: the nearest integer, of a
+/// fraction where it is normalized.
 struct Storage {
   int component = 5126;  ///< glTF's componentType.
   bool normalized = false;

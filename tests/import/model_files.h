@@ -52,7 +52,8 @@ struct SmallGltf {
   [[nodiscard]] std::filesystem::path write(const TemporaryFolder& folder, const std::string& name) const;
 };
 
-/// "min" and "max" of an accessor of places, which glTF asks for, as JSON; nothing where one is no number, which JSON cannot have.
+/// "min" and "max" of an accessor of places, which glTF asks for, as JSON; nothing where one is no number, which JSON
+/// cannot have.
 [[nodiscard]] std::string bounds_of(std::span<const float> places);
 
 /// An ASCII FBX of lines of GlobalSettings, objects and connections.

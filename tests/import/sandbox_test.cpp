@@ -1,4 +1,5 @@
-// References that lead out of the model's folder where no fence of the kernel's stands in the way, and machines that have none.
+// References that lead out of the model's folder where no fence of the kernel's stands in the way, and machines that
+// have none.
 
 #include "import/assimp_scene.h"
 #include "import/import.h"

@@ -1,5 +1,6 @@
 // Limits of spring bones as VRM 1.0 writes them. Expected numbers are worked out by hand from the text of
-// VRMC_springBone_limit-1.0: the shortest turn of +Y to the bone, in the joint's own space, and `rotation` inside of it.
+// VRMC_springBone_limit-1.0: the shortest turn of +Y to the bone, in the joint's own space, and `rotation` inside of
+// it.
 
 #include "import/imported_model.h"
 #include "import/model_files.h"

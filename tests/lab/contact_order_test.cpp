@@ -1,5 +1,5 @@
-// Hair that comes to lie on a collider, or is thrown against it: how the runtime's error falls with the step, and that contacts make no
-// energy.
+// Hair that comes to lie on a collider, or is thrown against it: how the runtime's error falls with the step, and that
+// contacts make no energy.
 
 #include "lab/hair_segment.h"
 #include "lab/passive_model.h"
@@ -27,8 +27,8 @@ namespace coif::contact_order_test {
 
 using Eigen::Vector3d;
 
-/// The head bows, and hair falls onto what is in front of it. It starts from its rest, and the runtime knows the head's way: what is left
-/// is the order of contacts.
+/// The head bows, and hair falls onto what is in front of it. It starts from its rest, and the runtime knows the head's
+/// way: what is left is the order of contacts.
 std::unique_ptr<HeadPath> bow() { return held_turn(Vector3d(1, 0.1, 0.2).normalized(), 1.9, 0.8); }
 /// So fast that hair is thrown against it.
 std::unique_ptr<HeadPath> jerk() { return held_turn(Vector3d(1, 0.1, 0.2).normalized(), 1.9, 0.25); }
@@ -204,8 +204,8 @@ double energy(const Rig& rig, const HeadState& head, std::span<const Vector3d> e
   return PassiveModel(rig.bones).energy({}, head, states);
 }
 
-/// Hair without any damping that falls onto a collider of the head, which then holds still, gets no higher than the energy takes it that it
-/// has when the head stops. (Of the cascade only a bone alone has an energy.)
+/// Hair without any damping that falls onto a collider of the head, which then holds still, gets no higher than the
+/// energy takes it that it has when the head stops. (Of the cascade only a bone alone has an energy.)
 TEST(ContactEnergy, HairThatFallsOnAColliderGetsNoHigher) {
   for (const Lying& lying : all_lying()) {
     if (lying.model != ChainModel::kPassive && lying.bones > 1) continue;
@@ -233,8 +233,8 @@ TEST(ContactEnergy, HairThatFallsOnAColliderGetsNoHigher) {
   }
 }
 
-/// Those whose references agree: where two bones of the cascade are thrown against an ellipsoid or a capsule, the second grazes it, and two
-/// references part.
+/// Those whose references agree: where two bones of the cascade are thrown against an ellipsoid or a capsule, the
+/// second grazes it, and two references part.
 std::vector<Lying> thrown() {
   std::vector<Lying> known;
   std::ranges::copy_if(all_lying(), std::back_inserter(known), [](const Lying& lying) {

@@ -110,7 +110,8 @@ struct LetGo {
   double rest = 0, held = 0;  ///< Energy, joules.
 };
 
-/// How much more potential energy hair has at any later time than when it was let go, as a share of what it had above its rest.
+/// How much more potential energy hair has at any later time than when it was let go, as a share of what it had above
+/// its rest.
 double gain(const Strand& strand, float dt, int seconds = 6) {
   LetGo hair(make(strand), dt);
   double most = hair.held;
@@ -139,7 +140,8 @@ TEST(PassiveEnergy, HairThatIsLetGoGetsNoHigher) {
   }
 }
 
-/// By how much all of the energy rises above what it has been at any time before, as a share of what it was let go with.
+/// By how much all of the energy rises above what it has been at any time before, as a share of what it was let go
+/// with.
 double rise(const TestRig& rig, float friction, double seconds = 3) {
   constexpr float kStep = 1 / 960.0f;
   LetGo hair(rig, kStep);

@@ -24,8 +24,8 @@ struct DrawnCard {
   SkinRecord skin{{0, 0, 0, 0}, {255, 0, 0, 0}};
 };
 
-/// White, double-sided, ambient light 1, no highlights: colours appear as the texture has them. Opaque from alpha 0.9 on, nothing
-/// below 0.1.
+/// White, double-sided, ambient light 1, no highlights: colours appear as the texture has them. Opaque from alpha 0.9
+/// on, nothing below 0.1.
 [[nodiscard]] MaterialRecord plain_material();
 
 /// `bones` rigid bones; the cards are patches in this order.

@@ -7,8 +7,8 @@
 
 namespace coif {
 
-/// Texels of RG11 EAC, read one by one as the Khronos Data Format Specification says; apart from our encoder and decoder.
-/// 0..2047 of the texel at (x, y) of an image `width` texels wide.
+/// Texels of RG11 EAC, read one by one as the Khronos Data Format Specification says; apart from our encoder and
+/// decoder. 0..2047 of the texel at (x, y) of an image `width` texels wide.
 inline int eac_rg11_value(std::span<const std::uint8_t> bytes, std::uint32_t width, std::uint32_t x, std::uint32_t y,
                           int channel) {
   constexpr int kModifier[16][8] = {

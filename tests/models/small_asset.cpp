@@ -37,7 +37,8 @@ VertexRecord vertex(float x, float y) {
   return v;
 }
 
-/// Three patches of a triangle each: two of level 0, one of level 1. Three draw orders: as stored, turned round, as stored.
+/// Three patches of a triangle each: two of level 0, one of level 1. Three draw orders: as stored, turned round, as
+/// stored.
 void add_mesh(AssetContents& asset) {
   for (int patch = 0; patch < 3; ++patch) {
     const auto first = std::uint32_t(asset.vertices.size());

@@ -58,8 +58,8 @@ LoadCode refusal(Change change) {
   return open_written(contents).code;
 }
 
-/// Reads whatever a runtime may read of an open asset, through every reference in it; a value outside its promise shows as
-/// a sum that is not finite, or under AddressSanitizer.
+/// Reads whatever a runtime may read of an open asset, through every reference in it; a value outside its promise shows
+/// as a sum that is not finite, or under AddressSanitizer.
 [[nodiscard]] double touch_asset(const Asset& asset);
 
 /// The same without all that is drawn, or depends on it: bones, dynamics and colliders stay.

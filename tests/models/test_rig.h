@@ -43,7 +43,8 @@ class TestRig {
   void add_plane(const Vec3& point, const Vec3& normal);  ///< `normal` unit.
   /// On the last body bone; its centre in head space.
   void add_body_sphere(const Vec3& center, float radius);
-  /// Bounds the bone's direction; `rotation` from the limit's axes to the parent's frame. Bones that are added later have none.
+  /// Bounds the bone's direction; `rotation` from the limit's axes to the parent's frame. Bones that are added later
+  /// have none.
   void limit(std::uint32_t bone, LimitKind kind, float first, float second = 0, const Quat& rotation = {});
 
   /// Keeps the particles of two bones at 1 - `shrink` to 1 + `stretch` times their distance at rest.
@@ -75,7 +76,8 @@ class TestRig {
 /// the tip, critically damped: hair whose motion does not depend on the last digit of anything.
 [[nodiscard]] TestRig calm_strand(int count, float length);
 
-/// A Hair with the asset and the memory it needs, whose heads stand at the identity pose: poses that they are told are movement.
+/// A Hair with the asset and the memory it needs, whose heads stand at the identity pose: poses that they are told are
+/// movement.
 class TestHair {
  public:
   explicit TestHair(const TestRig& rig, std::uint32_t instances = 1)
@@ -109,7 +111,8 @@ class TestHair {
 [[nodiscard]] double angle_between(const Quat& a, const Quat& b);
 [[nodiscard]] Vec3 transformed(const Mat34& matrix, const Vec3& point);
 
-// Hair that has everything an asset can have, and a game that does everything with it: for tests of what must not matter.
+// Hair that has everything an asset can have, and a game that does everything with it: for tests of what must not
+// matter.
 
 /// Chains of four shapes, one of them branching and one too frequent for a row; every shape of collider, in different
 /// sets; bones with and without friction, limits, twist and a pull to the head; three levels of detail.
@@ -117,9 +120,9 @@ class TestHair {
 
 enum class JobOrder : std::uint8_t { kAscending, kDescending, kTwoThreads };
 
-/// A game of `frames` frames, of different lengths and in up to three parts. Each instance's head lives its own life, which
-/// depends on the instance's index alone: it wanders, stands still, is put elsewhere and reset. Made without libm, so that
-/// it is the same game everywhere.
+/// A game of `frames` frames, of different lengths and in up to three parts. Each instance's head lives its own life,
+/// which depends on the instance's index alone: it wanders, stands still, is put elsewhere and reset. Made without
+/// libm, so that it is the same game everywhere.
 struct FeaturePlay {
   const Solver* solver = &kCoifSolver;
   InstructionSet set = InstructionSet::kBest;

@@ -1,4 +1,5 @@
-// Springs at the hinges between segments (thesis 3.1, Figure 5): what they do to one bone, and that bones feel what hangs from them.
+// Springs at the hinges between segments (thesis 3.1, Figure 5): what they do to one bone, and that bones feel what
+// hangs from them.
 
 #include "lab/reference_solver.h"
 #include "motion/head_path.h"

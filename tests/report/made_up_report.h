@@ -31,17 +31,17 @@ std::size_t expect_unique_ids(const std::string& document);
 /// Two cases; "coif" passes both, "thesis" refuses one, "slow" diverges in one and ends in NaN in the other.
 [[nodiscard]] StabilityReport made_up_stability();
 
-/// Two solvers with 1, 10 and 100 heads and, of 10 heads, 1, 2 and 4 steps; two features; 100 drawn heads left out. "coif"
-/// takes 2 us a head and step, "thesis" 1 us. Drawn by a device that tells its own time in one row; two distances; not
-/// the thesis's table.
+/// Two solvers with 1, 10 and 100 heads and, of 10 heads, 1, 2 and 4 steps; two features; 100 drawn heads left out.
+/// "coif" takes 2 us a head and step, "thesis" 1 us. Drawn by a device that tells its own time in one row; two
+/// distances; not the thesis's table.
 [[nodiscard]] CostReport made_up_cost();
 
-/// 20 heads, which the thesis has, and 7, which it has not: transparency makes frames half as long again, and simulation
-/// half as long again. The device does not tell its own time.
+/// 20 heads, which the thesis has, and 7, which it has not: transparency makes frames half as long again, and
+/// simulation half as long again. The device does not tell its own time.
 [[nodiscard]] ThesisTable made_up_thesis_table();
 
-/// Orders head (20 dB), view (40 dB) and triangles (44 dB) at rest and in a turn over 4 views, the modes blend and opaque at
-/// rest, an own threshold of 0.8 where 0.9 would be better, hair that gets thin at 16 pixels; no bones.
+/// Orders head (20 dB), view (40 dB) and triangles (44 dB) at rest and in a turn over 4 views, the modes blend and
+/// opaque at rest, an own threshold of 0.8 where 0.9 would be better, hair that gets thin at 16 pixels; no bones.
 [[nodiscard]] OrderReport made_up_order();
 
 }  // namespace coif

@@ -1,4 +1,5 @@
-// Algorithm 1 reads what the artist asked for, whatever a chain was given to have one motion; the others what it was given.
+// Algorithm 1 reads what the artist asked for, whatever a chain was given to have one motion; the others what it was
+// given.
 
 #include "models/playback.h"
 

@@ -1,5 +1,5 @@
-// Hair that is thrown against a collider of its head in the midst of a step: each head fares as if the others, whose hair arrives at other
-// times, were not there.
+// Hair that is thrown against a collider of its head in the midst of a step: each head fares as if the others, whose
+// hair arrives at other times, were not there.
 
 #include "models/playback.h"
 #include "models/test_rig.h"
@@ -117,7 +117,8 @@ TEST(Blows, HeadsHairArrivesAtUnlikeTimes) {
   EXPECT_GE(arrivals.size(), 8u);
 }
 
-/// A bone that stands off a ball, and whose start rounding or a blow has put a little below the surface, stays as it is.
+/// A bone that stands off a ball, and whose start rounding or a blow has put a little below the surface, stays as it
+/// is.
 TEST(Blows, ABoneThatLeadsOutOfTheBallItStartsAtIsNotTurned) {
   for (const ChainModel model : {ChainModel::kCascade, ChainModel::kPassive}) {
     for (const float depth : {0.0f, 1e-7f, 1e-5f, 5e-5f}) {

@@ -20,7 +20,8 @@ using Bytes = SavedState;
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
-/// Everything that moves in a crowd: bones that twist and such that fork, colliders of the game and of a body, poses, gusts.
+/// Everything that moves in a crowd: bones that twist and such that fork, colliders of the game and of a body, poses,
+/// gusts.
 TestRig rig() {
   TestRig rig = nine_bone_rig();
   for (std::size_t i = 1; i < rig.dynamics.size(); ++i) rig.dynamics[i].torsion = i % 2 == 0 ? 4.0f : kShortestArc;
@@ -150,7 +151,8 @@ TEST(DamagedState, WhereSomeNumberIsNoneItIsRefused) {
       taken += is_taken ? 1 : 0;
       where += is_taken ? ' ' + std::to_string(at - kContentAt) : "";
     }
-    // Any bits do in what a host writes into HeadPose::reserved and where a head with a velocity is, which is not in its pose.
+    // Any bits do in what a host writes into HeadPose::reserved and where a head with a velocity is, which is not in
+    // its pose.
     EXPECT_LE(taken, 3 * desc.instances) << "heads " << desc.instances << ", bytes" << where << " of "
                                          << good.size() - kContentAt;
   }

@@ -143,8 +143,8 @@ std::uint64_t digest(const Solver* solver, InstructionSet set) {
   return all;
 }
 
-/// The same bits on every processor, by every compiler, with and without optimisation. A change of how hair moves changes
-/// them: then put the numbers that this test prints here, and say in CHANGELOG.md that hair moves differently.
+/// The same bits on every processor, by every compiler, with and without optimisation. A change of how hair moves
+/// changes them: then put the numbers that this test prints here, and say in CHANGELOG.md that hair moves differently.
 TEST(LaneDeterminism, BitsAreThoseOfEveryOtherBuild) {
   constexpr std::uint64_t kCoif = 7255423148557326642u, kThesis = 14597022654990503538u,
                           kPassive = 8647123609210811364u;

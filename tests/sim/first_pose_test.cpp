@@ -150,7 +150,8 @@ TEST(FirstPose, OfASavedCrowdIsStillTheFirst) {
   EXPECT_LT(moved(other, weightless()), 1e-5f);
 }
 
-/// A head that flies and turns steadily from the first pose on: its hair is at rest against it, as if that had always been so.
+/// A head that flies and turns steadily from the first pose on: its hair is at rest against it, as if that had always
+/// been so.
 void expect_goes_along(const Solver* solver, const HeadVelocity& velocity, float tolerance) {
   NewHair test({.solver = solver});
   const auto before = test.ends();
@@ -174,7 +175,8 @@ TEST(FirstPose, WithAVelocityHasItFromTheStart) {
   expect_goes_along(&kThesisSolver, {{0.4f, 0, -0.3f}, {}}, 2e-3f);
 }
 
-/// Bones at a right angle to the axis are not left behind where the head begins to turn: a step at 2 rad/s would leave them 5 mm.
+/// Bones at a right angle to the axis are not left behind where the head begins to turn: a step at 2 rad/s would leave
+/// them 5 mm.
 TEST(FirstPose, WithAnAngularVelocityTakesBonesAlong) {
   for (const Solver* const solver : kSolvers) {
     NewHair test({.solver = solver});

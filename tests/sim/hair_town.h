@@ -115,8 +115,8 @@ inline AssetContents mixed_strands() {
   return mixed;
 }
 
-/// Hair of every kind: both models, twisting and not, bounded and not, with few and with many colliders, tuned for several rates, without any
-/// chain. Several have chains of one shape, and of one shape but for their lengths.
+/// Hair of every kind: both models, twisting and not, bounded and not, with few and with many colliders, tuned for
+/// several rates, without any chain. Several have chains of one shape, and of one shape but for their lengths.
 inline std::vector<AssetContents> many_kinds() {
   std::vector<AssetContents> kinds;
   for (const TestRig& rig : {feature_rig(), tuned_features(), nine_bone_rig(), other_nine_bones(), crowded_nine_bones(),

@@ -110,7 +110,8 @@ TEST(HairWorld, SoItHasUnderTheOtherSolvers) {
 }
 
 TEST(HairWorld, SoItHasWhereAChainMovesBeforeItsFirstStep) {
-  // More heads than a bundle has lanes; the last one, of an asset that has not been stepped yet, takes the place of one that leaves.
+  // More heads than a bundle has lanes; the last one, of an asset that has not been stepped yet, takes the place of one
+  // that leaves.
   std::vector<AssetContents> contents;
   for (const float stiffness : {50.0f, 90.0f}) {
     TestRig rig;

@@ -36,8 +36,8 @@ inline Point in_frame(const Mat34& m, const Point& v) {
           double(m.m[0][2]) * v.x + double(m.m[1][2]) * v.y + double(m.m[2][2]) * v.z};
 }
 
-/// How far, at least, a unit direction in the limit's axes is from what the record allows, radians. By its definition, not by the
-/// solver's way.
+/// How far, at least, a unit direction in the limit's axes is from what the record allows, radians. By its definition,
+/// not by the solver's way.
 inline double violation(const LimitRecord& limit, const Point& d) {
   const double angle = std::atan2(std::hypot(d.x, d.z), d.y);
   switch (limit.kind) {

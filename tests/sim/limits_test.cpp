@@ -124,7 +124,8 @@ TEST(Limits, HingeMovesInItsPlaneAlone) {
     bone.damping = 1;
     bone.torsion = kShortestArc;
     rig.add(bone);
-    // The limit's y down, its x along the world's x: what pushes sideways does nothing, what pushes backwards swings it.
+    // The limit's y down, its x along the world's x: what pushes sideways does nothing, what pushes backwards swings
+    // it.
     rig.limit(1, LimitKind::kHinge, 1.2f, 0, turned_about({1, 0, 0}, kPi));
     TestHair test(rig);
     double farthest = 0;
@@ -193,7 +194,8 @@ TEST(Limits, AgainstItsStopABoneMovesAsItsFrameDoes) {
   });
 }
 
-/// DynamicsRecord::angle_limit. Pressed against it, the bone stands still, and what hangs on it hangs as from any bone that stands.
+/// DynamicsRecord::angle_limit. Pressed against it, the bone stands still, and what hangs on it hangs as from any bone
+/// that stands.
 TEST(Limits, OfAnAngleHoweverNarrowHoldTheBoneStill) {
   for (const ChainModel model : kModels) {
     const auto hung = [model](float angle, int frames) {  // where the child's end is, seen from its start
@@ -218,7 +220,8 @@ TEST(Limits, OfAnAngleHoweverNarrowHoldTheBoneStill) {
   }
 }
 
-/// Locked by a limit of any kind, or held rigid, a bone stands in its parent's frame; what hangs on it cannot tell which.
+/// Locked by a limit of any kind, or held rigid, a bone stands in its parent's frame; what hangs on it cannot tell
+/// which.
 TEST(Limits, OfAngleZeroAreTheSameLockWhateverTheirKind) {
   for (const ChainModel model : kModels) {
     const auto ends_with = [model](LimitKind kind) {
@@ -244,7 +247,8 @@ TEST(Limits, OfAngleZeroAreTheSameLockWhateverTheirKind) {
 }
 
 TEST(Limits, TheNearestAllowedDirectionIsContinuousAndStaysWhereItIs) {
-  // A stiff bone is at its default direction: led around in small steps by the lean of a pull that is wide of the limit.
+  // A stiff bone is at its default direction: led around in small steps by the lean of a pull that is wide of the
+  // limit.
   for (const LimitKind kind : kKinds) {
     Vec3 last{};
     bool has_last = false;

@@ -103,7 +103,8 @@ TEST(LinksAlone, MoveNoneOfTwoBonesThatAreHeld) {
   }
 }
 
-/// The other end is held out of reach: further away than a bone and its link are long, or so near that the bone is too short for it.
+/// The other end is held out of reach: further away than a bone and its link are long, or so near that the bone is too
+/// short for it.
 TEST(LinksAlone, PointStraightWhereTheyCannotReach) {
   for (const ChainModel model : kModels) {
     for (const float away : {0.153f, 0.16f, 0.3f, 0.02f, 0.05f}) {
@@ -188,7 +189,8 @@ TEST(LinksAlone, GoRoundWhatStandsBetweenABoneAndOneThatIsHeld) {
   }
 }
 
-/// Links that are shorter than the strands hang apart: two that are alike yield alike, and one that is heavy yields less.
+/// Links that are shorter than the strands hang apart: two that are alike yield alike, and one that is heavy yields
+/// less.
 TEST(LinksAlone, TurnBothBonesByTheirMasses) {
   for (const ChainModel model : kModels) {
     for (const int more : {0, 2}) {  // bones that hang on the first strand besides
@@ -215,8 +217,8 @@ TEST(LinksAlone, TurnBothBonesByTheirMasses) {
   }
 }
 
-/// How far the child's end is from where its parent's frame has it, after ten seconds in which wind presses the parent against its
-/// link and nothing acts on the child; metres, of bones of 10 cm.
+/// How far the child's end is from where its parent's frame has it, after ten seconds in which wind presses the parent
+/// against its link and nothing acts on the child; metres, of bones of 10 cm.
 float child_beside_its_rest(ChainModel model, double fps) {
   TestRig rig;
   rig.model = model;

@@ -138,8 +138,8 @@ TEST(MovingColliders, AHandThroughHairLeavesNoBoneInsideAndNoneOnTheWrongSide) {
           test.step({hand}, at_rate(fps));
           const auto ends = test.ends();
           deepest = std::max(deepest, depth(rig, ends, hand));
-          // Within reach it takes the strand along, over its top or before it: the tip is not behind its middle. What the hand went
-          // through would hang where it hung.
+          // Within reach it takes the strand along, over its top or before it: the tip is not behind its middle. What
+          // the hand went through would hang where it hung.
           const bool is_pushing = x > 0.0 && x < 0.08;
           if (is_pushing && double(ends[3].x) < x - 0.02) ++wrong;
         }

@@ -1,4 +1,5 @@
-// Chains of one head that lie in the same vector, some of which meet moving colliders: each fares as if the others were not there.
+// Chains of one head that lie in the same vector, some of which meet moving colliders: each fares as if the others were
+// not there.
 
 #include "models/playback.h"
 

@@ -1,4 +1,5 @@
-// Hair that was created without something refuses to be told of it, and nothing else happens: with nothing, with one and with too many.
+// Hair that was created without something refuses to be told of it, and nothing else happens: with nothing, with one
+// and with too many.
 
 #include "models/test_rig.h"
 

@@ -21,7 +21,8 @@ StepSettings weightless(float dt) {
 constexpr float kFast = 10;  ///< rad/s
 constexpr float kShort = 1.0f / 240;
 
-/// A bar of 60 cm that turns about the vertical through one of its ends, 30 cm behind the strand; at 0 it points at that.
+/// A bar of 60 cm that turns about the vertical through one of its ends, 30 cm behind the strand; at 0 it points at
+/// that.
 MovingCollider bar(ColliderShape shape, double angle, bool tells_velocity) {
   MovingCollider bar{.shape = shape, .center = {0, -0.09, -0.3}, .rotation = turned_about({0, 1, 0}, angle)};
   bar.axis = {0, 0, 0.6f};

@@ -55,7 +55,8 @@ std::vector<Vec3> speeds_after(TestHair& test, const Impulse& impulse) {
 TEST(Impulse, AnExplosionFadesFromItsMiddleToItsEdge) {
   for (const Solver* const solver : kSolvers) {
     TestHair test(loose(), {.solver = solver});
-    // Beside the second bone's end: 0.5 m off, of a metre; straight to the side of it, so that all of it turns the bone.
+    // Beside the second bone's end: 0.5 m off, of a metre; straight to the side of it, so that all of it turns the
+    // bone.
     const auto speeds = speeds_after(test, {.center = {-0.5, -0.2, 0}, .radius = 1, .speed = 4});
     EXPECT_NEAR(speeds[1].x, 2, solver == &kPassiveSolver ? 0.5 : 0.05);
     EXPECT_GT(speeds[0].x, 0.5f);
@@ -110,7 +111,8 @@ TEST(Impulse, BeyondItsEndsACapsuleIsABall) {
   }
 }
 
-/// A hand that stands still in the world holds what it is around, though the head turns under it and takes the joints along.
+/// A hand that stands still in the world holds what it is around, though the head turns under it and takes the joints
+/// along.
 TEST(Impulse, AStrokeHoldsHairOfAHeadThatTurns) {
   TestRig rig;
   TestBone bone{.joint = {0.2f, 0, 0}, .length = 0.1f};

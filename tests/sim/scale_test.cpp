@@ -85,7 +85,8 @@ TEST(Scale, AHeadTwiceAsLargeOnTwiceAsLongWaysMovesAlikeToTheBit) {
   }
 }
 
-/// All matrices in three seconds of each of some heads that turn in place in still air, so that nothing has a length in the world.
+/// All matrices in three seconds of each of some heads that turn in place in still air, so that nothing has a length in
+/// the world.
 std::vector<std::vector<Mat34>> turned_in_place(const Solver& solver, const StepSettings& settings,
                                                 const std::vector<float>& scales) {
   TestHair test(feature_rig(), HairDesc{.instances = std::uint32_t(scales.size()), .solver = &solver});

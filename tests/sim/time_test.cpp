@@ -141,7 +141,8 @@ TEST(LongSteps, HaveNoPartLongerThanMayBeComputedAtOnce) {
   EXPECT_GT(largest_distance(after_one_step(0.205f, 3), after_one_step(0.205f, 2 * 3)), 0.0f);
 }
 
-/// Two frames of unlike length together have as many parts as the asked-for length of one goes into them, begun ones included.
+/// Two frames of unlike length together have as many parts as the asked-for length of one goes into them, begun ones
+/// included.
 TEST(LongSteps, OfSeveralFramesHaveThePartsOfTheLast) {
   TestHair together(calm_strand(3, kLength), {.longest_interval = 2}), at_once(calm_strand(3, kLength));
   ASSERT_EQ(together.hair.set_detail(0, {.interval = 2}), Status::kOk);

@@ -99,7 +99,8 @@ TEST(ToldColliders, WakeHairThatTheyReachAndNoOther) {
   EXPECT_FALSE(test.hair.is_asleep(0)) << "it has gone";
 }
 
-/// World metres in front of a sleeping head within which something has to be told so that it wakes, to a millimetre; `tell` says it there.
+/// World metres in front of a sleeping head within which something has to be told so that it wakes, to a millimetre;
+/// `tell` says it there.
 template <typename Tell>
 double waking_distance(TestHair& test, const Tell& tell) {
   double near = 0, far = 100;
@@ -114,7 +115,8 @@ double waking_distance(TestHair& test, const Tell& tell) {
   return near;
 }
 
-/// The hair reaches so many times as far, what the game tells is as large as it says, and what hangs on a body grows with it.
+/// The hair reaches so many times as far, what the game tells is as large as it says, and what hangs on a body grows
+/// with it.
 TEST(ToldColliders, WakeAScaledHeadWithinItsScaledReach) {
   TestRig rig = nine_bone_rig();
   rig.body_bones.push_back({0, {0, 0, 0}, {0, 0, 0, 1}});

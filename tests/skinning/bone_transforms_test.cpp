@@ -42,8 +42,8 @@ std::vector<Mat34> composed(const Asset& asset, std::span<const BoneTransform> l
   return nodes;
 }
 
-/// Largest difference of bone b's matrix in the palette from what its node makes of it by the inverse bind matrix that the
-/// header names.
+/// Largest difference of bone b's matrix in the palette from what its node makes of it by the inverse bind matrix that
+/// the header names.
 double difference(const Asset& asset, std::size_t b, const Mat34& node, const Mat34& matrix) {
   const float(&joint)[3] = asset.bones()[b].joint;
   double most = 0;

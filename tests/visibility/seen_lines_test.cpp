@@ -82,8 +82,8 @@ TEST(SeenLines, OnlyBlendedLayersInFrontOfSolidOnesCost) {
   EXPECT_EQ(blended_layers(lines, {0.3f, false, 0.01f}), 0);
 }
 
-/// Cards of hair of one colour, each a little beside the one behind it: so many layers that which of them is seen matters
-/// little, and edges that let the backdrop through.
+/// Cards of hair of one colour, each a little beside the one behind it: so many layers that which of them is seen
+/// matters little, and edges that let the backdrop through.
 AssetContents heap() {
   std::vector<Card> cards;
   for (int i = 0; i < 6; ++i) cards.push_back({.center = {0.05f * float(i), 0, -0.01f * float(i)}, .alpha = 204});

@@ -1,5 +1,6 @@
-// Steps assets by every solver of the C interface through every built-in motion, and prints a hash of all matrices of all frames.
-// step_motions.mjs does the same through the package and the WebAssembly build, which has to print the same lines.
+// Steps assets by every solver of the C interface through every built-in motion, and prints a hash of all matrices of
+// all frames. step_motions.mjs does the same through the package and the WebAssembly build, which has to print the same
+// lines.
 //
 //   step_motions poses FILE              the heads' poses, computed once: sines differ between C libraries
 //   step_motions hashes FILE ASSET...    a line for each asset, solver and motion

@@ -212,7 +212,8 @@ bool is_temporary_of(const std::string& file, const std::string& name) {
          middle.find_first_not_of("0123456789abcdef", dot + 1) == std::string::npos;
 }
 
-/// What was left of this output by processes that were killed while they wrote it, long enough ago that none still does.
+/// What was left of this output by processes that were killed while they wrote it, long enough ago that none still
+/// does.
 void remove_old_temporaries(const fs::path& target) {
   constexpr auto kOld = std::chrono::hours(1);
   std::error_code error;
@@ -224,8 +225,8 @@ void remove_old_temporaries(const fs::path& target) {
   }
 }
 
-/// Writes a file that has no name before it is whole, so that a killed process leaves nothing behind. Says that the file system cannot do
-/// that, or that there is no /proc, by std::errc::not_supported, and has done nothing then.
+/// Writes a file that has no name before it is whole, so that a killed process leaves nothing behind. Says that the
+/// file system cannot do that, or that there is no /proc, by std::errc::not_supported, and has done nothing then.
 std::error_code write_unnamed(const fs::path& path, std::span<const std::byte> bytes, Durability durability) {
   const auto cannot = std::make_error_code(std::errc::not_supported);
   const int file = ::open(folder_of(path).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);

@@ -48,22 +48,22 @@ class FileBytes {
 [[nodiscard]] bool is_lfs_pointer(std::string_view bytes);
 inline constexpr const char* kLfsPointer = "Git LFS has not fetched what is in this file; run 'git lfs pull'";
 
-/// Folders in which the files that a source names may lie, without links: the one that its path says, the one that it really
-/// lies in where it is a link (build systems and big stores link all that they hand out), and those of `roots`, which whoever
-/// asks for the work has declared. What is absent is left out; empty where the source's own folder is.
+/// Folders in which the files that a source names may lie, without links: the one that its path says, the one that it
+/// really lies in where it is a link (build systems and big stores link all that they hand out), and those of `roots`,
+/// which whoever asks for the work has declared. What is absent is left out; empty where the source's own folder is.
 [[nodiscard]] std::vector<std::filesystem::path> folders_of_source(const std::filesystem::path& source,
                                                                    std::span<const std::filesystem::path> roots);
 
-/// Whether a file that is there really lies in one of these folders or below, wherever links on its path lead. `folders` as
-/// folders_of_source() gives them. False for what is absent.
+/// Whether a file that is there really lies in one of these folders or below, wherever links on its path lead.
+/// `folders` as folders_of_source() gives them. False for what is absent.
 [[nodiscard]] bool lies_in(const std::filesystem::path& file, std::span<const std::filesystem::path> folders);
 
-/// The same text for two paths that lead to one file: the same one on the disk, whatever links and hard links they go through, or,
-/// where there is no file yet, the same place. Empty for an empty path.
+/// The same text for two paths that lead to one file: the same one on the disk, whatever links and hard links they go
+/// through, or, where there is no file yet, the same place. Empty for an empty path.
 [[nodiscard]] std::string file_identity(const std::filesystem::path& path);
 
-/// Finds out before the long work whether its result could be written: the folder exists, the path is no folder and not "-", and
-/// leads to none of `inputs` (file_identity(); empty paths do not count). Errors: kFileAccess, kUsage.
+/// Finds out before the long work whether its result could be written: the folder exists, the path is no folder and not
+/// "-", and leads to none of `inputs` (file_identity(); empty paths do not count). Errors: kFileAccess, kUsage.
 tl::expected<void, ToolError> check_output(const std::filesystem::path& output,
                                            std::span<const std::filesystem::path> inputs);
 tl::expected<void, ToolError> check_output(const std::filesystem::path& output,

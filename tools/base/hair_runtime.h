@@ -25,7 +25,8 @@ using HairMemory = std::unique_ptr<std::byte, decltype(&std::free)>;
   return {static_cast<std::byte*>(std::aligned_alloc(need.alignment, units * need.alignment)), &std::free};
 }
 
-/// What keeps the asset's linked chains together under `solver`; null where it links none, and for Algorithm 1, which knows no links.
+/// What keeps the asset's linked chains together under `solver`; null where it links none, and for Algorithm 1, which
+/// knows no links.
 [[nodiscard]] inline const LinkCode* links_of(const Asset& asset, const Solver& solver) {
   if (asset.links().empty() || &solver == &kThesisSolver) return nullptr;
   const bool is_worn = &solver == &kCharacterSolver || &solver == &kCharacterCascadeSolver;

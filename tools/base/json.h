@@ -20,8 +20,8 @@ namespace coif {
 
 inline constexpr int kDeepestJson = 32;
 
-/// Parses JSON with // comments of at most kDeepestJson levels: whatever prints or copies a value calls itself for each of
-/// them, and would run out of stack. The error is a sentence without the file's name.
+/// Parses JSON with // comments of at most kDeepestJson levels: whatever prints or copies a value calls itself for each
+/// of them, and would run out of stack. The error is a sentence without the file's name.
 [[nodiscard]] tl::expected<nlohmann::json, std::string> parse_shallow_json(std::string_view text);
 
 // Questions that have an answer for every kind of value.

@@ -9,8 +9,8 @@
 
 namespace coif {
 
-/// Finds which of many points are nearest to a place (Bentley 1975, "Multidimensional binary search trees used for associative
-/// searching").
+/// Finds which of many points are nearest to a place (Bentley 1975, "Multidimensional binary search trees used for
+/// associative searching").
 class NearestPoints {
  public:
   struct Found {
@@ -22,7 +22,8 @@ class NearestPoints {
   /// The points must outlive this.
   explicit NearestPoints(std::span<const Eigen::Vector3f> points);
 
-  /// Fills `found` with as many as it holds, or as there are, the nearest first; of equally far ones those with the lower index.
+  /// Fills `found` with as many as it holds, or as there are, the nearest first; of equally far ones those with the
+  /// lower index.
   void find(const Eigen::Vector3f& place, std::size_t count, std::vector<Found>& found) const;
 
  private:

@@ -23,9 +23,9 @@ struct SideFile {
 /// What follows the last slash.
 [[nodiscard]] std::string last_name(const std::string& path);
 
-/// Where the file lies that something in `folder` names: as it is written; else with slashes for backslashes and in letters of either
-/// case; else by its last name in that folder, which a path of another machine ends with. As written where there is none of these. What
-/// it names may lie anywhere, and be no regular file: lies_in() tells.
+/// Where the file lies that something in `folder` names: as it is written; else with slashes for backslashes and in
+/// letters of either case; else by its last name in that folder, which a path of another machine ends with. As written
+/// where there is none of these. What it names may lie anywhere, and be no regular file: lies_in() tells.
 [[nodiscard]] SideFile find_side_file(const std::filesystem::path& folder, const std::string& written);
 
 /// As a message names a file that something in `folder` names.

@@ -4,8 +4,8 @@
 
 namespace coif {
 
-// How the tools' pictures are lit, and what is behind the hair: for whoever draws them, and for whoever expects what they will
-// show. Linear colours.
+// How the tools' pictures are lit, and what is behind the hair: for whoever draws them, and for whoever expects what
+// they will show. Linear colours.
 
 /// A directional light that moves with the camera.
 struct StudioLight {
@@ -13,9 +13,9 @@ struct StudioLight {
   std::array<float, 3> color;
 };
 
-/// Photographer's lights: key, fill and rim. Shifted tangents want the half vector some 30 degrees above the normal, so only a
-/// light from the top puts both highlights where they are seen, around the head's widest part. Fill and rim come from low, where
-/// their own highlights miss the hair: more than two bands would read as noise.
+/// Photographer's lights: key, fill and rim. Shifted tangents want the half vector some 30 degrees above the normal, so
+/// only a light from the top puts both highlights where they are seen, around the head's widest part. Fill and rim come
+/// from low, where their own highlights miss the hair: more than two bands would read as noise.
 inline constexpr std::array<StudioLight, 3> kStudioLights = {{{{-0.3f, 1.0f, 0.2f}, {1.2f, 1.17f, 1.12f}},
                                                               {{0.4f, -0.3f, 1.0f}, {0.22f, 0.23f, 0.25f}},
                                                               {{0.9f, 0.1f, -0.6f}, {0.15f, 0.17f, 0.22f}}}};

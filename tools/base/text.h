@@ -19,8 +19,8 @@ namespace coif {
 /// must not break on them.
 [[nodiscard]] std::string printable_text(std::string_view text, std::size_t max_bytes = 1024);
 
-/// The text with a '?' in place of each character that is no ASCII, and of each byte that is no UTF-8: what is left of a name whatever
-/// a program took its letters for.
+/// The text with a '?' in place of each character that is no ASCII, and of each byte that is no UTF-8: what is left of
+/// a name whatever a program took its letters for.
 [[nodiscard]] std::string ascii_shape(std::string_view text);
 
 /// Text that may be of an old program: bytes that are no UTF-8 are taken for Latin-1; where it is UTF-8 it stays.

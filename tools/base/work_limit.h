@@ -15,9 +15,10 @@ struct TookTooLong : std::exception {
   bool is_part;  ///< It is that of one part; the whole's is not over.
 };
 
-/// Time that this process may still work on what it has begun, and on the part of it that it is at. It is the process's, as its
-/// memory is: who computes need not be told, and parallel_for() looks at it between its calls, the cook between its passes,
-/// and what may take long in one go as often as once in some microseconds. Without a limit at first.
+/// Time that this process may still work on what it has begun, and on the part of it that it is at. It is the
+/// process's, as its memory is: who computes need not be told, and parallel_for() looks at it between its calls, the
+/// cook between its passes, and what may take long in one go as often as once in some microseconds. Without a limit at
+/// first.
 class WorkLimit {
  public:
   using Duration = std::chrono::steady_clock::duration;

@@ -7,8 +7,8 @@
 
 namespace coif {
 
-// Names in artists' files need not be UTF-8, which MessagePack carries and JSON text would not. CBOR would, too, but its
-// strings may be made of strings, for each level of which the library's reader calls itself.
+// Names in artists' files need not be UTF-8, which MessagePack carries and JSON text would not. CBOR would, too, but
+// its strings may be made of strings, for each level of which the library's reader calls itself.
 using nlohmann::json;
 
 /// The library would convert any number, also those that are none of the type: a whole one, or an exception.
@@ -110,8 +110,8 @@ CookReport report_from(const json& in) {
   return r;
 }
 
-/// Reads a document without keeping it, and stops where it is nested deeper than an entry is: the library's reader calls
-/// itself for each level, and would run out of stack.
+/// Reads a document without keeping it, and stops where it is nested deeper than an entry is: the library's reader
+/// calls itself for each level, and would run out of stack.
 class LevelGauge : public json::json_sax_t {
  public:
   bool null() override { return true; }

@@ -30,9 +30,10 @@ struct CacheTrimmed {
   std::size_t leftovers = 0;
 };
 
-/// Removes leftovers and, from the least recently used on, entries until those that remain have at most `max_bytes` in all.
-/// Files that no cache wrote stay. Cooks may use the cache meanwhile, on any machine: what they read is whole or absent, and
-/// an entry that was used since the folder was read stays. Error (kFileAccess): as cache_usage(), and what cannot be removed.
+/// Removes leftovers and, from the least recently used on, entries until those that remain have at most `max_bytes` in
+/// all. Files that no cache wrote stay. Cooks may use the cache meanwhile, on any machine: what they read is whole or
+/// absent, and an entry that was used since the folder was read stays. Error (kFileAccess): as cache_usage(), and what
+/// cannot be removed.
 tl::expected<CacheTrimmed, ToolError> trim_cache(const std::filesystem::path& folder, std::uint64_t max_bytes);
 
 }  // namespace coif

@@ -16,7 +16,8 @@
 
 namespace coif {
 
-// How the files of a cache are called: K1/K2...K32/E1...E32.entry, digits of a key and of what an entry is the result of.
+// How the files of a cache are called: K1/K2...K32/E1...E32.entry, digits of a key and of what an entry is the result
+// of.
 inline constexpr std::size_t kDigitsOfEntry = 32;
 inline constexpr const char* kCacheSuffix = ".entry";
 inline constexpr std::chrono::hours kStaleInCache{24};  ///< Older temporary files are those of killed processes.
@@ -51,8 +52,8 @@ struct CookIdentity {
 };
 
 /// 32 hexadecimal digits, from two XXH64 with different seeds: proof against accidents, not against forgers. Of the
-/// source's path the file's name counts alone (its suffix chooses the reader, its stem helps to find textures), and roots count
-/// as they lie from it, so checkouts in different folders share a cache.
+/// source's path the file's name counts alone (its suffix chooses the reader, its stem helps to find textures), and
+/// roots count as they lie from it, so checkouts in different folders share a cache.
 [[nodiscard]] std::string cook_key(const CookIdentity& identity);
 
 /// The same digits for any bytes.
@@ -68,7 +69,8 @@ struct CacheEntry {
   std::vector<std::byte> asset;
 };
 
-/// One file: a magic word, the hash of all that follows, the length of a MessagePack document, the document, the asset's bytes.
+/// One file: a magic word, the hash of all that follows, the length of a MessagePack document, the document, the
+/// asset's bytes.
 [[nodiscard]] std::vector<std::byte> encode_entry(const CacheEntry& entry);
 
 /// Nothing unless the bytes are those of one entry, to the last bit.
@@ -77,20 +79,22 @@ struct CacheEntry {
 /// What an entry is the result of, as bytes: entries with the same are the same.
 [[nodiscard]] std::vector<std::byte> circumstances(const CacheEntry& entry);
 
-/// Results of cooks in a folder, found by what they are made of. Two steps, as ccache's direct mode: a key from what is known
-/// before the import leads to a folder of entries, and each entry lists the files that its cook read and what it looked for
-/// in vain. Any number of processes, on any machines that share the folder, may use it at once: an entry is one file that
-/// appears whole or not at all and is believed only where its hash fits. The folder may be deleted, whole or in part, at
-/// any time; an entry's modification time is that of its last use.
+/// Results of cooks in a folder, found by what they are made of. Two steps, as ccache's direct mode: a key from what is
+/// known before the import leads to a folder of entries, and each entry lists the files that its cook read and what it
+/// looked for in vain. Any number of processes, on any machines that share the folder, may use it at once: an entry is
+/// one file that appears whole or not at all and is believed only where its hash fits. The folder may be deleted, whole
+/// or in part, at any time; an entry's modification time is that of its last use.
 class CookCache {
  public:
   explicit CookCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// The result of the same cook, with the inputs where they lie here. Whatever is absent, damaged or out of date is nothing.
+  /// The result of the same cook, with the inputs where they lie here. Whatever is absent, damaged or out of date is
+  /// nothing.
   [[nodiscard]] std::optional<CookResult> find(const std::string& key, const CookPlace& place) const;
 
-  /// Keeps a result. `begin`: file_time_now() before the first input was read; inputs that changed since may not be those
-  /// that were read, and the result is not kept. Errors say what keeps it from being kept; the cook itself is none the worse.
+  /// Keeps a result. `begin`: file_time_now() before the first input was read; inputs that changed since may not be
+  /// those that were read, and the result is not kept. Errors say what keeps it from being kept; the cook itself is
+  /// none the worse.
   tl::expected<void, ToolError> store(const std::string& key, const CookPlace& place, const CookResult& result,
                                       std::chrono::nanoseconds begin) const;
 

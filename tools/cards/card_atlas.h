@@ -25,8 +25,9 @@ struct CardSize {
   float width = 0, length = 0;
 };
 
-/// Places for all cards in at most so many texels, gaps included: as many texels of a metre for each, `finer_across` times as many
-/// across as along, since strands change across them. Cards of 2 x 4 texels at least. Empty where there are not enough for that.
+/// Places for all cards in at most so many texels, gaps included: as many texels of a metre for each, `finer_across`
+/// times as many across as along, since strands change across them. Cards of 2 x 4 texels at least. Empty where there
+/// are not enough for that.
 [[nodiscard]] AtlasPlan plan_atlas(std::span<const CardSize> cards, std::size_t texels, float finer_across = 4);
 
 }  // namespace coif

@@ -43,8 +43,8 @@ std::vector<Fragment> fragments_of(const CardSurface& surface, const PictureFram
   return fragments;
 }
 
-/// Sample by sample, each one's front to back; at one depth as they came. Counting puts those of a sample together, of which there are
-/// few: sorting all at once takes longer.
+/// Sample by sample, each one's front to back; at one depth as they came. Counting puts those of a sample together, of
+/// which there are few: sorting all at once takes longer.
 std::vector<Fragment> sorted(const std::vector<Fragment>& fragments, std::size_t samples) {
   std::vector<std::uint32_t> end(samples + 1, 0);
   for (const Fragment& fragment : fragments) ++end[fragment.sample + 1];

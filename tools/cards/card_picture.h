@@ -5,8 +5,9 @@
 
 namespace coif {
 
-/// Cards from one direction, as strand_picture.h has strands. Each of 16 samples of a pixel is covered by as much as all cards there
-/// cover together; the nearest ones' shade covers that of what is behind; depth is that of the nearest place that hides half.
+/// Cards from one direction, as strand_picture.h has strands. Each of 16 samples of a pixel is covered by as much as
+/// all cards there cover together; the nearest ones' shade covers that of what is behind; depth is that of the nearest
+/// place that hides half.
 [[nodiscard]] HairPicture draw_cards(const CardSurface& surface, const PictureFrame& frame, unsigned threads);
 
 }  // namespace coif

@@ -141,8 +141,8 @@ class CardSamples {
   std::vector<FlatPiece> pieces_;
 };
 
-/// Gives texels without strands the mean of those that have one beside them, in their row: what is made to cover there later is like
-/// its neighbours. Where there is none, `otherwise`.
+/// Gives texels without strands the mean of those that have one beside them, in their row: what is made to cover there
+/// later is like its neighbours. Where there is none, `otherwise`.
 template <typename Texel>
 void fill_from_beside(const CardTexture& texture, const Texel& otherwise, std::vector<Texel>& texels) {
   const std::size_t reach = std::max(texture.width / 3, 4u);

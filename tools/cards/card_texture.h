@@ -24,8 +24,8 @@ struct CardTexture {
       color;  ///< Of strands, sRGB; where nothing is, of those beside. Empty where the groom has none.
 };
 
-/// The wisp's strands as they lie on its card when this is flat, each as wide as it is, by 4 x 8 samples of a texel. `width`: of strands
-/// whose groom says none.
+/// The wisp's strands as they lie on its card when this is flat, each as wide as it is, by 4 x 8 samples of a texel.
+/// `width`: of strands whose groom says none.
 [[nodiscard]] CardTexture draw_on_card(const Groom& groom, std::span<const std::uint8_t> is_reversed, const Wisp& wisp,
                                        float width, std::uint32_t texels_across, std::uint32_t texels_along);
 

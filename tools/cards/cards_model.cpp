@@ -37,8 +37,8 @@ class AtlasPicture {
   std::vector<std::uint8_t> rgba_;
 };
 
-/// Colour wherever a card is, so that nothing else is mixed in at edges, and how much strands cover. Strands whose groom has no
-/// colours differ a little, so that they can be told apart.
+/// Colour wherever a card is, so that nothing else is mixed in at edges, and how much strands cover. Strands whose
+/// groom has no colours differ a little, so that they can be told apart.
 std::array<std::uint8_t, 4> color_texel(const CardTexture& texture, std::size_t i) {
   const Eigen::Vector3f color =
       texture.color.empty() ? ((0.85f + 0.3f * texture.strand[i]) * kBrown).eval() : texture.color[i];

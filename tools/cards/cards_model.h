@@ -9,9 +9,9 @@
 
 namespace coif {
 
-/// A model of strips with one texture in place of the strands, as an artist would hand it in: the rest of a cook goes on from there.
-/// Levels of detail behind the finest are SourceModel::coarser.
-/// Repeats for equal input, whatever `threads` is. kOverBudget where the budget is too small for the fewest cards that hold the hair.
+/// A model of strips with one texture in place of the strands, as an artist would hand it in: the rest of a cook goes
+/// on from there. Levels of detail behind the finest are SourceModel::coarser. Repeats for equal input, whatever
+/// `threads` is. kOverBudget where the budget is too small for the fewest cards that hold the hair.
 [[nodiscard]] tl::expected<SourceModel, ToolError> model_of_cards(const Groom& groom, const CardsBudget& budget,
                                                                   unsigned threads);
 

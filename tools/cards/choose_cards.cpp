@@ -13,7 +13,8 @@ namespace {
 /// Of a card on the average, to choose from: fewer bend no lock.
 constexpr double kQuads[] = {4, 5, 6.5, 9, 12};
 
-/// Bends that strips cut short count so many times what strands lie off a ribbon that bends as they do: textures make good for that.
+/// Bends that strips cut short count so many times what strands lie off a ribbon that bends as they do: textures make
+/// good for that.
 constexpr double kCutShort = 2;
 
 constexpr double kWorthwhile = 0.9;  // of what others lose, for fewer cards: these are wider, and look like plates

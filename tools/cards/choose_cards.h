@@ -15,12 +15,12 @@ struct ChosenCards {
   std::vector<CardStrip> strips;
 };
 
-/// How badly strips stand for their strands: how far these lie off them, mean over strands and stations, metres squared (distance_to()),
-/// where what lies off since strips are straight between their edges counts twice.
+/// How badly strips stand for their strands: how far these lie off them, mean over strands and stations, metres squared
+/// (distance_to()), where what lies off since strips are straight between their edges counts twice.
 [[nodiscard]] double strands_off_strips(const EvenStrands& strands, const ChosenCards& cards, unsigned threads);
 
-/// As many wisps, and as long strips, as triangles are best spent on: more cards lie nearer to their strands where these are straight,
-/// more edges each where they bend. Repeats for equal input, whatever `threads` is.
+/// As many wisps, and as long strips, as triangles are best spent on: more cards lie nearer to their strands where
+/// these are straight, more edges each where they bend. Repeats for equal input, whatever `threads` is.
 [[nodiscard]] ChosenCards choose_cards(const EvenStrands& strands, std::size_t triangles, unsigned threads);
 
 }  // namespace coif

@@ -13,14 +13,15 @@
 
 namespace coif {
 
-/// Points in clusters by squared distance (Lloyd 1982; the first middles by spread_seeds()). Of very many points a sample finds the
-/// middles. `D`: coordinates of a point, a multiple of 8.
+/// Points in clusters by squared distance (Lloyd 1982; the first middles by spread_seeds()). Of very many points a
+/// sample finds the middles. `D`: coordinates of a point, a multiple of 8.
 template <std::size_t D>
 class PointClusters {
  public:
   using Point = std::array<float, D>;
 
-  /// The numbers of `points` in `count` clusters at most, each ascending, none empty. Repeats for equal input, whatever `threads` is.
+  /// The numbers of `points` in `count` clusters at most, each ascending, none empty. Repeats for equal input, whatever
+  /// `threads` is.
   [[nodiscard]] static std::vector<std::vector<std::uint32_t>> find(const std::vector<Point>& points, std::size_t count,
                                                                     unsigned threads) {
     if (points.empty() || count == 0) return {};

@@ -63,7 +63,8 @@ Sphere sphere_of(std::span<const Eigen::Vector3f> points) {
   return {middle + found.head<3>(), squared > 0 && std::isfinite(squared) ? std::sqrt(squared) : 0.0};
 }
 
-/// The nearer two thirds of points that may lie on a sphere: hair of an animal's tail or of a beard has its roots elsewhere.
+/// The nearer two thirds of points that may lie on a sphere: hair of an animal's tail or of a beard has its roots
+/// elsewhere.
 std::span<const Eigen::Vector3f> nearer_to(const Sphere& sphere, std::vector<Eigen::Vector3f>& points) {
   const auto kept = points.begin() + std::ptrdiff_t(2 * points.size() / 3);
   std::ranges::nth_element(points, kept, {}, [&](const Eigen::Vector3f& p) { return sphere.off(p); });
@@ -104,8 +105,8 @@ class StrandEnds {
     }
   }
 
-  /// The sphere that one end of each strand lies on: from the one through all first, all last or all ends, by taking of each strand
-  /// the end that is nearer to it.
+  /// The sphere that one end of each strand lies on: from the one through all first, all last or all ends, by taking of
+  /// each strand the end that is nearer to it.
   [[nodiscard]] Sphere scalp() const {
     Sphere best;
     double least = 1e30;
@@ -192,7 +193,8 @@ std::vector<std::uint8_t> find_reversed_strands(const Groom& groom) {
   const StrandEnds ends(groom);
   const Sphere scalp = ends.scalp();
   if (!(scalp.radius > 0)) return reversed;
-  // Hair that is tied or lies on the head has both ends near the scalp. What hangs free tells how the file has its strands.
+  // Hair that is tied or lies on the head has both ends near the scalp. What hangs free tells how the file has its
+  // strands.
   std::vector<double> begins_nearer(ends.count());  // by how much, radii
   std::size_t free = 0, free_from_root = 0;
   for (std::size_t i = 0; i < ends.count(); ++i) {

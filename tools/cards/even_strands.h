@@ -41,9 +41,9 @@ struct EvenStrands {
 /// `width`: of strands whose groom says none. `is_reversed`, empty or one for each strand: it begins with its tip.
 [[nodiscard]] EvenStrands even_strands(const Groom& groom, float width, std::span<const std::uint8_t> is_reversed = {});
 
-/// Which strands begin with their tip, one for each. Nothing is asked of a format that begins with roots. Else: roots lie on a scalp,
-/// which is round, tips do not; where the file's own order does not tell them apart as a whole, each strand is judged by how far
-/// its ends lie from the sphere that most roots lie on.
+/// Which strands begin with their tip, one for each. Nothing is asked of a format that begins with roots. Else: roots
+/// lie on a scalp, which is round, tips do not; where the file's own order does not tell them apart as a whole, each
+/// strand is judged by how far its ends lie from the sphere that most roots lie on.
 [[nodiscard]] std::vector<std::uint8_t> find_reversed_strands(const Groom& groom);
 
 }  // namespace coif

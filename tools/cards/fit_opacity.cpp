@@ -25,7 +25,8 @@ class AtlasChange {
   AtlasChange(std::uint32_t width, std::uint32_t height)
       : width_(width), asked_(std::size_t(width) * height, 0), seen_(asked_.size(), 0) {}
 
-  /// One card's share of a view: so much of each sample goes through everything else there, and so much its pixel lacks.
+  /// One card's share of a view: so much of each sample goes through everything else there, and so much its pixel
+  /// lacks.
   void add(const FitView& view, std::size_t card) {
     for (const SeenTexel& seen : view.of_card(card)) {
       const float lacking = view.lacking(seen), through = view.weight(seen) * view.through(seen);
@@ -99,7 +100,8 @@ class OpacityRounds {
     const CardSurface surface = surface_of(cards_);
     constexpr std::size_t kViews = FitTarget::kViews;
     double error = 0, covered = 0;
-    // As many views at once as there are threads. Texels add them up one after the other, so that their number changes nothing.
+    // As many views at once as there are threads. Texels add them up one after the other, so that their number changes
+    // nothing.
     for (std::size_t first = 0; first < kViews; first += views_.size()) {
       const std::size_t count = std::min(views_.size(), kViews - first);
       parallel_for(count, threads_,

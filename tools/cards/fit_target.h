@@ -9,8 +9,8 @@
 
 namespace coif {
 
-/// The pictures of strands that cards are fitted to, whichever cards these are: from some directions all around, of which a round of
-/// fitting sees a part.
+/// The pictures of strands that cards are fitted to, whichever cards these are: from some directions all around, of
+/// which a round of fitting sees a part.
 class FitTarget {
  public:
   static constexpr std::size_t kViews = 32;  ///< Of a round.
@@ -25,7 +25,8 @@ class FitTarget {
   }
 
   [[nodiscard]] const PictureFrame& frame(std::size_t view) const { return frames_[view]; }
-  /// What strands cover of each pixel; drawn when it is first asked for. Several threads may ask, each for another view.
+  /// What strands cover of each pixel; drawn when it is first asked for. Several threads may ask, each for another
+  /// view.
   [[nodiscard]] const std::vector<float>& coverage(std::size_t view);
 
  private:

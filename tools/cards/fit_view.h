@@ -19,8 +19,8 @@ struct SeenTexel {
   float opacity = 0;
 };
 
-/// Cards from one direction by 2 x 2 samples a pixel: what each has where, what lies before and behind it lets through, and how much
-/// more or less the picture should cover. Kept from look to look so that nothing is allocated anew.
+/// Cards from one direction by 2 x 2 samples a pixel: what each has where, what lies before and behind it lets through,
+/// and how much more or less the picture should cover. Kept from look to look so that nothing is allocated anew.
 class FitView {
  public:
   /// `first_triangle`: of each card; one more for the end.

@@ -22,10 +22,11 @@ struct HairSourceSettings {
   std::function<void(const char* part)> progress{};
 };
 
-/// The model that a cook begins with: an artist's strips as import_model() has them; cards in place of strands, of a .hair or .tfx and of
-/// an .obj or glTF whose hair is lines: it has no triangles, or some dozens of lines and no mesh called hair, and its meshes are the body; cards of hair that is grown as a recipe
-/// says, where the source is a recipe itself (is_recipe_file()). Where there are strands, a body that the recipe names comes with
-/// them. Errors: those of import_model(), read_groom(), grow_from() and model_of_cards(). Blocks; costs a fork or two, so call it before
+/// The model that a cook begins with: an artist's strips as import_model() has them; cards in place of strands, of a
+/// .hair or .tfx and of an .obj or glTF whose hair is lines: it has no triangles, or some dozens of lines and no mesh
+/// called hair, and its meshes are the body; cards of hair that is grown as a recipe says, where the source is a recipe
+/// itself (is_recipe_file()). Where there are strands, a body that the recipe names comes with them. Errors: those of
+/// import_model(), read_groom(), grow_from() and model_of_cards(). Blocks; costs a fork or two, so call it before
 /// starting threads where you can.
 [[nodiscard]] tl::expected<SourceModel, ToolError> read_hair_source(const std::filesystem::path& path,
                                                                     const Recipe& recipe,

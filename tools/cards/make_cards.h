@@ -54,14 +54,14 @@ struct Cards {
 [[nodiscard]] tl::expected<Cards, ToolError> texture_cards(const Groom& groom, const GroomShape& shape,
                                                            ChosenCards cards, std::size_t texels, unsigned threads);
 
-/// Cards in place of the strands, of one level of detail. Repeats for equal input, whatever `threads` is. kOverBudget where the budget
-/// is too small for the fewest cards that hold the hair.
+/// Cards in place of the strands, of one level of detail. Repeats for equal input, whatever `threads` is. kOverBudget
+/// where the budget is too small for the fewest cards that hold the hair.
 [[nodiscard]] tl::expected<Cards, ToolError> make_cards(const Groom& groom, const GroomShape& shape,
                                                         const CardsBudget& budget, unsigned threads);
 
-/// The same for as many levels of detail as the budget says, the finest first, each made from the strands. They share the texels, in
-/// one atlas: a level is for pictures in which hair is so much smaller as it has fewer triangles, and has texels for these. Levels end
-/// before one that would have no triangles.
+/// The same for as many levels of detail as the budget says, the finest first, each made from the strands. They share
+/// the texels, in one atlas: a level is for pictures in which hair is so much smaller as it has fewer triangles, and
+/// has texels for these. Levels end before one that would have no triangles.
 [[nodiscard]] tl::expected<std::vector<Cards>, ToolError> make_card_levels(const Groom& groom, const GroomShape& shape,
                                                                            const CardsBudget& budget, unsigned threads);
 

@@ -33,7 +33,8 @@ void set_middle(const EvenStrands& strands, std::span<const std::uint32_t> membe
   }
 }
 
-/// In a plane with the axes x and y, as an angle that counts the same in both senses: (cos 2a, sin 2a) times how much it is one.
+/// In a plane with the axes x and y, as an angle that counts the same in both senses: (cos 2a, sin 2a) times how much
+/// it is one.
 struct Spread {
   float x = 0, y = 0;
 };

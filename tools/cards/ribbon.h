@@ -22,19 +22,20 @@ struct Ribbon {
   std::array<float, kStations> half_depth;  ///< The same at right angles to the card.
 };
 
-/// The ribbon of some strands, not none: middle lines run through their means; across is where they spread most, turned as little as
-/// that allows from station to station; widths hold all but a share `stray` of them.
+/// The ribbon of some strands, not none: middle lines run through their means; across is where they spread most, turned
+/// as little as that allows from station to station; widths hold all but a share `stray` of them.
 [[nodiscard]] Ribbon ribbon_of(const EvenStrands& strands, std::span<const std::uint32_t> members, float stray = 0.04f);
 
-/// The same as a card is cut from it: from the first root to the last tip, and by its depth wider, since what is before or behind a card
-/// is beside it for an eye at its side.
+/// The same as a card is cut from it: from the first root to the last tip, and by its depth wider, since what is before
+/// or behind a card is beside it for an eye at its side.
 [[nodiscard]] Ribbon card_ribbon_of(const EvenStrands& strands, std::span<const std::uint32_t> members);
 
 /// Of its middle line, metres.
 [[nodiscard]] float length_of(const Ribbon& ribbon);
 
-/// How far a strand lies off a ribbon, mean over the stations, metres squared: what lies beside the middle counts `beside` of what lies
-/// in front of it or behind, since a card is wide and has no depth. Where it is at least `limit`, that or more is returned, for less.
+/// How far a strand lies off a ribbon, mean over the stations, metres squared: what lies beside the middle counts
+/// `beside` of what lies in front of it or behind, since a card is wide and has no depth. Where it is at least `limit`,
+/// that or more is returned, for less.
 [[nodiscard]] float distance_to(const Ribbon& ribbon, std::span<const Eigen::Vector3f> strand,
                                 float limit = std::numeric_limits<float>::max(), float beside = 0.12f);
 

@@ -12,12 +12,14 @@
 
 namespace coif {
 
-/// Some roots beside each other, of strands that set out in one direction, and the skin that they are in: a cap of a sphere over a plane.
+/// Some roots beside each other, of strands that set out in one direction, and the skin that they are in: a cap of a
+/// sphere over a plane.
 struct ScalpPatch {
   std::vector<std::uint32_t> members;  ///< Strands, ascending.
 
   Eigen::Vector3f middle = Eigen::Vector3f::Zero();
-  /// Rows: along, as strands set out on the skin; across; outwards. Coordinates below are in these, from the middle, metres.
+  /// Rows: along, as strands set out on the skin; across; outwards. Coordinates below are in these, from the middle,
+  /// metres.
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();
   /// Height of the skin at (x, y) is skin . (1, x, y, x^2 + y^2).
   Eigen::Vector4f skin = Eigen::Vector4f::Zero();
@@ -42,8 +44,9 @@ struct Scalp {
   Groom strands;                    ///< So much of each, root first, laid down on the skin; in the order of the hair's.
 };
 
-/// `count` patches at most. No patches and no strands where there is no scalp: a lock, whose strands are many times longer than its roots lie apart, or so few
-/// roots that nothing is known of the skin between them. Repeats for equal input, whatever `threads` is.
+/// `count` patches at most. No patches and no strands where there is no scalp: a lock, whose strands are many times
+/// longer than its roots lie apart, or so few roots that nothing is known of the skin between them. Repeats for equal
+/// input, whatever `threads` is.
 [[nodiscard]] Scalp find_scalp(const Groom& groom, std::span<const std::uint8_t> is_reversed,
                                const EvenStrands& strands, std::size_t count, unsigned threads);
 

@@ -16,8 +16,8 @@ struct HairPicture {
   std::vector<float> coverage;  ///< Share of the pixel that hair covers, 0..1.
   std::vector<float>
       depth;  ///< Of that share, metres from the frame's middle, mean of what is nearest; 0 where nothing is.
-  /// What the pixel sends to an eye that holds the light: of what is covered the sine of the angle between the nearest strand and
-  /// the line of sight, 0..coverage (Kajiya and Kay 1989, the diffuse term).
+  /// What the pixel sends to an eye that holds the light: of what is covered the sine of the angle between the nearest
+  /// strand and the line of sight, 0..coverage (Kajiya and Kay 1989, the diffuse term).
   std::vector<float> shade;
 };
 
@@ -32,8 +32,9 @@ struct HairPicture {
   return std::sqrt(std::max(1 - along.z() * along.z(), 0.0f));
 }
 
-/// Strands with round cross sections of `width` metres where the groom says none, each pixel by `side` x `side` samples, the nearest
-/// strand in each. Which sample a strand covers is exact, so that a strand thinner than a sample covers as many as its width is worth.
+/// Strands with round cross sections of `width` metres where the groom says none, each pixel by `side` x `side`
+/// samples, the nearest strand in each. Which sample a strand covers is exact, so that a strand thinner than a sample
+/// covers as many as its width is worth.
 [[nodiscard]] HairPicture draw_strands(const Groom& groom, const PictureFrame& frame, float width, unsigned threads,
                                        std::uint32_t side = 8);
 

@@ -17,7 +17,8 @@ namespace coif {
 /// The same as a table for people. `name`: the file's.
 [[nodiscard]] std::string asset_text(const std::string& name, const Asset& asset);
 
-/// How the asset wants to be simulated, errors in percent of the chain's length; null where it was not tuned. The keys are stable.
+/// How the asset wants to be simulated, errors in percent of the chain's length; null where it was not tuned. The keys
+/// are stable.
 [[nodiscard]] nlohmann::ordered_json tuning_json(const Asset& asset);
 
 /// One entry for each frame rate and number of sub-steps that was measured. The keys are stable.

@@ -63,8 +63,8 @@ bool may_be_replaced(const fs::path& output) {
   return std::memcmp(begin.data(), kAssetMagic, sizeof kAssetMagic) == 0;
 }
 
-/// No cook of a batch may write over what another reads: its source, its recipe, the manifest. What a source names each cook knows
-/// by itself.
+/// No cook of a batch may write over what another reads: its source, its recipe, the manifest. What a source names each
+/// cook knows by itself.
 tl::expected<void, ToolError> check_outputs_of(const CookOptions& options, const Requests& requests) {
   std::vector<fs::path> inputs{options.manifest, options.body};
   std::vector<NamedOutput> outputs{{"--report", options.report}};
@@ -110,8 +110,8 @@ tl::expected<Share, ToolError> parse_share(const std::string& text) {
   return usage(fmt::format("--batch: '{}' is not K/N with K from 1 to N, as in 3/40", text));
 }
 
-/// What a command line with several sources or a manifest asks for: all of it, or the batch of it that is named. Errors: those
-/// of read_manifest(), and kUsage for options that do not go with many sources.
+/// What a command line with several sources or a manifest asks for: all of it, or the batch of it that is named.
+/// Errors: those of read_manifest(), and kUsage for options that do not go with many sources.
 tl::expected<Requests, ToolError> batch_requests(const CookOptions& options) {
   if (auto checked = check_options(options); !checked) return tl::unexpected(checked.error());
   const auto share = parse_share(options.share);

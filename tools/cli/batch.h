@@ -28,14 +28,14 @@ struct BatchCounts {
 /// "9 asked, 8 cooked (6 from the cache), 1 failed"
 [[nodiscard]] std::string sentence(const BatchCounts& counts);
 
-/// Cooks several sources, or a manifest's, into a folder, each for itself, in processes of their own; one that fails or crashes
-/// stops no other. Prints a table or JSON, writes that or a page with pictures to --report, and returns the highest exit code
-/// of all. Errors, before anything is cooked: those of read_manifest(), and options that do not go with many sources; and a
-/// report that cannot be written.
+/// Cooks several sources, or a manifest's, into a folder, each for itself, in processes of their own; one that fails or
+/// crashes stops no other. Prints a table or JSON, writes that or a page with pictures to --report, and returns the
+/// highest exit code of all. Errors, before anything is cooked: those of read_manifest(), and options that do not go
+/// with many sources; and a report that cannot be written.
 tl::expected<Exit, ToolError> run_cook_batch(const CookOptions& options, const Messages& messages);
 
-/// The outcomes as an HTML page, failures first, with a picture of each asset that can be drawn. Draws up to `jobs` at once,
-/// each in a process of its own; call it while no other child is waited for.
+/// The outcomes as an HTML page, failures first, with a picture of each asset that can be drawn. Draws up to `jobs` at
+/// once, each in a process of its own; call it while no other child is waited for.
 [[nodiscard]] std::string batch_page(const Outcomes& outcomes, unsigned jobs);
 
 }  // namespace coif

@@ -72,9 +72,9 @@ tl::expected<Ids, ToolError> chunks_of(const std::string& word, const Ids& chunk
   return unknown_word(word, chunks);
 }
 
-/// The chunks that a list such as "textures,NAME" stands for, in letters of either case: groups, chunks of the format, and
-/// whatever else the asset has. Errors (kUsage) say which word is none of these, with the nearest one, and which chunks no
-/// asset is without.
+/// The chunks that a list such as "textures,NAME" stands for, in letters of either case: groups, chunks of the format,
+/// and whatever else the asset has. Errors (kUsage) say which word is none of these, with the nearest one, and which
+/// chunks no asset is without.
 tl::expected<Ids, ToolError> choose_chunks(const std::string& list, const Asset& asset) {
   const Ids nameable = nameable_chunks(asset);
   Ids chosen;

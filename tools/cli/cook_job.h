@@ -71,9 +71,11 @@ struct CookOptions {
   [[nodiscard]] const std::string& source() const { return sources.front(); }
 };
 
-/// Why there is no asset, with the issues that `coif validate` has of the same source. They include the warnings that were found first.
+/// Why there is no asset, with the issues that `coif validate` has of the same source. They include the warnings that
+/// were found first.
 struct FailedCook : ToolError {
-  /// The source cannot be read, or takes too much; or there is no issue, because the command line or an output is at fault.
+  /// The source cannot be read, or takes too much; or there is no issue, because the command line or an output is at
+  /// fault.
   FailedCook(ToolError error);
   FailedCook(ToolError error, Issues found) : ToolError(std::move(error)), issues(std::move(found)) {}
 
@@ -86,19 +88,20 @@ struct FailedCook : ToolError {
 /// A cook that failed as JSON: source, output, status, exit_code, error, issues; the keys are stable.
 [[nodiscard]] nlohmann::ordered_json failed_cook_json(const CookOptions& options, const FailedCook& failed);
 
-/// Writes that to --report, where one is asked for: in place of an earlier report or where there is no file, and never over anything
-/// else, since a failed cook does not know all that its source names.
+/// Writes that to --report, where one is asked for: in place of an earlier report or where there is no file, and never
+/// over anything else, since a failed cook does not know all that its source names.
 void report_failed_cook(const CookOptions& options, const FailedCook& failed, const Messages& messages);
 
-/// Adds the codes that the command line ignores to those that the recipe does. Error (kUsage, kBadInput): one is no warning.
+/// Adds the codes that the command line ignores to those that the recipe does. Error (kUsage, kBadInput): one is no
+/// warning.
 tl::expected<void, ToolError> acknowledge(const CookOptions& options, RecipeChoice& choice);
 
 /// Of the first of `options.sources`: cooks within the limits, without a cache, and writes nothing.
 tl::expected<CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice,
                                                const Messages& messages);
 
-/// Of the first of `options.sources`: cooks, or takes the result from the cache, tells the warnings, and writes asset, report
-/// and depfile, each whole or not at all and none without the asset.
+/// Of the first of `options.sources`: cooks, or takes the result from the cache, tells the warnings, and writes asset,
+/// report and depfile, each whole or not at all and none without the asset.
 tl::expected<CookSummary, FailedCook> run_cook_job(const CookOptions& options, const RecipeChoice& choice,
                                                    const Messages& messages);
 

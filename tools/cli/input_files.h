@@ -41,7 +41,8 @@ class AssetFile {
   Asset asset_;
 };
 
-/// A file is taken for a source only by a suffix that the importer knows, or as a recipe by which hair grows; everything else should be an asset.
+/// A file is taken for a source only by a suffix that the importer knows, or as a recipe by which hair grows;
+/// everything else should be an asset.
 [[nodiscard]] bool is_source(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 struct RecipeChoice {
@@ -51,14 +52,15 @@ struct RecipeChoice {
   bool is_found = false;  ///< It lies beside the source, and nobody named it: it comes from whom the source does.
 };
 
-/// The source itself where it is a recipe; the recipe named on the command line; else SOURCE-stem.recipe.json beside the source, with a note; else defaults. An empty
-/// `source` has nothing beside it. Each begins from `beginning`.
+/// The source itself where it is a recipe; the recipe named on the command line; else SOURCE-stem.recipe.json beside
+/// the source, with a note; else defaults. An empty `source` has nothing beside it. Each begins from `beginning`.
 tl::expected<RecipeChoice, ToolError> choose_recipe(const std::filesystem::path& source,
                                                     const std::optional<std::string>& named, const Messages& messages,
                                                     const RecipeBeginning& beginning = {});
 
-/// For whoever takes sources from strangers (--require-sandbox): the files that a recipe names which was found beside its source really lie in
-/// its folder or in one of the `roots`. One that the command line names is the caller's own word, and names any. Error: kBadInput.
+/// For whoever takes sources from strangers (--require-sandbox): the files that a recipe names which was found beside
+/// its source really lie in its folder or in one of the `roots`. One that the command line names is the caller's own
+/// word, and names any. Error: kBadInput.
 [[nodiscard]] tl::expected<void, ToolError> check_named_files(const RecipeChoice& choice,
                                                               std::span<const std::filesystem::path> roots);
 
@@ -82,9 +84,9 @@ void choose_body(const std::filesystem::path& body, RecipeChoice& choice);
 [[nodiscard]] ImportSettings import_settings(const Recipe& recipe, std::vector<std::filesystem::path> roots);
 
 /// Leaves the body alone, so that hair is not drawn twice. `pattern`: with * and ?, of the meshes to keep; empty:
-/// everything that a cook with this recipe would not take for hair. `is_hairs_own`: the hair was cooked from this model, which is
-/// left without meshes where it has nothing else. Errors: kBadInput where nothing is left, with the names that there are; those of
-/// choose_hair().
+/// everything that a cook with this recipe would not take for hair. `is_hairs_own`: the hair was cooked from this
+/// model, which is left without meshes where it has nothing else. Errors: kBadInput where nothing is left, with the
+/// names that there are; those of choose_hair().
 tl::expected<SourceModel, ToolError> keep_body(SourceModel model, const std::string& pattern, const Recipe& recipe,
                                                bool is_hairs_own);
 

@@ -29,8 +29,8 @@ struct LiveOptions {
   OutputFormat format = OutputFormat::kText;
 };
 
-/// Serves a page of it until somebody ends the program (SIGINT, SIGTERM, SIGHUP). Prints the address; what becomes of cooks goes to
-/// `messages`.
+/// Serves a page of it until somebody ends the program (SIGINT, SIGTERM, SIGHUP). Prints the address; what becomes of
+/// cooks goes to `messages`.
 tl::expected<Exit, ToolError> view_live(LiveOptions options, const Messages& messages);
 
 }  // namespace coif

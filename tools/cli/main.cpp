@@ -24,8 +24,8 @@
 namespace coif {
 namespace {
 
-/// A result that did not reach its reader (a full disk behind a redirection) is a failure, too. Whoever closed the pipe wants no more,
-/// and is told nothing.
+/// A result that did not reach its reader (a full disk behind a redirection) is a failure, too. Whoever closed the pipe
+/// wants no more, and is told nothing.
 Exit flush_results(Exit code, const Messages& messages) {
   const bool is_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (is_written) return code;
@@ -85,8 +85,8 @@ Exit run(const Command& command) {
   return flush_results(*result, messages);
 }
 
-/// Files that are opened later must not take the places of streams that nobody opened: messages would be written into them. What is
-/// written to such a stream fails as before.
+/// Files that are opened later must not take the places of streams that nobody opened: messages would be written into
+/// them. What is written to such a stream fails as before.
 void fill_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;

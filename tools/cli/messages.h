@@ -28,8 +28,8 @@ class Messages {
   bool tells_notes_ = true;
 };
 
-/// What the program is doing, on one line of a terminal that is written over and erased at the end. Writes nothing where
-/// the stream is not a terminal, so that logs and pipes see messages only.
+/// What the program is doing, on one line of a terminal that is written over and erased at the end. Writes nothing
+/// where the stream is not a terminal, so that logs and pipes see messages only.
 class ProgressLine {
  public:
   /// `what`: what all of it is about, for example the file. The stream outlives this object.

@@ -5,7 +5,8 @@
 
 namespace coif {
 
-/// `coif cook SOURCE --list patches [-o PICTURE.png]`: cooks a draft, prints its patches with their numbers, and draws them.
+/// `coif cook SOURCE --list patches [-o PICTURE.png]`: cooks a draft, prints its patches with their numbers, and draws
+/// them.
 tl::expected<Exit, ToolError> list_patches_of(const CookOptions& options, const RecipeChoice& choice,
                                               const Messages& messages);
 

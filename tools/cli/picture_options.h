@@ -6,8 +6,8 @@
 
 namespace coif {
 
-/// --transparency, --order, --shadows, --head, --lights, --backdrop, --ground, --margin, with the defaults of pictures to look at;
-/// `picture` must outlive the parsing.
+/// --transparency, --order, --shadows, --head, --lights, --backdrop, --ground, --margin, with the defaults of pictures
+/// to look at; `picture` must outlive the parsing.
 void add_picture_options(CLI::App& app, PictureSettings& picture);
 
 }  // namespace coif

@@ -18,8 +18,8 @@ struct ReportStrands {
   CardsSettings settings;  ///< Those asked for, with what the recipe says.
 };
 
-/// Reads the strands as a cook with the recipe does. Errors: kUsage for a file that is of no format with strands or pictures that are
-/// not square; those of choose_recipe() and read_groom(). Blocks; costs a fork.
+/// Reads the strands as a cook with the recipe does. Errors: kUsage for a file that is of no format with strands or
+/// pictures that are not square; those of choose_recipe() and read_groom(). Blocks; costs a fork.
 [[nodiscard]] tl::expected<ReportStrands, ToolError> read_report_strands(const ReportOptions& options,
                                                                          const Messages& messages);
 

@@ -37,8 +37,9 @@ std::vector<const CLI::Option*> add_source_limits(CLI::App& app, SourceLimits& l
 /// Says it, before processes are forked that would each say it.
 void tell_of_missing_sandbox(const Messages& messages);
 
-/// One piece of work on a source that keeps to its limits. What exceeds one becomes an error that names the source and the part
-/// of the work. Code that does not look at the clock (CookLimits) is ended by `end`, with the same error, which must not return.
+/// One piece of work on a source that keeps to its limits. What exceeds one becomes an error that names the source and
+/// the part of the work. Code that does not look at the clock (CookLimits) is ended by `end`, with the same error,
+/// which must not return.
 class LimitedWork {
  public:
   LimitedWork(std::string source, const SourceLimits& limits, unsigned threads, const Messages& messages,

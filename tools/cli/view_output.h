@@ -16,10 +16,12 @@ inline constexpr const char* kPageSuffix = ".html";  ///< Of files that are open
 /// --page VIEW.html: the page of `coif view` without an asset; empty where nobody names one.
 CLI::Option* add_page(CLI::App& app, std::string& page);
 
-/// An asset that `coif view` can show, of bytes that are in hand already. Errors: those of AssetFile::open() and check_drawable().
+/// An asset that `coif view` can show, of bytes that are in hand already. Errors: those of AssetFile::open() and
+/// check_drawable().
 [[nodiscard]] tl::expected<AssetFile, ToolError> open_drawable(const std::string& path, FileBytes bytes);
 
-/// `page`, which was read at `place`, with this asset, by its file's name, and view_page()'s `sheet`. Errors: those of view_page().
+/// `page`, which was read at `place`, with this asset, by its file's name, and view_page()'s `sheet`. Errors: those of
+/// view_page().
 [[nodiscard]] tl::expected<std::string, ToolError> filled_page(const std::filesystem::path& place,
                                                                std::string_view page, const AssetFile& file,
                                                                const std::string& path, std::string_view sheet = {});

@@ -28,8 +28,8 @@ inline constexpr double kSameSurface = 1.0e-3;
 /// asset without a skinned mesh, kBadInput for surfaces that are not the same. Near-linear time.
 tl::expected<SurfaceMatch, ToolError> match_surfaces(const Asset& a, const Asset& b);
 
-/// How differently two rigs move one surface. A point's displacement is from its place at rest, in head space; RMS is over
-/// the surface and all frames.
+/// How differently two rigs move one surface. A point's displacement is from its place at rest, in head space; RMS is
+/// over the surface and all frames.
 struct RigDifference {
   double rms = 0;    ///< Metres, between the displacements by A and by B.
   double max = 0;    ///< Metres, at the worst point and frame.

@@ -23,8 +23,8 @@ struct CookInputs {
       source_files;  ///< What the source names, side files and images; some may be absent.
   std::vector<std::filesystem::path> recipe_files;  ///< What the recipe names, found from the recipe's folder.
   std::vector<TextureQuestion> questions;           ///< To the TextureFolder of the source.
-  /// Images that the source names for any use, read or not (named_image_files()). No result depends on those that were not read, but
-  /// none of them may be written over.
+  /// Images that the source names for any use, read or not (named_image_files()). No result depends on those that were
+  /// not read, but none of them may be written over.
   std::vector<std::filesystem::path> named_files;
 };
 

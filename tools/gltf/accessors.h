@@ -24,16 +24,16 @@ struct NumbersWanted {
   bool may_be_infinite = false;   ///< Else what is not finite is refused.
 };
 
-/// All numbers of an accessor, element by element: floats, or normalized integers as the fractions that they mean; sparse ones too.
-/// The error is a sentence without the file's name. `document` needs the members `accessors` and `bufferViews`; `accessor` is an
-/// index in it, by somebody's word.
+/// All numbers of an accessor, element by element: floats, or normalized integers as the fractions that they mean;
+/// sparse ones too. The error is a sentence without the file's name. `document` needs the members `accessors` and
+/// `bufferViews`; `accessor` is an index in it, by somebody's word.
 [[nodiscard]] tl::expected<std::vector<float>, std::string> read_gltf_numbers(const nlohmann::json& document,
                                                                               GltfBuffers& buffers,
                                                                               const nlohmann::json& accessor,
                                                                               const NumbersWanted& wanted);
 
-/// All numbers of an accessor of unsigned integers, such as indices, `width` to the element ("SCALAR" or "VEC4"); at most so many
-/// elements. As read_gltf_numbers() otherwise.
+/// All numbers of an accessor of unsigned integers, such as indices, `width` to the element ("SCALAR" or "VEC4"); at
+/// most so many elements. As read_gltf_numbers() otherwise.
 [[nodiscard]] tl::expected<std::vector<std::uint32_t>, std::string> read_gltf_indices(const nlohmann::json& document,
                                                                                       GltfBuffers& buffers,
                                                                                       const nlohmann::json& accessor,
@@ -57,7 +57,8 @@ struct GltfComponent {
 /// Numbers of an element of that type; 0 for what is no type.
 [[nodiscard]] std::size_t gltf_type_width(const nlohmann::json& type);
 
-/// The elements of an accessor as they are stored, one after another, replaced where it is sparse. Without a bufferView they are zeros.
+/// The elements of an accessor as they are stored, one after another, replaced where it is sparse. Without a bufferView
+/// they are zeros.
 struct GltfElements {
   GltfComponent component;
   bool normalized = false;
@@ -68,8 +69,8 @@ struct GltfElements {
   [[nodiscard]] double stored(std::size_t i) const { return component.stored(&bytes[i * component.size]); }
 };
 
-/// `accessor` is one of the document's, not its index; more than `most` elements are refused. The error is a sentence's end: "is cut
-/// off".
+/// `accessor` is one of the document's, not its index; more than `most` elements are refused. The error is a sentence's
+/// end: "is cut off".
 [[nodiscard]] tl::expected<GltfElements, std::string> read_gltf_elements(GltfBuffers& buffers,
                                                                          const nlohmann::json& accessor,
                                                                          std::size_t most);

@@ -28,8 +28,8 @@ struct GltfView {
   std::size_t stride = 0;
 };
 
-/// The buffers of a document, read when somebody asks for them: the binary chunk of a .glb, base64 in the document, or a file in
-/// its folder or in one of the `roots`.
+/// The buffers of a document, read when somebody asks for them: the binary chunk of a .glb, base64 in the document, or
+/// a file in its folder or in one of the `roots`.
 class GltfBuffers {
  public:
   /// All must outlive the object; `document` needs the members `buffers` and `bufferViews`.
@@ -69,7 +69,8 @@ class GltfBuffers {
 /// What a "data:" URI holds (RFC 2397), in base64 or with %XX in place of bytes; none where it is damaged.
 [[nodiscard]] std::optional<std::vector<std::byte>> bytes_of_data_uri(std::string_view uri);
 
-/// What EXT_meshopt_compression made of a bufferView, undone. `compression` is the extension's object. The error is a sentence.
+/// What EXT_meshopt_compression made of a bufferView, undone. `compression` is the extension's object. The error is a
+/// sentence.
 [[nodiscard]] tl::expected<std::vector<std::byte>, std::string> decompress_meshopt(const nlohmann::json& compression,
                                                                                    std::span<const std::byte> bytes);
 

@@ -23,9 +23,9 @@ template <class... Args>
   return tl::unexpected(fmt::format(text, std::forward<Args>(args)...));
 }
 
-/// The document of a .gltf, or the JSON chunk of a .glb or .vrm: an object, whose `asset.version` is 2. What is nested deeper than any
-/// extension needs is left out, so that nothing that walks the result can exhaust the stack. The error is a sentence
-/// without the file's name.
+/// The document of a .gltf, or the JSON chunk of a .glb or .vrm: an object, whose `asset.version` is 2. What is nested
+/// deeper than any extension needs is left out, so that nothing that walks the result can exhaust the stack. The error
+/// is a sentence without the file's name.
 [[nodiscard]] tl::expected<nlohmann::json, std::string> read_gltf_json(const std::filesystem::path& path);
 
 /// `extensions.NAME` of any object of a document; null where it has none.

@@ -37,8 +37,8 @@ struct GltfPrimitive {
   std::vector<std::uint32_t> triangles;  ///< Three each; of strips and fans too.
 };
 
-/// `uv_set` is the N of TEXCOORD_N. Targets are added as their `morph_weights` say, as far as there are any. The error is a sentence's
-/// beginning that names the attribute: "NORMAL: accessor 3 is cut off". `primitive` has triangles.
+/// `uv_set` is the N of TEXCOORD_N. Targets are added as their `morph_weights` say, as far as there are any. The error
+/// is a sentence's beginning that names the attribute: "NORMAL: accessor 3 is cut off". `primitive` has triangles.
 [[nodiscard]] tl::expected<GltfPrimitive, std::string> read_gltf_primitive(const nlohmann::json& document,
                                                                            GltfBuffers& buffers,
                                                                            const nlohmann::json& primitive,

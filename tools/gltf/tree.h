@@ -60,8 +60,9 @@ struct GltfSceneNode {
   Eigen::Affine3d model_from_node = Eigen::Affine3d::Identity();
 };
 
-/// The nodes of the document's scene (`scene`, else the first; all roots where there is no scene), depth first, children in their order,
-/// each once however often a damaged file names it. `model_from_file` is applied above the roots.
+/// The nodes of the document's scene (`scene`, else the first; all roots where there is no scene), depth first,
+/// children in their order, each once however often a damaged file names it. `model_from_file` is applied above the
+/// roots.
 [[nodiscard]] std::vector<GltfSceneNode> gltf_scene_nodes(
     const nlohmann::json& document, const Eigen::Affine3d& model_from_file = Eigen::Affine3d::Identity());
 

@@ -92,7 +92,8 @@ class LineScene {
     }
   }
 
-  /// Exporters may give each segment two vertices of its own: a segment that begins where the one before it ended goes on.
+  /// Exporters may give each segment two vertices of its own: a segment that begins where the one before it ended goes
+  /// on.
   static void weld(VertexLines& lines, const std::vector<Eigen::Vector3f>& places) {
     for (std::size_t i = 3; i < lines.vertices.size(); i += 2) {
       std::uint32_t& begin = lines.vertices[i - 1];

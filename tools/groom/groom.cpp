@@ -12,7 +12,8 @@
 namespace coif {
 namespace {
 
-// The file's unit is not known to be right: a groom in centimetres is a hundred times as large. Beyond this it is damage.
+// The file's unit is not known to be right: a groom in centimetres is a hundred times as large. Beyond this it is
+// damage.
 constexpr float kFarthestPoint = 1e6f;
 
 bool is_usable(const Eigen::Vector3f& point) {

@@ -48,8 +48,9 @@ struct Groom {
   }
 };
 
-/// Metres, of strands on a head of that radius of which nothing else is known. Fewer than a head has stand for as many: as wide as their
-/// number is less they would hide as much and be ropes, as wide as its root they would be as heavy and show the skin; half way.
+/// Metres, of strands on a head of that radius of which nothing else is known. Fewer than a head has stand for as many:
+/// as wide as their number is less they would hide as much and be ropes, as wide as its root they would be as heavy and
+/// show the skin; half way.
 [[nodiscard]] float usual_strand_width(float head_radius, std::size_t strands);
 
 /// Every promise above. Empty when they hold, else the first that does not.
@@ -71,8 +72,8 @@ class GroomBuilder {
     std::span<const float> opacities;         ///< The same.
   };
 
-  /// One strand. Left out, and counted: fewer than two points, places that are not finite or farther than an asset reaches, no length.
-  /// Neighbours at one place become one.
+  /// One strand. Left out, and counted: fewer than two points, places that are not finite or farther than an asset
+  /// reaches, no length. Neighbours at one place become one.
   void add(std::span<const Eigen::Vector3f> points, const Attributes& attributes = {});
 
   /// Says what was left out. The error is a sentence without the file's name: nothing is left, or too much.

@@ -16,8 +16,8 @@ using GroomOutcome = tl::expected<Groom, ToolError>;
 
 [[nodiscard]] std::vector<std::uint8_t> encode_groom(const GroomOutcome& outcome);
 
-/// False, with `outcome` untouched, unless the bytes are exactly one outcome whose groom keeps every promise of groom.h. Allocates
-/// at most a small multiple of the bytes given.
+/// False, with `outcome` untouched, unless the bytes are exactly one outcome whose groom keeps every promise of
+/// groom.h. Allocates at most a small multiple of the bytes given.
 [[nodiscard]] bool decode_groom(std::span<const std::uint8_t> bytes, GroomOutcome& outcome);
 
 }  // namespace coif

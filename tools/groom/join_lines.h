@@ -27,9 +27,9 @@ struct JoinedLines {
   std::vector<std::uint32_t> first_line;  ///< Of each strand, the smallest number of a line in it.
 };
 
-/// What the lines are once those that meet end to end are one: at a vertex that is the end of exactly two lines and in no other, they
-/// go on. In the order of the first line of each, and in its direction; a closed ring begins where its first line does. Lines have two
-/// vertices or more, each below `vertex_count`.
+/// What the lines are once those that meet end to end are one: at a vertex that is the end of exactly two lines and in
+/// no other, they go on. In the order of the first line of each, and in its direction; a closed ring begins where its
+/// first line does. Lines have two vertices or more, each below `vertex_count`.
 [[nodiscard]] JoinedLines joined_lines(const VertexLines& lines, std::size_t vertex_count);
 
 }  // namespace coif

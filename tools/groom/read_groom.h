@@ -17,9 +17,9 @@ namespace coif {
 /// ".hair, .tfx, ..." for messages.
 [[nodiscard]] std::string strand_suffixes();
 
-/// Reads the strands of a file, in a child process under the limits of `settings`, whose unit and up axis go before the file's. Never
-/// throws. Errors: kFileAccess (absent, unreadable), kBadInput (damaged, a limit, no strand), kUnsupported (suffix). Blocks; costs a
-/// fork, so call it before starting threads where you can.
+/// Reads the strands of a file, in a child process under the limits of `settings`, whose unit and up axis go before the
+/// file's. Never throws. Errors: kFileAccess (absent, unreadable), kBadInput (damaged, a limit, no strand),
+/// kUnsupported (suffix). Blocks; costs a fork, so call it before starting threads where you can.
 tl::expected<Groom, ToolError> read_groom(const std::filesystem::path& path, const ImportSettings& settings = {});
 
 }  // namespace coif

@@ -12,8 +12,8 @@
 
 namespace coif {
 
-/// As Cem Yuksel's .hair (strand_files.h), with all that the strands have; Z up, as such files mostly are, in metres. The error is a
-/// sentence without the file's name: a strand of more segments than the format counts.
+/// As Cem Yuksel's .hair (strand_files.h), with all that the strands have; Z up, as such files mostly are, in metres.
+/// The error is a sentence without the file's name: a strand of more segments than the format counts.
 [[nodiscard]] tl::expected<std::vector<std::byte>, std::string> hair_file_of(const Groom& groom);
 
 /// As lines of a Wavefront OBJ, Y up, in metres, an object for each group. It has no place for widths and colours.

@@ -9,7 +9,8 @@
 
 namespace coif::grow {
 
-/// Triangles of a body, which may have holes, overlaps and parts within others: how far a point is from them, and on which side.
+/// Triangles of a body, which may have holes, overlaps and parts within others: how far a point is from them, and on
+/// which side.
 class BodySurface {
  public:
   /// `triangles`: three indices of `positions` each, counter-clockwise seen from outside; one at least.
@@ -25,7 +26,8 @@ class BodySurface {
   };
   [[nodiscard]] Nearest nearest(const Eigen::Vector3f& point, std::uint32_t guess) const;
 
-  /// By the generalized winding number (Jacobson, Kavan and Sorkine-Hornung 2013), of far triangles by their dipole (Barill et al. 2018).
+  /// By the generalized winding number (Jacobson, Kavan and Sorkine-Hornung 2013), of far triangles by their dipole
+  /// (Barill et al. 2018).
   [[nodiscard]] bool is_inside(const Eigen::Vector3f& point) const;
 
   [[nodiscard]] const Eigen::AlignedBox3f& box() const { return nodes_.front().box; }

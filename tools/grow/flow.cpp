@@ -75,7 +75,8 @@ Vector3f Flow::at(const Vector3f& place, const Vector3f& normal, float side, boo
   if (is_fringe) return along(Vector3f(0.35f * direction.x(), -0.8f, 1), normal).normalized();
   Vector3f way = along(from_crown(direction), normal);
   if (side != 0) {
-    // To the side at first, and soon down: squarely away from a parting aside, hair of the temple would end up behind the ear.
+    // To the side at first, and soon down: squarely away from a parting aside, hair of the temple would end up behind
+    // the ear.
     const float share = parted(direction), falls = ramp(0.05f, 0.75f, side * direction.dot(parting_));
     const Vector3f aside = along(side * (parting_ + Vector3f::UnitX()) / 2, normal);
     way = (1 - share) * way + share * ((1 - falls) * aside + (0.35f + falls) * down);

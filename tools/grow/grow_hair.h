@@ -26,13 +26,14 @@ struct GrowGround {
 /// The sample's bust, looking along +Z.
 [[nodiscard]] SourceModel sample_body();
 
-/// Strands, root first, with widths and colours, on the head and clear of the skin. `name` stands for the file in messages. Repeats for
-/// equal input, whatever `threads` is. Errors (kBadInput): no head is found, or the hairline leaves no room for a strand; kOverBudget:
-/// more points than a groom may have.
+/// Strands, root first, with widths and colours, on the head and clear of the skin. `name` stands for the file in
+/// messages. Repeats for equal input, whatever `threads` is. Errors (kBadInput): no head is found, or the hairline
+/// leaves no room for a strand; kOverBudget: more points than a groom may have.
 [[nodiscard]] tl::expected<Groom, ToolError> grow_hair(const HairStyle& style, const GrowGround& ground,
                                                        const std::string& name, unsigned threads);
 
-/// A model with the head and body that hair belongs to; the sample's bust where `path` is empty. Errors: those of import_model().
+/// A model with the head and body that hair belongs to; the sample's bust where `path` is empty. Errors: those of
+/// import_model().
 [[nodiscard]] tl::expected<SourceModel, ToolError> read_body(const std::filesystem::path& path,
                                                              const ImportSettings& settings);
 

@@ -42,7 +42,8 @@ struct HeadFrame {
   return std::asin(std::clamp(direction.y(), -1.0f, 1.0f)) / kRadians;
 }
 
-/// The head at the top of a body: from the top down to where it is widest. None where nothing there has a head's proportions.
+/// The head at the top of a body: from the top down to where it is widest. None where nothing there has a head's
+/// proportions.
 [[nodiscard]] std::optional<HeadFrame> find_head(std::span<const Eigen::Vector3f> positions,
                                                  std::span<const std::uint32_t> triangles);
 

@@ -1,6 +1,7 @@
 #pragma once
 
-// Random numbers that are the same on every platform and with any number of threads: each is a function of what it is for.
+// Random numbers that are the same on every platform and with any number of threads: each is a function of what it is
+// for.
 
 #include <Eigen/Core>
 

@@ -28,8 +28,8 @@ float between(const std::array<Knot, 4>& knots, float azimuth) {
   return knots.back().value;
 }
 
-/// Direction `i` of `count` that lie evenly over the sphere, shaken a little: a lattice shows as rows of roots. Source: Swinbank and
-/// Purser 2006, "Fibonacci grids".
+/// Direction `i` of `count` that lie evenly over the sphere, shaken a little: a lattice shows as rows of roots. Source:
+/// Swinbank and Purser 2006, "Fibonacci grids".
 Vector3f spread_on_sphere(std::size_t i, std::size_t count, const Dice& dice) {
   constexpr double kGoldenAngle = 2.399963229728653;
   const double y = 1 - (2 * double(i) + 1) / double(count), around = kGoldenAngle * double(i);

@@ -22,8 +22,8 @@ struct Root {
   bool is_fringe = false;
 };
 
-/// As many as the style asks for, evenly over the scalp but for where it thins out towards the hairline. Fewer, or none, where the
-/// hairline leaves no room.
+/// As many as the style asks for, evenly over the scalp but for where it thins out towards the hairline. Fewer, or
+/// none, where the hairline leaves no room.
 [[nodiscard]] std::vector<Root> spread_roots(const HairStyle& style, const HeadFrame& head, const BodyField& body,
                                              unsigned threads);
 

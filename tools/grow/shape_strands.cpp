@@ -35,8 +35,8 @@ void draw_together(std::span<Vector3f> strand, float length, std::span<const Vec
   }
 }
 
-/// Frames along a strand that do not twist: the two axes at right angles to it, the first one outwards from the head at its root.
-/// Source: Wang, Juettler, Zheng and Liu 2008, "Computation of rotation minimizing frames".
+/// Frames along a strand that do not twist: the two axes at right angles to it, the first one outwards from the head at
+/// its root. Source: Wang, Juettler, Zheng and Liu 2008, "Computation of rotation minimizing frames".
 class UntwistedFrames {
  public:
   UntwistedFrames(std::span<const Vector3f> line, const Vector3f& outwards) {

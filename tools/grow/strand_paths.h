@@ -36,8 +36,8 @@ struct Ground {
 
 inline constexpr float kLeastClearance = 0.002f;  ///< Metres from the skin on a head of usual size, but for roots.
 
-/// How hair falls that nothing shapes but comb and weight: step by step, turned towards the comb's way near the skin, downwards by its
-/// weight, kept off the skin and above the hair below it.
+/// How hair falls that nothing shapes but comb and weight: step by step, turned towards the comb's way near the skin,
+/// downwards by its weight, kept off the skin and above the hair below it.
 [[nodiscard]] StrandPaths grow_open(const Ground& ground, std::span<const Root> roots, std::size_t stations,
                                     unsigned threads);
 
@@ -56,8 +56,8 @@ struct Tip {
 /// How far hair of a root keeps from the skin here: all of it on the head, hardly at all on shoulders.
 [[nodiscard]] float clearance(const Ground& ground, const Root& root, float lift, const Tip& tip);
 
-/// One step of `length`, turned by `turn` (a vector for each metre), then out of the skin: hard from the least clearance, softly from
-/// the wanted one.
+/// One step of `length`, turned by `turn` (a vector for each metre), then out of the skin: hard from the least
+/// clearance, softly from the wanted one.
 void advance(const Ground& ground, const Eigen::Vector3f& turn, float length, float wanted_clearance, Tip& tip);
 
 }  // namespace coif::grow

@@ -24,8 +24,9 @@ struct Asked {
   std::vector<Respelled> respelled;     ///< Libraries with another name than is written.
 };
 
-/// Files as assimp sees them, with a record: the model, and what really lies in its folders. Nothing else is there for it. Of an OBJ the
-/// model is without a byte order mark and text_with_even_colors(), and a library is what find_libraries() and plain_library_text() make of it.
+/// Files as assimp sees them, with a record: the model, and what really lies in its folders. Nothing else is there for
+/// it. Of an OBJ the model is without a byte order mark and text_with_even_colors(), and a library is what
+/// find_libraries() and plain_library_text() make of it.
 class AskedFiles : public Assimp::DefaultIOSystem {
  public:
   /// `text`: what the model holds for assimp, where that is not what the file holds. `asked` outlives this object.
@@ -56,9 +57,9 @@ class AskedFiles : public Assimp::DefaultIOSystem {
 
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// Lines as the format means them: without a byte order mark, ended by \n, continued ones in one, without blanks at their ends. What
-/// assimp 5.2 does not know is taken away: quotes around the names of images, capital letters of keywords, "-halo", and statements
-/// without a number where it wants one, for which it would refuse the whole model.
+/// Lines as the format means them: without a byte order mark, ended by \n, continued ones in one, without blanks at
+/// their ends. What assimp 5.2 does not know is taken away: quotes around the names of images, capital letters of
+/// keywords, "-halo", and statements without a number where it wants one, for which it would refuse the whole model.
 [[nodiscard]] std::string plain_library_text(std::string_view bytes);
 
 /// Files that one mtllib statement names.
@@ -70,9 +71,9 @@ struct ObjLibraries {
 /// `written`: the rest of the statement's line: a name with blanks in it or behind it, within quotes, or several names.
 [[nodiscard]] ObjLibraries find_libraries(const std::filesystem::path& folder, std::string_view written);
 
-/// The text of an OBJ in which some vertices have a colour and others none, with white for those; assimp 5.2 would give colours to the wrong
-/// vertices, and read memory that is none of theirs. A vertex's alpha, which is no part of the format, and for which it would leave the
-/// vertex out, is taken away. None where nothing is to be changed.
+/// The text of an OBJ in which some vertices have a colour and others none, with white for those; assimp 5.2 would give
+/// colours to the wrong vertices, and read memory that is none of theirs. A vertex's alpha, which is no part of the
+/// format, and for which it would leave the vertex out, is taken away. None where nothing is to be changed.
 [[nodiscard]] std::optional<std::string> text_with_even_colors(std::string_view text);
 
 /// The file's bytes; none where it cannot be read.

@@ -49,14 +49,14 @@ void keep_readers_of(Assimp::Importer& importer, const std::string& suffix) {
 
 void configure(Assimp::Importer& importer, const SourceSuffix& suffix, const ImportSettings& settings) {
   keep_readers_of(importer, suffix.suffix + 1);
-  // Pivots as nodes of their own, which flatten_nodes() folds again: assimp's own folding lets children inherit what is meant for a
-  // mesh alone.
+  // Pivots as nodes of their own, which flatten_nodes() folds again: assimp's own folding lets children inherit what is
+  // meant for a mesh alone.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, settings.up_axis.has_value());
 }
 
-/// The material libraries that a model names and that were not opened, each once. After each of them assimp tries one of the
-/// model's own name, which nobody may have named.
+/// The material libraries that a model names and that were not opened, each once. After each of them assimp tries one
+/// of the model's own name, which nobody may have named.
 std::vector<std::string> lost_libraries(const Asked& asked, const std::string& model) {
   const std::string own = std::filesystem::path(model).replace_extension(".mtl").filename().string();
   std::vector<std::string> lost;

@@ -62,21 +62,23 @@ struct SceneNodes {
   std::unordered_map<std::string, std::uint32_t> joint_named;  ///< By the importer's raw name.
 };
 
-/// `model_from_scene` is applied above the root. assimp's nodes for an FBX's pivots are folded into the node that has them. A node whose transform is not finite takes its parent's place, with a
-/// warning. Where several nodes carry a bone's name (a mesh 'head' beside a joint 'head'), the one without meshes and
-/// within a skeleton is the joint; a warning says so where that does not decide.
+/// `model_from_scene` is applied above the root. assimp's nodes for an FBX's pivots are folded into the node that has
+/// them. A node whose transform is not finite takes its parent's place, with a warning. Where several nodes carry a
+/// bone's name (a mesh 'head' beside a joint 'head'), the one without meshes and within a skeleton is the joint; a
+/// warning says so where that does not decide.
 [[nodiscard]] SceneNodes flatten_nodes(const aiScene& scene, const Eigen::Affine3d& model_from_scene,
                                        std::vector<Warning>& warnings);
 
-/// Matches the nodes to the file's models, by name and order below their parents, and marks what Visibility hides and what is not the
-/// finest level of a LodGroup. `objects` outlives `nodes`.
+/// Matches the nodes to the file's models, by name and order below their parents, and marks what Visibility hides and
+/// what is not the finest level of a LodGroup. `objects` outlives `nodes`.
 void add_fbx_objects(const FbxObjects& objects, const aiScene& scene, SceneNodes& nodes);
 
-/// Gives materials the colour and opacity textures that assimp passes over: of properties that it does not know, as "Maya|opacity" or
-/// "3dsMax|Parameters|cutout_map", and of layered textures. Warns of layers that are not read.
+/// Gives materials the colour and opacity textures that assimp passes over: of properties that it does not know, as
+/// "Maya|opacity" or "3dsMax|Parameters|cutout_map", and of layered textures. Warns of layers that are not read.
 void connect_fbx_textures(const FbxObjects& objects, const aiScene& scene, std::vector<Warning>& warnings);
 
-/// How textures go on outside 0..1 (WrapModeU, WrapModeV), which assimp does not hand on. A texture goes by the material's name and its file's.
+/// How textures go on outside 0..1 (WrapModeU, WrapModeV), which assimp does not hand on. A texture goes by the
+/// material's name and its file's.
 void apply_fbx_wraps(const FbxObjects& objects, std::span<SourceMaterial> materials);
 
 /// Shape keys that an FBX has on. assimp gives their shapes, and not how much of each is on.
@@ -103,13 +105,15 @@ class FbxShapeKeys {
 
 /// One SourceMesh per mesh and node that shows it, in the order of nodes: instances are copied, since each stands
 /// elsewhere. Points and lines, triangles with absent or non-finite vertices and vertices without a triangle are
-/// dropped; meshes with no triangle left are too. Mesh names fall back to the node's. Points and lines are told of as source_code::kLoose.
+/// dropped; meshes with no triangle left are too. Mesh names fall back to the node's. Points and lines are told of as
+/// source_code::kLoose.
 [[nodiscard]] std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes,
                                                      const SourceSurface& surface, std::vector<Warning>& warnings);
 
 /// Fills `materials`, one per material of the scene, and `images` with the embedded base-colour textures that they
-/// use. Colours: the diffuse colour, which FBX and COLLADA replace by a texture where there is one. Alpha is not kept: exporters
-/// disagree about what their opacity means (of an OBJ apply_obj_options() takes it). Its use is kBlend where a texture is connected to the opacity, else kUnknown.
+/// use. Colours: the diffuse colour, which FBX and COLLADA replace by a texture where there is one. Alpha is not kept:
+/// exporters disagree about what their opacity means (of an OBJ apply_obj_options() takes it). Its use is kBlend where
+/// a texture is connected to the opacity, else kUnknown.
 void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& model);
 
 /// SourceModel::named_images.

@@ -27,12 +27,11 @@ struct ClipFile {
   std::vector<std::string> notes;  ///< What was taken otherwise than the file says, with the file's name.
 };
 
-/// Reads how a node of a .gltf, .glb or .vrm moves in the world, parents included, at all their keys together. `node`: its
-/// name; empty: the file's only animated one. Rotations count from the pose that the file gives the nodes beside the
-/// animation, since a head's bone may lie in its head as it likes. Of several animations the first that moves the node
-/// is read. Steps and splines are read as straight lines between their values.
-/// Errors: kFileAccess (absent, unreadable), kBadInput (damaged, no animation, no such node, more than 100,000 keys),
-/// kUnsupported (another format).
+/// Reads how a node of a .gltf, .glb or .vrm moves in the world, parents included, at all their keys together. `node`:
+/// its name; empty: the file's only animated one. Rotations count from the pose that the file gives the nodes beside
+/// the animation, since a head's bone may lie in its head as it likes. Of several animations the first that moves the
+/// node is read. Steps and splines are read as straight lines between their values. Errors: kFileAccess (absent,
+/// unreadable), kBadInput (damaged, no animation, no such node, more than 100,000 keys), kUnsupported (another format).
 [[nodiscard]] tl::expected<ClipFile, ToolError> read_clip(const std::filesystem::path& path, std::string_view node);
 
 }  // namespace coif

@@ -1,6 +1,7 @@
 #pragma once
 
-// A COLLADA document as the tree of its elements: what assimp 5.2 passes over is taken from there, all of it in one parse.
+// A COLLADA document as the tree of its elements: what assimp 5.2 passes over is taken from there, all of it in one
+// parse.
 
 #include "base/warning.h"
 
@@ -17,7 +18,8 @@ namespace coif {
 
 struct SceneNodes;
 
-/// Parses with the library that assimp has, too. What is no XML gives an empty document. Throws std::bad_alloc where memory runs out.
+/// Parses with the library that assimp has, too. What is no XML gives an empty document. Throws std::bad_alloc where
+/// memory runs out.
 [[nodiscard]] inline pugi::xml_document parse_collada(std::string_view text) {
   pugi::xml_document parsed;
   const pugi::xml_parse_result result = parsed.load_buffer(text.data(), text.size());
@@ -32,12 +34,12 @@ struct SceneNodes;
   return text.substr(text.starts_with('#') ? 1 : 0);
 }
 
-/// The document as assimp 5.2 reads it, which refuses textures of COLLADA 1.5 and each <morph>: in version 1.4, and without the latter. None
-/// where it is that already. Throws std::bad_alloc where memory runs out.
+/// The document as assimp 5.2 reads it, which refuses textures of COLLADA 1.5 and each <morph>: in version 1.4, and
+/// without the latter. None where it is that already. Throws std::bad_alloc where memory runs out.
 [[nodiscard]] std::optional<std::string> plain_collada(std::string_view text, std::vector<Warning>& warnings);
 
-/// Takes each <morph> out of the document: its mesh gets the shape that its targets give it, as far as their weights are on, of which a
-/// warning tells, and stands for it wherever that is referred to. False where there is none.
+/// Takes each <morph> out of the document: its mesh gets the shape that its targets give it, as far as their weights
+/// are on, of which a warning tells, and stands for it wherever that is referred to. False where there is none.
 bool apply_collada_morphs(pugi::xml_document& document, std::vector<Warning>& warnings);
 
 /// Marks nodes that the document hides (<visibility> in an <extra> of theirs), and what is below them.

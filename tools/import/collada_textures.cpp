@@ -63,8 +63,8 @@ class ColladaTextures::Walk : public pugi::xml_tree_walker {
   }
 
  private:
-  /// Which UV sets a mesh's triangles of one material have, and those that assimp gives them: it goes on with those of the triangles after
-  /// them.
+  /// Which UV sets a mesh's triangles of one material have, and those that assimp gives them: it goes on with those of
+  /// the triangles after them.
   struct UvSets {
     std::set<unsigned> own, given;
   };

@@ -223,7 +223,8 @@ std::vector<std::string> names_of(const SourceModel& model, std::span<const std:
   return names;
 }
 
-/// Numbers begin with 0 for the finest in most tools, and with 0 for the coarsest in some: triangles tell. Of equals the first.
+/// Numbers begin with 0 for the finest in most tools, and with 0 for the coarsest in some: triangles tell. Of equals
+/// the first.
 const Level& finest_of(const Thing& thing, const Wanted& wanted, bool& is_chosen) {
   const Level* finest = nullptr;
   for (const bool is_for_all : {false, true}) {

@@ -16,7 +16,8 @@
 namespace coif {
 namespace {
 
-// What programs call the properties of their materials: the last part, without "file", in small letters and without underlines.
+// What programs call the properties of their materials: the last part, without "file", in small letters and without
+// underlines.
 constexpr std::string_view kColorProperties[] = {"diffusecolor", "diffuse",      "diffusemap",  "diffusetexture",
                                                  "basecolor",    "basecolormap", "texcolormap", "color",
                                                  "colormap",     "albedo",       "albedomap",   "maincolor"};

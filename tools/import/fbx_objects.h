@@ -1,7 +1,7 @@
 #pragma once
 
-// What an FBX file says of its objects that assimp passes over: which models are hidden, which hold levels of detail, which shape keys
-// are on, how textures lie and go on, and what they are connected to.
+// What an FBX file says of its objects that assimp passes over: which models are hidden, which hold levels of detail,
+// which shape keys are on, how textures lie and go on, and what they are connected to.
 
 #include <cstdint>
 #include <map>
@@ -61,7 +61,8 @@ struct FbxConnection {
   std::string_view property;  ///< "" for "OO" connections. Points into the file.
 };
 
-/// One shape of a mesh, in the file's order, as assimp's anim meshes are. A channel with several shapes has them in between.
+/// One shape of a mesh, in the file's order, as assimp's anim meshes are. A channel with several shapes has them in
+/// between.
 struct FbxShape {
   std::string_view key;   ///< The channel's name, or the shape's where that has none. Points into the file.
   double key_weight = 0;  ///< What the artist set; 1: fully on. 0 for all shapes of a channel but its first.
@@ -100,8 +101,8 @@ class FbxObjects {
   std::vector<FbxShape> shapes_;
 };
 
-/// An FBX in which bones of one name, which the format allows, have names of their own, as long as theirs: assimp knows bones by name alone,
-/// and aborts.
+/// An FBX in which bones of one name, which the format allows, have names of their own, as long as theirs: assimp knows
+/// bones by name alone, and aborts.
 struct UniqueFbxBones {
   std::string file;
   std::map<std::int64_t, std::string> names;  ///< What the artist calls the models, by id.

@@ -28,10 +28,11 @@ struct FbxRecord {
   std::span<const FbxValue> values;  ///< The first of them, kMostFbxValues at most.
 };
 
-/// Calls `visit` for each record in the file's order, a record before those within it, which follow only where `visit` returns true.
-/// What a binary file holds within the others is passed over. Returns false where the file is no FBX, is cut off or damaged; `visit` may
-/// have been called before. Takes time in proportion to the file and next to no memory, and never calls itself. Reads binary files of all
-/// versions (64-bit sizes from 7500 on) and text; records may stand 64 deep.
+/// Calls `visit` for each record in the file's order, a record before those within it, which follow only where `visit`
+/// returns true. What a binary file holds within the others is passed over. Returns false where the file is no FBX, is
+/// cut off or damaged; `visit` may have been called before. Takes time in proportion to the file and next to no memory,
+/// and never calls itself. Reads binary files of all versions (64-bit sizes from 7500 on) and text; records may stand
+/// 64 deep.
 [[nodiscard]] bool walk_fbx(std::string_view file, const std::function<bool(const FbxRecord&)>& visit);
 
 }  // namespace coif

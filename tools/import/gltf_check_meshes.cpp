@@ -11,7 +11,8 @@ namespace {
 
 using nlohmann::json;
 
-/// What the specification lets an attribute be (3.7.2.1): its type, and component types that need not be normalized and that must.
+/// What the specification lets an attribute be (3.7.2.1): its type, and component types that need not be normalized and
+/// that must.
 struct AttributeRule {
   std::string_view name;  ///< With a number behind it where it ends in '_'.
   std::array<const char*, 2> types;

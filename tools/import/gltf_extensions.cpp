@@ -25,7 +25,8 @@ constexpr std::string_view kRead[] = {"KHR_mesh_quantization",
                                       "KHR_materials_variants",
                                       "MSFT_lod",
                                       "VRM"};
-/// Families that say how light falls, how things move or what they are called: nothing of a hair's shape, texture or place.
+/// Families that say how light falls, how things move or what they are called: nothing of a hair's shape, texture or
+/// place.
 constexpr std::string_view kOfNoEffect[] = {"KHR_materials_",
                                             "KHR_lights_",
                                             "EXT_lights_",

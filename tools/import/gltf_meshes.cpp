@@ -92,8 +92,8 @@ class MeshReader {
     return {};
   }
 
-  /// The node that carries the mesh of node `n`, and how that one stands in it. Packing tools hang the mesh on a nameless node of its own
-  /// below the one that had it, which undoes the packing of its numbers.
+  /// The node that carries the mesh of node `n`, and how that one stands in it. Packing tools hang the mesh on a
+  /// nameless node of its own below the one that had it, which undoes the packing of its numbers.
   [[nodiscard]] std::pair<std::uint32_t, Affine3d> carrier_of(std::uint32_t n) const {
     const json& in_file = list_of(member(document_, "nodes"));
     const auto is_named = [&](std::uint32_t at) {

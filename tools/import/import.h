@@ -25,7 +25,8 @@ struct ImportSettings {
   /// Folders that files which the model names may lie in, beside its own: where links lead, or paths with "..".
   std::vector<std::filesystem::path> roots;
   std::string variant;  ///< Which of a glTF's KHR_materials_variants; empty: the materials that its meshes name.
-  /// Names of the meshes that are wanted, with * and ?: which of several levels of detail is kept (keep_finest_levels()).
+  /// Names of the meshes that are wanted, with * and ?: which of several levels of detail is kept
+  /// (keep_finest_levels()).
   std::vector<std::string> meshes;
   // Limits of the child process that parses the file. A file that exceeds one is refused; nothing else happens.
   std::uint64_t max_memory_bytes = std::uint64_t{4} << 30;  ///< Beside what this process has; none under ASan.
@@ -39,10 +40,10 @@ struct ImportSettings {
 /// Notes it in a model, as cooks of all formats record it: that of the library that reads what is not glTF.
 void set_importer(SourceModel& model);
 
-/// Reads the meshes of an FBX, glTF, GLB, VRM, OBJ or DAE. The parser runs in a child process under limits: third-party importers crash
-/// on hostile files. Throws TookTooLong alone, where the time of this process (base/work_limit.h) is over. Errors: kFileAccess (absent, unreadable), kBadInput (not parseable, crash, limit,
-/// no triangles), kUnsupported (suffix or variant not known). Blocks; costs a fork, so call it before starting threads
-/// where you can.
+/// Reads the meshes of an FBX, glTF, GLB, VRM, OBJ or DAE. The parser runs in a child process under limits: third-party
+/// importers crash on hostile files. Throws TookTooLong alone, where the time of this process (base/work_limit.h) is
+/// over. Errors: kFileAccess (absent, unreadable), kBadInput (not parseable, crash, limit, no triangles), kUnsupported
+/// (suffix or variant not known). Blocks; costs a fork, so call it before starting threads where you can.
 tl::expected<SourceModel, ToolError> import_model(const std::filesystem::path& path,
                                                   const ImportSettings& settings = {});
 
@@ -72,9 +73,9 @@ inline constexpr const char* kReduce = "export only the hair and the head, best 
 /// (empty, or above `max_bytes`).
 [[nodiscard]] tl::expected<void, ToolError> check_readable(const std::filesystem::path& path, std::uint64_t max_bytes);
 
-/// Looks through a COLLADA document for an accessor that reads beyond the end of its array, which assimp 5.2 does: what it
-/// finds there differs from run to run. Nothing where all fit; else a sentence without the file's name. What is no XML is
-/// left for assimp to refuse, which parses with the same library. Throws std::bad_alloc where memory runs out.
+/// Looks through a COLLADA document for an accessor that reads beyond the end of its array, which assimp 5.2 does: what
+/// it finds there differs from run to run. Nothing where all fit; else a sentence without the file's name. What is no
+/// XML is left for assimp to refuse, which parses with the same library. Throws std::bad_alloc where memory runs out.
 /// Source: Khronos, "COLLADA 1.4.1 Specification", chapter 5, <accessor>.
 [[nodiscard]] std::optional<std::string> overrun_array(std::string_view document);
 

@@ -161,8 +161,9 @@ void move_uvs(const TexturePlace& place, SourceMesh& mesh) {
   }
 }
 
-/// How opaque a material is as a whole: what its texture's alpha is multiplied with. A material that is not there at all is none that
-/// anybody made for hair: exporters write "d 0" or "Tr 1" beside a texture whose alpha is meant, and some write Tr for d.
+/// How opaque a material is as a whole: what its texture's alpha is multiplied with. A material that is not there at
+/// all is none that anybody made for hair: exporters write "d 0" or "Tr 1" beside a texture whose alpha is meant, and
+/// some write Tr for d.
 void take_over_dissolve(const ObjMaterial& said, SourceMaterial& material, std::vector<Warning>& warnings) {
   constexpr float kSeen = 1e-3f;
   if (!said.dissolve && !said.transparency) return;

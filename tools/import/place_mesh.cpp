@@ -13,10 +13,11 @@
 namespace coif {
 namespace {
 
-// Metres. What lies farther out is damage (assimp reads past short arrays of a COLLADA file), not a model; an asset ends at
-// ten times that, so that whatever is measured between vertices fits into it.
+// Metres. What lies farther out is damage (assimp reads past short arrays of a COLLADA file), not a model; an asset
+// ends at ten times that, so that whatever is measured between vertices fits into it.
 constexpr float kFarthestVertex = 1e4f;
-// Repeats of a texture. A strip that needs as many has no texels left between two of its vertices; NaN is no number of them.
+// Repeats of a texture. A strip that needs as many has no texels left between two of its vertices; NaN is no number of
+// them.
 constexpr float kFarthestUv = 1e4f;
 
 bool usable(const Eigen::Vector3f& position) {

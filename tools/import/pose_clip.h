@@ -26,8 +26,8 @@ struct PosedBone {
 /// How bones turn in the course of an animation.
 class PoseClip {
  public:
-  /// For each bone how it is turned in its parent's frame, from rest, as Hair::set_pose() wants it: in the model's axes, Y up. As at
-  /// the nearest key outside the animation. The identity for bones that the clip lacks.
+  /// For each bone how it is turned in its parent's frame, from rest, as Hair::set_pose() wants it: in the model's
+  /// axes, Y up. As at the nearest key outside the animation. The identity for bones that the clip lacks.
   [[nodiscard]] std::vector<Eigen::Quaterniond> at(double seconds) const;
 
   [[nodiscard]] std::size_t found() const;  ///< Bones that the clip has, moved or not; at least one.
@@ -51,10 +51,10 @@ class PoseClip {
   std::vector<std::string> notes_;
 };
 
-/// Reads the rotations of those nodes of a .gltf, .glb or .vrm that have a bone's name. Rotations count from the pose that the file
-/// gives the nodes beside the animation. Of several animations the first that turns one of the bones is read; places and
-/// scales of bones are not. A bone whose parent the clip lacks turns in its node's own parent.
-/// Errors: kFileAccess (absent, unreadable), kBadInput (damaged, no node with a bone's name, none that turns), kUnsupported
+/// Reads the rotations of those nodes of a .gltf, .glb or .vrm that have a bone's name. Rotations count from the pose
+/// that the file gives the nodes beside the animation. Of several animations the first that turns one of the bones is
+/// read; places and scales of bones are not. A bone whose parent the clip lacks turns in its node's own parent. Errors:
+/// kFileAccess (absent, unreadable), kBadInput (damaged, no node with a bone's name, none that turns), kUnsupported
 /// (another format).
 [[nodiscard]] tl::expected<std::shared_ptr<const PoseClip>, ToolError> read_pose_clip(const std::filesystem::path& path,
                                                                                       std::span<const PosedBone> bones);

@@ -26,7 +26,8 @@ struct RawWeight {
   float weight = 0;
 };
 
-/// A mesh in its own space. What follows `positions` is empty or of as many; numbers may be anything, indices out of range.
+/// A mesh in its own space. What follows `positions` is empty or of as many; numbers may be anything, indices out of
+/// range.
 struct RawMesh {
   std::string name;
   std::uint32_t material = kNoIndex;
@@ -45,9 +46,9 @@ struct RawMesh {
 /// Where each vertex of a mesh stands in the rest pose of the nodes, and what holds it there.
 class SkinBinding {
  public:
-  /// Drops, with counted warnings, what the file gets wrong: weights of absent vertices or bones, weights that are not finite
-  /// or not above zero. Weights are normalised; a skinned mesh's vertices without any weight follow `mesh_node`. `label`
-  /// names the mesh in warnings.
+  /// Drops, with counted warnings, what the file gets wrong: weights of absent vertices or bones, weights that are not
+  /// finite or not above zero. Weights are normalised; a skinned mesh's vertices without any weight follow `mesh_node`.
+  /// `label` names the mesh in warnings.
   SkinBinding(const RawMesh& mesh, std::uint32_t mesh_node, std::span<const SourceNode> nodes, const std::string& label,
               std::vector<Warning>& warnings);
 
@@ -77,11 +78,13 @@ class SkinBinding {
 };
 
 /// The mesh as it stands at rest in the model, carried by `node`. Triangles with absent or non-finite vertices and
-/// vertices without a triangle are dropped, with warnings; unusable normals, UVs and colours are replaced. No triangles may be left.
+/// vertices without a triangle are dropped, with warnings; unusable normals, UVs and colours are replaced. No triangles
+/// may be left.
 [[nodiscard]] SourceMesh place_mesh(const RawMesh& mesh, std::uint32_t node, std::span<const SourceNode> nodes,
                                     std::vector<Warning>& warnings);
 
-/// Puts a placed mesh that has triangles behind the others. Says what was left out: points and lines as source_code::kLoose, or all of it.
+/// Puts a placed mesh that has triangles behind the others. Says what was left out: points and lines as
+/// source_code::kLoose, or all of it.
 void keep_mesh(const RawMesh& raw, SourceMesh placed, std::vector<SourceMesh>& meshes, std::vector<Warning>& warnings);
 
 /// Fills `posed_node` and `posed_degrees` of what became of the mesh.

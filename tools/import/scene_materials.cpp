@@ -94,7 +94,8 @@ constexpr MapKind kOtherMaps[] = {{aiTextureType_AMBIENT_OCCLUSION, "occlusion"}
                                   {aiTextureType_EMISSIVE, "emission"},
                                   {aiTextureType_EMISSION_COLOR, "emission"}};
 
-// A texture of its own for opacity is the only sign that exporters agree on. Roughness they say in numbers of their own, or not at all.
+// A texture of its own for opacity is the only sign that exporters agree on. Roughness they say in numbers of their
+// own, or not at all.
 void convert_alpha(const aiMaterial& material, SourceMaterial& out) {
   if (material.GetTextureCount(aiTextureType_OPACITY) != 0) out.alpha_use = AlphaUse::kBlend;
 }

@@ -55,8 +55,8 @@ void append(SceneNodes& out, const Pending& pending, const Eigen::Affine3d& mode
                           is_off(pending.node->mMetaData, "Show"));
 }
 
-/// Whether the node is one for a pivot; if so, it is multiplied to what is pending. What undoes a geometric transform for children has
-/// nothing to undo, since they never got it.
+/// Whether the node is one for a pivot; if so, it is multiplied to what is pending. What undoes a geometric transform
+/// for children has nothing to undo, since they never got it.
 bool fold_pivot(Pending& pending) {
   const std::string_view name(pending.node->mName.C_Str());
   const std::size_t mark = name.find(kPivot);

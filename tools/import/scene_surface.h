@@ -41,15 +41,16 @@ struct TexturePlace {
   [[nodiscard]] Eigen::Vector2f operator()(const Eigen::Vector2f& uv) const { return linear * uv + offset; }
 };
 
-/// What a COLLADA document says of its textures that assimp 5.2 passes over: which UV set <bind_vertex_input> binds a texture's
-/// coordinates to, <wrap_s> and <wrap_t>, and which numbers of an opacity texture count (<transparent opaque="RGB_ZERO">).
+/// What a COLLADA document says of its textures that assimp 5.2 passes over: which UV set <bind_vertex_input> binds a
+/// texture's coordinates to, <wrap_s> and <wrap_t>, and which numbers of an opacity texture count (<transparent
+/// opaque="RGB_ZERO">).
 class ColladaTextures {
  public:
   enum class Use : std::uint8_t { kBase, kOpacity };
 
   explicit ColladaTextures(pugi::xml_document& document);
-  /// Which of the sets that assimp gives the mesh; none where the document does not bind one. A geometry goes by its id, a material by
-  /// its name, or its id where it has none; both as printable text.
+  /// Which of the sets that assimp gives the mesh; none where the document does not bind one. A geometry goes by its
+  /// id, a material by its name, or its id where it has none; both as printable text.
   [[nodiscard]] std::optional<unsigned> uv_set(const std::string& geometry, const std::string& material, Use use) const;
   /// Wrap modes of base and opacity textures, channel and sense of the latter.
   void apply(std::span<SourceMaterial> materials) const;
@@ -91,23 +92,25 @@ struct SourceSurface {
   const FbxTexturePlaces* fbx = nullptr;     ///< Of an FBX whose records can be read; outlives this.
 };
 
-/// Of the base texture that convert_materials() takes; of the opacity texture where there is no other. A warning where both are
-/// there and differ, since a mesh keeps one set alone. `geometry` is what assimp calls the mesh. assimp 5.2 hands on the transforms of FBX and COLLADA; an OBJ's library is
-/// read by apply_obj_options().
+/// Of the base texture that convert_materials() takes; of the opacity texture where there is no other. A warning where
+/// both are there and differ, since a mesh keeps one set alone. `geometry` is what assimp calls the mesh. assimp 5.2
+/// hands on the transforms of FBX and COLLADA; an OBJ's library is read by apply_obj_options().
 [[nodiscard]] TexturePlace texture_place(const aiMaterial& material, const std::string& geometry,
                                          const SourceSurface& surface, const std::string& label,
                                          std::vector<Warning>& warnings);
 
-/// How the first texture of one of assimp's types goes on outside 0..1. Of FBX assimp 5.2 does not say: apply_fbx_wraps().
+/// How the first texture of one of assimp's types goes on outside 0..1. Of FBX assimp 5.2 does not say:
+/// apply_fbx_wraps().
 void read_wrap(const aiMaterial& material, unsigned type, SourceTexture& texture);
 
-/// Colours of the first set, linear, of each vertex; empty where there are none. Formats other than glTF store what a screen shows, as
-/// Blender, Maya and MeshLab write them, or whole numbers up to 255 of it.
+/// Colours of the first set, linear, of each vertex; empty where there are none. Formats other than glTF store what a
+/// screen shows, as Blender, Maya and MeshLab write them, or whole numbers up to 255 of it.
 [[nodiscard]] std::vector<Eigen::Vector4f> vertex_colors(const aiMesh& mesh);
 
-/// What assimp 5.2 drops or misreads of an OBJ's material libraries: options of map_Kd and map_d (-s and -o, of which it drops the
-/// numbers, and takes the path for one where there are two; -imfchan), and d and Tr, of which it hands on no colour's alpha. Moves the
-/// coordinates of the meshes; `libraries` are plain_library_text() of files that were opened.
+/// What assimp 5.2 drops or misreads of an OBJ's material libraries: options of map_Kd and map_d (-s and -o, of which
+/// it drops the numbers, and takes the path for one where there are two; -imfchan), and d and Tr, of which it hands on
+/// no colour's alpha. Moves the coordinates of the meshes; `libraries` are plain_library_text() of files that were
+/// opened.
 void apply_obj_options(std::span<const std::string> libraries, SourceModel& model);
 
 }  // namespace coif

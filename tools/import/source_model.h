@@ -24,7 +24,8 @@ struct SourceNode {
   std::string name;
   std::uint32_t parent = kNoIndex;                                ///< An earlier node; kNoIndex for the root.
   Eigen::Affine3d model_from_node = Eigen::Affine3d::Identity();  ///< Rest pose, metres, Y up.
-  /// Its transform is part of how its mesh's places are stored as whole numbers (KHR_mesh_quantization): where it stands says nothing.
+  /// Its transform is part of how its mesh's places are stored as whole numbers (KHR_mesh_quantization): where it
+  /// stands says nothing.
   bool undoes_quantization = false;
 };
 
@@ -40,16 +41,16 @@ struct SourceMesh {
   std::uint32_t material = kNoIndex;
   std::vector<Eigen::Vector3f> positions;  ///< Model space, rest pose (skinning applied), metres.
   std::vector<Eigen::Vector3f> normals;    ///< Model space, unit; empty when the file has none.
-  /// Of the set that the material's base texture names, with its transform applied; V grows downwards in the image, as in
-  /// glTF. Empty when none.
+  /// Of the set that the material's base texture names, with its transform applied; V grows downwards in the image, as
+  /// in glTF. Empty when none.
   std::vector<Eigen::Vector2f> uvs;
   std::vector<Eigen::Vector4f> colors;  ///< Linear RGBA, >= 0, that multiply the material's; empty when none.
   /// positions.size() + 1 entries into `influences`, or empty: rigid to `node`.
   std::vector<std::uint32_t> influence_begin;
   std::vector<SourceInfluence> influences;
   std::vector<std::uint32_t> triangles;  ///< Three indices each, counter-clockwise seen from outside.
-  /// How far the bones that hold it stand from where they were when it was bound to them, beside each other: the bone that is turned
-  /// farthest, and by how many degrees; kNoIndex where the file was saved in the rest position.
+  /// How far the bones that hold it stand from where they were when it was bound to them, beside each other: the bone
+  /// that is turned farthest, and by how many degrees; kNoIndex where the file was saved in the rest position.
   std::uint32_t posed_node = kNoIndex;
   float posed_degrees = 0;
 };
@@ -75,8 +76,9 @@ struct SourceMaterial {
   Eigen::Vector4f base_color{1, 1, 1, 1};  ///< Linear, alpha in w.
   SourceTexture base_texture;              ///< Empty path and kNoIndex: none.
   SourceTexture normal_texture;            ///< A normal or bump map; the same.
-  /// What is known of single strands, of cards that were made from them: red a number of the strand, 0..1; green how far in front of
-  /// others it is; blue and alpha how it runs, as TextureRole::kStrandAxis has it. Embedded or none; no file format has it.
+  /// What is known of single strands, of cards that were made from them: red a number of the strand, 0..1; green how
+  /// far in front of others it is; blue and alpha how it runs, as TextureRole::kStrandAxis has it. Embedded or none; no
+  /// file format has it.
   SourceTexture strand_texture;
   float normal_strength = 1;  ///< What the map's slopes are multiplied with, 0..kMostNormalStrength.
   SourceTexture
@@ -135,8 +137,8 @@ struct SourceImage {
   std::vector<std::uint8_t> bytes;
 };
 
-/// Fewer cards that stand for the same strands as the hair's own mesh: what a level of detail draws instead of it, with its material.
-/// Sizes of meshes, and no influences.
+/// Fewer cards that stand for the same strands as the hair's own mesh: what a level of detail draws instead of it, with
+/// its material. Sizes of meshes, and no influences.
 struct SourceLevel {
   SourceMesh mesh;
   std::vector<Eigen::Vector3f> along;   ///< Per vertex, unit, root to tip.

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the answers of all reading processes have in common. One list of fields serves both directions: `Archive` is ByteEncoder with
-// a const object, or ByteDecoder with a mutable one.
+// What the answers of all reading processes have in common. One list of fields serves both directions: `Archive` is
+// ByteEncoder with a const object, or ByteDecoder with a mutable one.
 
 #include "base/tool_error.h"
 #include "import/source_model.h"

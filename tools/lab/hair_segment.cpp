@@ -80,8 +80,8 @@ SolidContact nearest_to_balls(const SolidShape& solid, const HairSegment& segmen
   return outside_of_ball(solid, segment, std::clamp(beside, 0.0, segment.length));
 }
 
-/// In the space where the ellipsoid is the unit sphere; the gap is brought back along the gradient, which is exact on the
-/// surface.
+/// In the space where the ellipsoid is the unit sphere; the gap is brought back along the gradient, which is exact on
+/// the surface.
 SolidContact nearest_to_ellipsoid(const SolidShape& solid, const HairSegment& segment) {
   const Vector3d radii = solid.radii.array() + segment.radius;
   const Vector3d from = turned(solid.to_own_axes, segment.start - solid.center).cwiseQuotient(radii);

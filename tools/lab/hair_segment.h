@@ -42,14 +42,14 @@ struct SolidContact {
   double along = 0;        ///< Metres from the segment's start to where it is nearest.
 };
 
-/// Where the segment is nearest, or deepest inside. Of a segment that starts inside, of any in a collider that keeps hair
-/// inside and at a plane, only the end counts: no turn about its start could help the rest. A segment that is clear of a
-/// capsule may be nearer than it says. An ellipsoid's semi-axes grow by the radius, as in the runtime.
+/// Where the segment is nearest, or deepest inside. Of a segment that starts inside, of any in a collider that keeps
+/// hair inside and at a plane, only the end counts: no turn about its start could help the rest. A segment that is
+/// clear of a capsule may be nearer than it says. An ellipsoid's semi-axes grow by the radius, as in the runtime.
 [[nodiscard]] SolidContact nearest_contact(const SolidShape& solid, const HairSegment& segment);
 
 /// Turns the segment about its start, the shortest way, until it is clear of the collider to 1e-10 of its size. False
-/// where it already was, and where no turn helps. Otherwise `contact` is where it was pushed. A segment that is too short
-/// to come out points straight out.
+/// where it already was, and where no turn helps. Otherwise `contact` is where it was pushed. A segment that is too
+/// short to come out points straight out.
 bool turn_clear(const SolidShape& solid, HairSegment& segment, SolidContact& contact);
 
 enum class HairPart { kEnd, kWhole };
@@ -65,8 +65,8 @@ struct ConstraintErrors {
   double segment_depth = 0;  ///< The same, for whole bones between their ends.
 };
 
-/// Looks at poses. A depth that the place of a bone's start makes unavoidable does not count; a plane's is a share of the
-/// bone's length.
+/// Looks at poses. A depth that the place of a bone's start makes unavoidable does not count; a plane's is a share of
+/// the bone's length.
 class ConstraintMeter {
  public:
   explicit ConstraintMeter(const Rig& rig);

@@ -30,7 +30,8 @@ struct RuntimeError {
 /// When frames of any of these rates (whole numbers) end, up to `seconds`.
 [[nodiscard]] std::vector<double> frame_times(std::span<const std::uint32_t> rates, double seconds);
 
-/// RMS over the worst second of frames, of which each has the mean square of its distances; over all where that is shorter.
+/// RMS over the worst second of frames, of which each has the mean square of its distances; over all where that is
+/// shorter.
 [[nodiscard]] double worst_second(std::span<const double> mean_squares, double frames_per_second);
 
 /// Runs `motion` from rest at `rate` frames per second with so many sub-steps, and looks at every frame of which the

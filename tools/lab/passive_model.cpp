@@ -173,8 +173,8 @@ void PassiveModel::rates(const SolverScene& scene, const HeadState& head, std::s
   }
 }
 
-/// By Gauss's principle, with all bonds in one dense matrix, as chains are short. A contact that would have to pull is left out, the
-/// strongest first.
+/// By Gauss's principle, with all bonds in one dense matrix, as chains are short. A contact that would have to pull is
+/// left out, the strongest first.
 Eigen::VectorXd PassiveModel::nearest(std::span<const BoneContact> contacts, const Eigen::VectorXd& opening,
                                       std::span<const double> entering) const {
   const auto links = Eigen::Index(bones_.size()), all = links + Eigen::Index(contacts.size());

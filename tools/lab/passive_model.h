@@ -20,8 +20,8 @@ struct Carried {
 /// One for each bone, at rest. Parents come first.
 [[nodiscard]] std::vector<Carried> carried_at_rest(std::span<const RigBone> bones);
 
-/// 1/s: what an explicit solution of the passive model has to follow. A joint's spring and damper carry all that hangs from it,
-/// and may move its own bone alone: as fast as the fourth difference of a beam lets it.
+/// 1/s: what an explicit solution of the passive model has to follow. A joint's spring and damper carry all that hangs
+/// from it, and may move its own bone alone: as fast as the fourth difference of a beam lets it.
 [[nodiscard]] double fastest_rate(std::span<const RigBone> bones);
 
 /// Forces and motion of bones whose parents come first, one step's scratch included.
@@ -33,7 +33,8 @@ class PassiveModel {
   void rates(const SolverScene& scene, const HeadState& head, std::span<const BoneState> states,
              std::span<BoneMotion> motions, std::span<BoneRates> rates);
 
-  /// The velocities nearest to those of `motions`, by mass, that stretch no bone and lead into no collider; `states` turn with them.
+  /// The velocities nearest to those of `motions`, by mass, that stretch no bone and lead into no collider; `states`
+  /// turn with them.
   void keep_links(const HeadState& head, std::span<const BoneContact> contacts, std::span<BoneMotion> motions,
                   std::span<BoneState> states);
 
@@ -60,8 +61,8 @@ class PassiveModel {
     Eigen::Vector3d torque, reaction;
   };
 
-  /// What, by mass, changes least of what all particles do so that no bone is stretched, by `opening` each, nor enters a collider, by
-  /// `entering` (negative) at each contact.
+  /// What, by mass, changes least of what all particles do so that no bone is stretched, by `opening` each, nor enters
+  /// a collider, by `entering` (negative) at each contact.
   [[nodiscard]] Eigen::VectorXd nearest(std::span<const BoneContact> contacts, const Eigen::VectorXd& opening,
                                         std::span<const double> entering) const;
   const Eigen::Matrix3d& turn_above(std::size_t i) const;

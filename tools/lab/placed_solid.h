@@ -1,6 +1,6 @@
 #pragma once
-// Colliders that a game moves, where they are at one moment, and how deep hair lies in them. Shares no formula with the runtime,
-// which it judges.
+// Colliders that a game moves, where they are at one moment, and how deep hair lies in them. Shares no formula with the
+// runtime, which it judges.
 
 #include "lab/hair_segment.h"
 #include "lab/rig.h"
@@ -25,7 +25,8 @@ struct PlacedSolid {
   /// One of an asset's colliders, of which what is at x in head space at rest is at `moved` * x. It keeps hair outside.
   PlacedSolid(const ColliderRecord& record, const Eigen::Isometry3d& moved);
 
-  /// Metres from the surface, negative inside: exact, but for an ellipsoid, of which it is to first order. Convex along any line.
+  /// Metres from the surface, negative inside: exact, but for an ellipsoid, of which it is to first order. Convex along
+  /// any line.
   [[nodiscard]] double gap(const Eigen::Vector3d& point) const;
 
   ColliderShape shape;
@@ -38,8 +39,8 @@ struct PlacedSolid {
 };
 
 /// Metres by which a part of the segment is inside although it could be outside. As with colliders that stand still
-/// (avoidable_depth()), of a segment that starts inside by more than kStartInside the end alone counts, as no turn about its
-/// start could help the rest, and of that only what it is long enough to get out of.
+/// (avoidable_depth()), of a segment that starts inside by more than kStartInside the end alone counts, as no turn
+/// about its start could help the rest, and of that only what it is long enough to get out of.
 [[nodiscard]] double avoidable_depth(const PlacedSolid& solid, const HairSegment& segment);
 
 /// Share of the size; a start that touches is outside.
@@ -50,12 +51,13 @@ class MovingMeter {
  public:
   explicit MovingMeter(const Rig& rig) : rig_(rig) {}
 
-  /// `ends`: bone tails, head space, metres; the order of Rig::bones. Both at the end of one step. `sets`: for each bone a bit for each
-  /// of the solids that it keeps out of; empty: of all.
+  /// `ends`: bone tails, head space, metres; the order of Rig::bones. Both at the end of one step. `sets`: for each
+  /// bone a bit for each of the solids that it keeps out of; empty: of all.
   void look(std::span<const Eigen::Vector3d> ends, std::span<const PlacedSolid> solids,
             std::span<const std::uint32_t> sets = {});
 
-  /// The deepest that a bone was in one, share of its size, or of a millimetre where that is smaller; of a plane, of the bone's length.
+  /// The deepest that a bone was in one, share of its size, or of a millimetre where that is smaller; of a plane, of
+  /// the bone's length.
   [[nodiscard]] double worst() const { return worst_; }
   /// Where that was: a bone of the rig, and the place of a collider among those looked at. Looks are counted from 0.
   struct Where {

@@ -10,15 +10,15 @@
 
 namespace coif {
 
-/// What holds linked bones together in the reference (runtime/docs/MODEL.md, "Links"): by many small turns until all links have their
-/// lengths to rounding. Not the runtime's way, which is measured against it.
+/// What holds linked bones together in the reference (runtime/docs/MODEL.md, "Links"): by many small turns until all
+/// links have their lengths to rounding. Not the runtime's way, which is measured against it.
 class ReferenceLinks {
  public:
   /// `links` are of `bones`, whose depths do not fall.
   ReferenceLinks(std::vector<RigLink> links, std::span<const RigBone> bones);
 
-  /// Turns bones of one depth, those from `begin` to before `end`. `start_of(bone)` is the motion of what a bone hangs from. `motions`
-  /// of these bones follow, and `turned` says which were.
+  /// Turns bones of one depth, those from `begin` to before `end`. `start_of(bone)` is the motion of what a bone hangs
+  /// from. `motions` of these bones follow, and `turned` says which were.
   template <typename StartOf>
   void hold(std::size_t begin, std::size_t end, const StartOf& start_of, std::span<BoneState> states,
             std::span<BoneMotion> motions, std::span<char> turned) {

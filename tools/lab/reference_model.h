@@ -57,12 +57,14 @@ struct BoneTarget {
 [[nodiscard]] BoneTarget target_of(const RigBone& bone, const Eigen::Vector3d& unbent, const BoneMotion& parent,
                                    const HeadState& head);
 
-/// Angular velocity of a bone with this state: as its direction turns, and about it as the parent does, less the rate at
-/// which a twist between them goes back. Without twist (kShortestArc) as the shortest arc from the parent's frame turns.
+/// Angular velocity of a bone with this state: as its direction turns, and about it as the parent does, less the rate
+/// at which a twist between them goes back. Without twist (kShortestArc) as the shortest arc from the parent's frame
+/// turns.
 [[nodiscard]] Eigen::Vector3d angular_velocity_of(const RigBone& bone, const BoneMotion& parent,
                                                   const BoneState& state);
 
-/// Where the bone's limit has this direction (world, unit), in the limit's own axes, and how these are turned: world from axes.
+/// Where the bone's limit has this direction (world, unit), in the limit's own axes, and how these are turned: world
+/// from axes.
 struct BoundedBone {
   Eigen::Quaterniond axes;
   BoundedDirection at;
@@ -102,12 +104,13 @@ struct BoneContact {
 class PassiveModel;
 class ReferenceLinks;
 
-/// The bones that hang from one joint of the head, and from those whose bones are linked to them, moved by the classical
-/// Runge-Kutta method in double precision: fourth order where nothing touches, first order through contacts and links. Trees do not act on each other. Steps allocate nothing.
+/// The bones that hang from one joint of the head, and from those whose bones are linked to them, moved by the
+/// classical Runge-Kutta method in double precision: fourth order where nothing touches, first order through contacts
+/// and links. Trees do not act on each other. Steps allocate nothing.
 class ReferenceTree {
  public:
-  /// `members`: bones of the rig, roots and all that hangs from them, parents first; where bones are linked, by depth. Linked chains are
-  /// of one model, or the first one's moves all.
+  /// `members`: bones of the rig, roots and all that hangs from them, parents first; where bones are linked, by depth.
+  /// Linked chains are of one model, or the first one's moves all.
   ReferenceTree(const Rig& rig, std::vector<std::uint32_t> members, const SolverScene& scene);
   ReferenceTree(ReferenceTree&&) noexcept;
   ~ReferenceTree();
@@ -115,10 +118,11 @@ class ReferenceTree {
   /// The rest pose, moving rigidly with the head.
   void reset(const HeadState& head);
 
-  /// Free movement. Then chains of the passive model leave colliders as a whole, by the shortest way by mass. Then, from root to tip, whatever
-  /// left its limits or entered a collider is turned back the shortest way and loses the velocity that led there; limits about axes of
-  /// their own come last. Last, the passive model's velocities become the nearest by mass that stretch nothing and lead into no collider.
-  /// A bone whose parent was held keeps its own tail's velocity.
+  /// Free movement. Then chains of the passive model leave colliders as a whole, by the shortest way by mass. Then,
+  /// from root to tip, whatever left its limits or entered a collider is turned back the shortest way and loses the
+  /// velocity that led there; limits about axes of their own come last. Last, the passive model's velocities become the
+  /// nearest by mass that stretch nothing and lead into no collider. A bone whose parent was held keeps its own tail's
+  /// velocity.
   void step(const HeadStep& step);
 
   /// The head is somewhere else: the hair is carried along rigidly, and its velocities turn with it.
@@ -148,8 +152,8 @@ class ReferenceTree {
   void hold_links(std::size_t begin, std::size_t end, const HeadState& head);
   bool hold_limit(const RigBone& bone, const BoneMotion& parent, const HeadState& head, BoneState& state) const;
   bool hold_bounds(const RigBone& bone, const BoneMotion& parent, BoneState& state) const;
-  /// Turns the bone out of its colliders. The cascade's bone also loses the velocity that leads into them; of the passive model's
-  /// the contacts are added to contacts_, for keep_links().
+  /// Turns the bone out of its colliders. The cascade's bone also loses the velocity that leads into them; of the
+  /// passive model's the contacts are added to contacts_, for keep_links().
   bool hold_colliders(std::size_t i, const BoneMotion& parent, const HeadState& head);
 
   std::vector<std::uint32_t> members_;
@@ -174,8 +178,8 @@ class ReferenceTree {
   std::vector<Eigen::Vector3d> velocities_;  ///< Of the particles, before anything holds them.
 };
 
-/// What moves by itself: each root of the rig with all that hangs from it, and those that are linked to it. Bones in the rig's order, or by
-/// depth where some are linked.
+/// What moves by itself: each root of the rig with all that hangs from it, and those that are linked to it. Bones in
+/// the rig's order, or by depth where some are linked.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> trees_of(const Rig& rig);
 
 }  // namespace coif

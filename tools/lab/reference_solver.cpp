@@ -64,7 +64,8 @@ class TreeRun {
       : tree_(tree), path_(path), stops_(stops), ends_(tree.members().size()) {}
 
   /// `fineness`: how many times shorter the steps are than those of the first run, cut ones included; else two runs
-  /// could agree because they took the same steps. Ends where steps() would exceed `most_steps`: then is_over() is true.
+  /// could agree because they took the same steps. Ends where steps() would exceed `most_steps`: then is_over() is
+  /// true.
   TipPaths run(const TreeTips& tips, std::size_t samples, double coarse_rate, double fineness,
                std::uint64_t most_steps) {
     fineness_ = fineness;
@@ -173,7 +174,8 @@ void write_tree(const TreeTips& tips, std::span<const TipAgreement> agreement, c
   }
 }
 
-/// Solves one tree with shorter and shorter steps until two runs agree, and writes its part of `result`. Returns how many steps that took.
+/// Solves one tree with shorter and shorter steps until two runs agree, and writes its part of `result`. Returns how
+/// many steps that took.
 std::uint64_t solve_tree(ReferenceTree tree, const TreeTips& tips, const HeadPath& path, std::span<const Stop> stops,
                          const ReferenceSettings& settings, ReferenceRun& result) {
   const std::size_t samples = result.times.size();

@@ -16,9 +16,10 @@ struct ReferenceSettings {
   double most_steps_per_second = 11520;      ///< Of the finer of the two runs that are compared, if not more is needed.
   double wanted_self_difference_pct = 0.05;  ///< RMS over a tree of bones; finer steps are taken until it is met.
   unsigned threads = 1;
-  /// So many times the steps of its first run (first_run_work()) may one tree of bones take, over all its runs: a bound of the work that is
-  /// the same on every machine. Finer steps that would need more are not taken; a tree whose first two runs need more is not solved. The second
-  /// has twice as many steps as the first, and hair that whips round needs up to 16 times as many. 0: no bound.
+  /// So many times the steps of its first run (first_run_work()) may one tree of bones take, over all its runs: a bound
+  /// of the work that is the same on every machine. Finer steps that would need more are not taken; a tree whose first
+  /// two runs need more is not solved. The second has twice as many steps as the first, and hair that whips round needs
+  /// up to 16 times as many. 0: no bound.
   double most_work = 0;
 };
 
@@ -60,8 +61,8 @@ struct ReferenceRun {
 /// Where hair hangs under a head that stands still: the equilibrium of the model's forces.
 struct StaticPose {
   std::vector<Eigen::Vector3d> ends;  ///< Bone tails, head space, metres; the order of Rig::bones.
-  /// False where a bone, or one that it hangs from, would be inside a collider or beyond its angle limit, or is linked: the pose
-  /// then says only where it would hang without. And in the passive model, of which it says nothing.
+  /// False where a bone, or one that it hangs from, would be inside a collider or beyond its angle limit, or is linked:
+  /// the pose then says only where it would hang without. And in the passive model, of which it says nothing.
   std::vector<bool> is_free;
 };
 

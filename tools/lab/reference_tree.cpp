@@ -13,8 +13,8 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-/// A twist that goes back faster hardly shows, and would need shorter steps than everything else. Bones that never twist
-/// have no such rate.
+/// A twist that goes back faster hardly shows, and would need shorter steps than everything else. Bones that never
+/// twist have no such rate.
 constexpr double kFastestTorsion = 5000;  // 1/s
 
 /// Directions nearer than this to each other have no plane between them.
@@ -28,7 +28,8 @@ void turn_to(const Vector3d& direction, const RigBone& bone, BoneState& state) {
   state.turning = across(state.turning, direction);
 }
 
-/// A bone that never twists has the frame that its direction and its parent's frame say; whatever else turned it is gone.
+/// A bone that never twists has the frame that its direction and its parent's frame say; whatever else turned it is
+/// gone.
 void untwist(const RigBone& bone, const Quaterniond& parent_frame, BoneState& state) {
   if (never_twists(bone)) state.frame = frame_of_arc(bone, parent_frame, turned(state.frame, bone.rest_direction));
 }
@@ -43,8 +44,8 @@ BoneMotion motion_of(const RigBone& bone, const BoneMotion& parent, const BoneSt
 }
 
 /// The state of a bone whose parent was held: as if the parent's tail had been pushed evenly throughout the step. The
-/// bone's own tail goes where it freely went, but for its length and, in a cascade, for the damping, which works against the
-/// way that the default position went indeed.
+/// bone's own tail goes where it freely went, but for its length and, in a cascade, for the damping, which works
+/// against the way that the default position went indeed.
 void follow_parent(const RigBone& bone, const BoneMotion& parent, const BoneMotion& free_parent, const HeadState& head,
                    const Vector3d& direction_before, bool is_cascade, BoneState& state) {
   const Vector3d shift = (parent.end - free_parent.end) / bone.length;
@@ -60,10 +61,10 @@ void follow_parent(const RigBone& bone, const BoneMotion& parent, const BoneMoti
   turn_to(direction, bone, state);
 }
 
-/// Takes from the bone what brings the touching point, `along` metres from its start, towards a collider that moves with
-/// the head. It stops a bone and never throws it: where the start itself sinks towards the collider the bone is turned
-/// out of the way, but does not gain the speed of that. Over a short lever it would be any speed, since bones do not hold
-/// back their parents.
+/// Takes from the bone what brings the touching point, `along` metres from its start, towards a collider that moves
+/// with the head. It stops a bone and never throws it: where the start itself sinks towards the collider the bone is
+/// turned out of the way, but does not gain the speed of that. Over a short lever it would be any speed, since bones do
+/// not hold back their parents.
 void stop_inwards(const Vector3d& normal, double along, const BoneMotion& parent, const HeadState& head,
                   const RigBone& bone, BoneState& state) {
   const Vector3d direction = turned(state.frame, bone.rest_direction);
@@ -169,8 +170,8 @@ void ReferenceTree::untwist_all(const Quaterniond& head_rotation) {
   }
 }
 
-/// Passive bones leave colliders together, by the shortest way for all of their chain. A turn about its start alone would also undo what
-/// a bone turns that comes to lie on a collider from its start on.
+/// Passive bones leave colliders together, by the shortest way for all of their chain. A turn about its start alone
+/// would also undo what a bone turns that comes to lie on a collider from its start on.
 void ReferenceTree::lift(const HeadState& head) {
   constexpr int kRounds = 4;
   const Quaterniond to_head = head.rotation.conjugate();

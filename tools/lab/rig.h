@@ -70,7 +70,8 @@ struct Rig {
 /// How many bones are above each.
 [[nodiscard]] std::vector<int> depths_of(std::span<const RigBone> bones);
 
-/// The links of a part of the rig. `place`: where in it each bone of the rig is, -1 for those that are not, nor is what they are linked to.
+/// The links of a part of the rig. `place`: where in it each bone of the rig is, -1 for those that are not, nor is what
+/// they are linked to.
 [[nodiscard]] std::vector<RigLink> links_among(const Rig& rig, std::span<const int> place);
 
 /// The same bones, all moved by `model`.
@@ -85,11 +86,12 @@ struct RigSample {
   std::vector<std::uint32_t> bones;  ///< Of the whole rig: one for each bone of `rig`.
 };
 
-/// Whole trees of bones (trees_of()), evenly chosen over the head, with at most `most_bones` bones, but at least one tree: these do
-/// not act on each other, so each moves as it does among all.
+/// Whole trees of bones (trees_of()), evenly chosen over the head, with at most `most_bones` bones, but at least one
+/// tree: these do not act on each other, so each moves as it does among all.
 [[nodiscard]] RigSample sample_of(const Rig& rig, std::size_t most_bones);
 
-/// Skeleton, bones, chains and dynamics of an open asset, without names: for assets that are that hair in other circumstances.
+/// Skeleton, bones, chains and dynamics of an open asset, without names: for assets that are that hair in other
+/// circumstances.
 [[nodiscard]] AssetContents moving_part(const Asset& asset);
 
 /// The same, of bones that touch nothing.

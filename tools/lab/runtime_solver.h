@@ -35,12 +35,12 @@ class ChainSolver {
   /// The rest pose under this head, at rest.
   virtual void reset(const HeadPose& head) = 0;
 
-  /// What the hair has to keep out of besides what it knows, at the end of the coming step; see Hair::set_colliders(). False where the
-  /// solver refuses them, as most refuse any, and keeps those that it had.
+  /// What the hair has to keep out of besides what it knows, at the end of the coming step; see Hair::set_colliders().
+  /// False where the solver refuses them, as most refuse any, and keeps those that it had.
   [[nodiscard]] virtual bool set_colliders(std::span<const MovingCollider> colliders) { return colliders.empty(); }
 
-  /// Where the asset's body is at the end of the coming step, as Hair::set_body(), before the head's pose is told. False where the solver
-  /// refuses it, as all do that follow none.
+  /// Where the asset's body is at the end of the coming step, as Hair::set_body(), before the head's pose is told.
+  /// False where the solver refuses it, as all do that follow none.
   [[nodiscard]] virtual bool set_body(std::span<const BodyPose> bones) { return bones.empty(); }
 
   /// Moves the head to `head` within `dt` seconds. False where the solver refuses the input and keeps its state.
@@ -51,7 +51,8 @@ class ChainSolver {
     return step(head, dt);
   }
 
-  /// Tails of the simulated bones, head space, metres; the order of Rig::bones. May hold NaN after a step that exploded.
+  /// Tails of the simulated bones, head space, metres; the order of Rig::bones. May hold NaN after a step that
+  /// exploded.
   [[nodiscard]] virtual std::span<const Eigen::Vector3d> bone_ends() const = 0;
 };
 

@@ -8,8 +8,8 @@
 
 namespace coif {
 
-/// A clip to be carried into another program: for each key eight doubles, little-endian, seconds, position x, y, z and rotation
-/// x, y, z, w.
+/// A clip to be carried into another program: for each key eight doubles, little-endian, seconds, position x, y, z and
+/// rotation x, y, z, w.
 [[nodiscard]] std::vector<std::byte> clip_bytes(std::span<const ClipKey> keys);
 
 /// Of what clip_bytes() gave, bit for bit; empty for what is no clip that path_of() takes.

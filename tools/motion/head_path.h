@@ -56,8 +56,8 @@ struct PathBreak {
   bool jumps = false;  ///< The pose itself is another one; else only its velocity or acceleration.
 };
 
-/// How a head moves, exactly, at any time. Between its breaks a path is smooth, so that an integrator that ends its steps
-/// there keeps its order.
+/// How a head moves, exactly, at any time. Between its breaks a path is smooth, so that an integrator that ends its
+/// steps there keeps its order.
 class HeadPath {
  public:
   HeadPath() = default;
@@ -93,8 +93,8 @@ class HeadPath {
 /// Seconds in which heads are turned to an attitude, where nothing else is said.
 inline constexpr double kAttitudeSeconds = 0.8;
 
-/// Turns the head from rest, by the shortest way, until its up axis points to `up` (of any length but 0), and holds it there. Straight up
-/// there is nothing to turn by, and straight down every way is as short: forwards.
+/// Turns the head from rest, by the shortest way, until its up axis points to `up` (of any length but 0), and holds it
+/// there. Straight up there is nothing to turn by, and straight down every way is as short: forwards.
 [[nodiscard]] std::unique_ptr<HeadPath> held_attitude(const Eigen::Vector3d& up, double seconds = kAttitudeSeconds);
 
 /// Where a head is at one time of an animation. World axes.
@@ -122,8 +122,8 @@ struct HairPose {
 };
 
 /// Runs the runtime at 60 Hz: two seconds at the motion's first pose, so that gravity has sagged the hair, then the
-/// motion up to `seconds`. Without a motion (null): the sagged hair under a head at rest. An asset without dynamics keeps its
-/// rest shape. `company`, which may be null, is at its first moment while the hair sags.
+/// motion up to `seconds`. Without a motion (null): the sagged hair under a head at rest. An asset without dynamics
+/// keeps its rest shape. `company`, which may be null, is at its first moment while the hair sags.
 tl::expected<HairPose, ToolError> simulate_pose(const Asset& asset, const HeadPath* motion, double seconds,
                                                 const StepSettings& step, const Solver* solver = &kCoifSolver,
                                                 const HairCompany* company = nullptr);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Values as bytes on their way from a child process, and back. Private to the two ends of one pipe of one program, so it has no
-// version; the sender may have been taken over by what it read, so the receiver trusts no count.
+// Values as bytes on their way from a child process, and back. Private to the two ends of one pipe of one program, so
+// it has no version; the sender may have been taken over by what it read, so the receiver trusts no count.
 
 #include <cstddef>
 #include <cstdint>
@@ -42,7 +42,8 @@ class ByteEncoder {
   std::vector<std::uint8_t> bytes;
 };
 
-/// Gives them back in that order; false where there are fewer bytes than that, which leaves what is asked for as it comes.
+/// Gives them back in that order; false where there are fewer bytes than that, which leaves what is asked for as it
+/// comes.
 class ByteDecoder {
  public:
   explicit ByteDecoder(std::span<const std::uint8_t> bytes) : left_(bytes) {}

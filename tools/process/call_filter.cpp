@@ -16,7 +16,8 @@
 namespace coif {
 namespace {
 
-// What a program may ask the kernel for by this filter, as the headers of the oldest system that builds this need not name it.
+// What a program may ask the kernel for by this filter, as the headers of the oldest system that builds this need not
+// name it.
 #if defined(__x86_64__)
 constexpr std::uint32_t kArchitecture = AUDIT_ARCH_X86_64;
 constexpr std::uint32_t kOtherCalls = 0x40000000;  // Of the ABI x32, in the same process.
@@ -33,7 +34,8 @@ constexpr int kPidfdSendSignal = 424, kIoUringSetup = 425, kIoUringEnter = 426, 
               kMoveMount = 429, kFsopen = 430, kFsconfig = 431, kFsmount = 432, kFspick = 433, kPidfdOpen = 434,
               kClone3 = 435, kPidfdGetfd = 438, kProcessMadvise = 440, kMountSetattr = 442, kProcessMrelease = 448;
 
-/// Refused whatever their arguments: sockets, other programs, other processes, and what reaches into the kernel's rarer parts.
+/// Refused whatever their arguments: sockets, other programs, other processes, and what reaches into the kernel's rarer
+/// parts.
 constexpr int kRefused[] = {
     SYS_socket,
     SYS_socketpair,
@@ -168,7 +170,8 @@ Program make_program() {
     program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, std::uint32_t(number), 0, 1));
     refuse(program, EPERM);
   }
-  // Threads are no processes. The C library asks by clone() where it is told that there is no clone3(), whose flags lie in memory.
+  // Threads are no processes. The C library asks by clone() where it is told that there is no clone3(), whose flags lie
+  // in memory.
   program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, std::uint32_t(kClone3), 0, 1));
   refuse(program, ENOSYS);
   program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, std::uint32_t(SYS_clone), 0, 4));

@@ -113,8 +113,8 @@ void judge_status(int status, ChildResult& result) {
   }
 }
 
-/// A forked process that works and answers through a pipe. It is killed and waited for when this object goes early, by a
-/// limit or by an exception.
+/// A forked process that works and answers through a pipe. It is killed and waited for when this object goes early, by
+/// a limit or by an exception.
 class Child {
  public:
   /// `limits`: null for none; must outlive the object.
@@ -173,8 +173,8 @@ class Child {
   }
 
  private:
-  /// The child has closed its pipe, but need not have ended. Where it cannot be waited for (the host ignores SIGCHLD), its
-  /// answer is all there is to judge by.
+  /// The child has closed its pipe, but need not have ended. Where it cannot be waited for (the host ignores SIGCHLD),
+  /// its answer is all there is to judge by.
   void finish() {
     int status = 0;
     for (;;) {

@@ -15,8 +15,8 @@
 namespace coif {
 namespace {
 
-// Rights by the version of Landlock that knows them; asking a kernel for one that it does not know is an error. Written as
-// numbers where the headers of the oldest system that builds this lack the names.
+// Rights by the version of Landlock that knows them; asking a kernel for one that it does not know is an error. Written
+// as numbers where the headers of the oldest system that builds this lack the names.
 constexpr std::uint64_t kRightsOfVersion1 = (1u << 13) - 1;
 constexpr std::uint64_t kRefer = 1u << 13, kTruncate = 1u << 14, kDeviceControl = 1u << 15;
 constexpr std::uint64_t kBindAndConnect = 3;

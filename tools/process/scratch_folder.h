@@ -10,8 +10,9 @@
 
 namespace coif {
 
-/// An empty folder in the system's place for temporary files, which nobody else may read, and which goes with this object, or
-/// with this process, however that ends: a small process of its own waits for that and removes it. Holds files only.
+/// An empty folder in the system's place for temporary files, which nobody else may read, and which goes with this
+/// object, or with this process, however that ends: a small process of its own waits for that and removes it. Holds
+/// files only.
 class ScratchFolder {
  public:
   /// Forks: call before starting threads. Errors: kFileAccess.

@@ -6,8 +6,8 @@
 
 namespace coif {
 
-/// The base textures that a source's materials name, embedded or beside it, reduced to what a picture shows; for PictureSettings.
-/// What cannot be had is a warning of `findings`. Only those of materials that some mesh has are read.
+/// The base textures that a source's materials name, embedded or beside it, reduced to what a picture shows; for
+/// PictureSettings. What cannot be had is a warning of `findings`. Only those of materials that some mesh has are read.
 [[nodiscard]] BodyTextures read_body_textures(const SourceModel& model, Findings& findings);
 
 }  // namespace coif

@@ -105,8 +105,8 @@ struct FrameTime {
 
 inline constexpr unsigned kLeastFrames = 3;  ///< Of each way, however long they take.
 
-/// Draws frames in turns for about `seconds` (> 0), so that a machine that is slower for a while is slower for all. Each
-/// must be one that `stage` can draw.
+/// Draws frames in turns for about `seconds` (> 0), so that a machine that is slower for a while is slower for all.
+/// Each must be one that `stage` can draw.
 [[nodiscard]] std::vector<FrameTime> time_frames(CrowdStage& stage, std::span<const DrawnFrame> frames, double seconds,
                                                  unsigned least_frames = kLeastFrames);
 
@@ -118,8 +118,8 @@ struct DrawCostLeftOut {
 
 inline constexpr std::uint32_t kMostDrawnHeads = 10'000;
 
-/// Puts crowds on a stage as long as one frame of theirs does not take too long; small crowds first, since they tell what
-/// large ones would take at the least. One head is never too slow.
+/// Puts crowds on a stage as long as one frame of theirs does not take too long; small crowds first, since they tell
+/// what large ones would take at the least. One head is never too slow.
 class AffordableCrowds {
  public:
   /// `longest_frame`: seconds, with blend. `stage` and `make_crowd` must outlive this object.

@@ -46,7 +46,8 @@ bool cut(Eigen::Vector4f& from, Eigen::Vector4f& to) {
   return true;
 }
 
-/// A line as two triangles of its thickness: OpenGL ES promises lines of one pixel, which are too thin in fine pictures.
+/// A line as two triangles of its thickness: OpenGL ES promises lines of one pixel, which are too thin in fine
+/// pictures.
 void add_line(const Camera& camera, const DebugLine& line, const Eigen::Vector2f& pixel, float thickness,
               std::vector<LineVertex>& vertices) {
   const auto in_clip = [&](const double(&p)[3]) -> Eigen::Vector4f {

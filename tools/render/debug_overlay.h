@@ -36,7 +36,8 @@ class LineOverlay {
   /// kUnsupported where the driver refuses it.
   static tl::expected<LineOverlay, ToolError> create();
 
-  /// Draws `lines` over all that is in the framebuffer of this size (pixels), `thickness` pixels wide, each in its kind's colour.
+  /// Draws `lines` over all that is in the framebuffer of this size (pixels), `thickness` pixels wide, each in its
+  /// kind's colour.
   void draw(const Camera& camera, std::span<const DebugLine> lines, std::uint32_t width, std::uint32_t height,
             float thickness) const;
 

@@ -48,8 +48,8 @@ class EglContext {
 
 /// A context with the runtime's renderer in it.
 struct DrawingDevice {
-  /// `through`: what the renderer finds OpenGL's functions by, for who looks at its calls; null: the context's own. Errors:
-  /// kUnsupported where there is no context or the renderer does not start.
+  /// `through`: what the renderer finds OpenGL's functions by, for who looks at its calls; null: the context's own.
+  /// Errors: kUnsupported where there is no context or the renderer does not start.
   static tl::expected<std::unique_ptr<DrawingDevice>, ToolError> create(const RendererDesc& desc = {},
                                                                         const GlLoader* through = nullptr);
 
@@ -59,7 +59,8 @@ struct DrawingDevice {
   HairRenderer renderer;
 };
 
-/// A framebuffer with depth, four samples per pixel where the driver has them. Its objects are freed with the OpenGL context.
+/// A framebuffer with depth, four samples per pixel where the driver has them. Its objects are freed with the OpenGL
+/// context.
 class OffscreenTarget {
  public:
   enum class Pixels { kSrgb, kRadiance };
@@ -94,8 +95,8 @@ class OffscreenTarget {
 
 /// How long the device itself was busy with what it was asked for between begin() and end(), by the extension
 /// GL_EXT_disjoint_timer_query. What the extension's absence or a disturbed clock leaves unknown has no figure. One
-/// measurement at a time, and no other query of elapsed time inside it. Its query object is freed with the context, which
-/// must be current in every call.
+/// measurement at a time, and no other query of elapsed time inside it. Its query object is freed with the context,
+/// which must be current in every call.
 class GpuTimer {
  public:
   /// Looks for the extension in the current context and for its functions with `loader`, which only this call uses.
@@ -110,8 +111,8 @@ class GpuTimer {
   void end();
 
   /// Seconds, once. Never waits: nothing while the device is not done, so that a game asks again a frame later; after
-  /// glFinish it is. Nothing, now and later, where the device's clock was disturbed meanwhile (it changed its speed, say)
-  /// or did not count at all.
+  /// glFinish it is. Nothing, now and later, where the device's clock was disturbed meanwhile (it changed its speed,
+  /// say) or did not count at all.
   [[nodiscard]] std::optional<double> poll();
 
  private:

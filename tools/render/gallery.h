@@ -16,7 +16,8 @@
 
 namespace coif {
 
-/// The asset's own, or where it has none that of the thesis's first gallery; shaded by the thesis's model, whatever its own is.
+/// The asset's own, or where it has none that of the thesis's first gallery; shaded by the thesis's model, whatever its
+/// own is.
 [[nodiscard]] MaterialRecord thesis_material(const Asset& asset);
 
 /// The asset's, or thesis_material() where it has none.
@@ -73,8 +74,9 @@ struct Gallery {
 };
 
 /// What to take pictures of: 1 components apart, 2 shifts of the highlights, 3 their exponents, 4 colours, 5 motion, as
-/// moments one after the other, 6 what hair does when the head has been charging: as cooked, and by Algorithm 1, 7 what a character
-/// brings along: a hand that goes through the hair, other sizes in the same run, a pose that the hair follows.
+/// moments one after the other, 6 what hair does when the head has been charging: as cooked, and by Algorithm 1, 7 what
+/// a character brings along: a hand that goes through the hair, other sizes in the same run, a pose that the hair
+/// follows.
 [[nodiscard]] std::vector<Gallery> thesis_galleries(const Asset& asset, const GallerySettings& settings);
 
 struct GallerySheet {
@@ -82,8 +84,8 @@ struct GallerySheet {
   std::uint32_t pictures = 0;
 };
 
-/// Takes the pictures of `galleries` (not empty) in one OpenGL context and puts them on a sheet, `last` below them. `progress`
-/// hears of each one's caption before. Errors: those of PictureMaker.
+/// Takes the pictures of `galleries` (not empty) in one OpenGL context and puts them on a sheet, `last` below them.
+/// `progress` hears of each one's caption before. Errors: those of PictureMaker.
 tl::expected<GallerySheet, ToolError> draw_sheet(const Asset& asset, std::span<const Gallery> galleries,
                                                  std::uint32_t columns, std::vector<SheetSection> last,
                                                  const std::function<void(const std::string&)>& progress);
@@ -91,8 +93,8 @@ tl::expected<GallerySheet, ToolError> draw_sheet(const Asset& asset, std::span<c
 /// kUsage where a picture of a sheet is not to be so large or so small.
 tl::expected<void, ToolError> check_tile_size(std::uint32_t width, std::uint32_t height);
 
-/// Takes the pictures in one OpenGL context and puts them on a sheet. `progress` hears of each one's caption before. The
-/// same asset and driver give the same pixels. Errors: kUsage for settings out of range; those of PictureMaker.
+/// Takes the pictures in one OpenGL context and puts them on a sheet. `progress` hears of each one's caption before.
+/// The same asset and driver give the same pixels. Errors: kUsage for settings out of range; those of PictureMaker.
 tl::expected<GallerySheet, ToolError> render_gallery(const Asset& asset, const GallerySettings& settings,
                                                      const std::function<void(const std::string&)>& progress);
 

@@ -30,16 +30,16 @@ struct GroundShade {
   static constexpr std::uint32_t kSide = 192;
 };
 
-/// The ground touches the lowest vertex. It is darkest where surfaces touch it, and they count for less, and are softer, the higher they
-/// are: the share of the sky that they hide.
+/// The ground touches the lowest vertex. It is darkest where surfaces touch it, and they count for less, and are
+/// softer, the higher they are: the share of the sky that they hide.
 [[nodiscard]] GroundShade shade_below(std::span<const SolidMesh> meshes, const HeadPose& head);
 
 /// Whether a picture from there has it, of a head at `place`.
 [[nodiscard]] bool shows_ground(GroundChoice choice, const GroundShade& shade, const Camera& camera,
                                 const Eigen::Vector3d& place);
 
-/// Draws it into the bound framebuffer, over the backdrop, behind bodies that are drawn already. Its objects are freed with the OpenGL
-/// context.
+/// Draws it into the bound framebuffer, over the backdrop, behind bodies that are drawn already. Its objects are freed
+/// with the OpenGL context.
 class GroundRenderer {
  public:
   static tl::expected<GroundRenderer, ToolError> create(const GroundShade& shade);

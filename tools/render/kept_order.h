@@ -41,7 +41,8 @@ class KeptBoneOrder {
   BoneOrder order_;
 };
 
-/// RendererDesc::stream_bytes with which this asset's heads can be drawn in orders of their own, as far as there can be one.
+/// RendererDesc::stream_bytes with which this asset's heads can be drawn in orders of their own, as far as there can be
+/// one.
 [[nodiscard]] std::uint32_t stream_bytes_for(const Asset& asset);
 
 }  // namespace coif

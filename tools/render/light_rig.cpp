@@ -11,7 +11,8 @@ namespace {
 
 using RigLights = std::array<StudioLight, 3>;
 
-// Hair wants its key from high, or the highlights' bands lie on the face's side of the crown; a face wants it from one side.
+// Hair wants its key from high, or the highlights' bands lie on the face's side of the crown; a face wants it from one
+// side.
 constexpr RigLights kPortrait = {{{{-0.55f, 1.0f, 0.55f}, {1.36f, 1.29f, 1.19f}},
                                   {{0.8f, 0.05f, 0.9f}, {0.22f, 0.23f, 0.26f}},
                                   {{0.75f, 0.55f, -0.9f}, {0.85f, 0.92f, 1.10f}}}};

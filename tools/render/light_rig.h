@@ -23,8 +23,8 @@ enum class LightRig {
 /// How that light falls on bodies.
 [[nodiscard]] BodyLook rig_body_look(LightRig rig);
 
-/// "dark" (lighter in the middle), "light" (the gradient that measurements are made before), "clear" (transparent), or a
-/// colour as #rrggbb. None for other words.
+/// "dark" (lighter in the middle), "light" (the gradient that measurements are made before), "clear" (transparent), or
+/// a colour as #rrggbb. None for other words.
 [[nodiscard]] std::optional<Backdrop> find_backdrop(std::string_view word);
 
 }  // namespace coif

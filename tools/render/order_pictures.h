@@ -21,7 +21,8 @@
 
 namespace coif {
 
-/// One picture: which of the models, from where and how. The head stands at the origin, unturned, so views are in head space.
+/// One picture: which of the models, from where and how. The head stands at the origin, unturned, so views are in head
+/// space.
 struct HairShot {
   std::size_t model = 0;  ///< As OrderPictures::add() counts them.
   const TransparencyMode* transparency = &kBlendMode;
@@ -39,8 +40,8 @@ struct HairShot {
 /// studio's backdrop, over the head that its colliders outline, by the studio's lights and perspective camera.
 class OrderPictures {
  public:
-  /// `asset`: what all variants have in common, bones and colliders; not kept. Errors: kUnsupported where no EGL display with
-  /// OpenGL ES 3.0 can be had, kBadInput for an asset without a mesh.
+  /// `asset`: what all variants have in common, bones and colliders; not kept. Errors: kUnsupported where no EGL
+  /// display with OpenGL ES 3.0 can be had, kBadInput for an asset without a mesh.
   static tl::expected<std::unique_ptr<OrderPictures>, ToolError> create(const Asset& asset,
                                                                         const RendererDesc& desc = {});
   ~OrderPictures();

@@ -16,8 +16,8 @@ struct PatchChartSettings {
   std::string title;
 };
 
-/// Every patch of the finest level in a colour of its own, from six sides, with its label (one each) where it is seen and there
-/// is room for it. Errors: kUsage for a size out of range; those of PictureMaker.
+/// Every patch of the finest level in a colour of its own, from six sides, with its label (one each) where it is seen
+/// and there is room for it. Errors: kUsage for a size out of range; those of PictureMaker.
 tl::expected<GallerySheet, ToolError> render_patch_chart(const Asset& asset, std::span<const PatchLabel> labels,
                                                          const PatchChartSettings& settings,
                                                          const std::function<void(const std::string&)>& progress);

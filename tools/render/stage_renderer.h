@@ -70,7 +70,8 @@ struct BodyLook {
 /// which would hide it.
 [[nodiscard]] std::vector<SolidMesh> mannequin_meshes(std::span<const ColliderRecord> colliders);
 
-/// Colliders of the game as they are beside a head at `head`, in its space: balls and capsules, what else there is is left out.
+/// Colliders of the game as they are beside a head at `head`, in its space: balls and capsules, what else there is is
+/// left out.
 [[nodiscard]] std::vector<SolidMesh> moving_meshes(std::span<const MovingCollider> colliders, const HeadPose& head);
 
 /// How a body that stays where it is follows its head's turning.
@@ -79,9 +80,9 @@ struct BodyTurn {
   Quat turn{};            ///< Of the head, world.
 };
 
-/// A mesh of the source model; `head_joint` as in the asset's skeleton. A mesh without normals gets smooth ones. What follows
-/// the head bone or one below it turns, what follows the neck above it turns half as far, the rest stays: drawn under the
-/// head's pose, it is turned back here.
+/// A mesh of the source model; `head_joint` as in the asset's skeleton. A mesh without normals gets smooth ones. What
+/// follows the head bone or one below it turns, what follows the neck above it turns half as far, the rest stays: drawn
+/// under the head's pose, it is turned back here.
 [[nodiscard]] SolidMesh body_mesh(const SourceModel& model, const SourceMesh& mesh, const Eigen::Vector3f& head_joint,
                                   const BodyTurn& pose = {});
 
@@ -146,8 +147,8 @@ class StageRenderer {
   BodyLook look_;
 };
 
-/// The ball around heads at these places (world, metres) of which each has these points (from its place); neither may be
-/// empty. With room for hair that swings.
+/// The ball around heads at these places (world, metres) of which each has these points (from its place); neither may
+/// be empty. With room for hair that swings.
 [[nodiscard]] ShadowBall ball_around(std::span<const Eigen::Vector3d> points, std::span<const Eigen::Vector3d> places);
 
 /// The key light's shadow in a picture: of hair and bodies, on both. The context must be current as long as it lives.

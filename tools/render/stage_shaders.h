@@ -50,9 +50,9 @@ inline constexpr char kStagePreamble[] = "#version 300 es\nprecision highp float
 
 inline constexpr char kBodyWithoutShadow[] = "float key_light(vec3 place, vec3 n, float cosine) { return 1.0; }\n";
 
-// A surface is looked up a little above itself: light that grazes it would find it in shadow. Where it turns away it is its
-// own shadow, whose edge in the map has the steps of texels: it fades before. It is looked up all over a disc (Vogel 1979, "A better way to
-// construct the sunflower head"): a lock of a fringe would draw its outline on the cheek.
+// A surface is looked up a little above itself: light that grazes it would find it in shadow. Where it turns away it is
+// its own shadow, whose edge in the map has the steps of texels: it fades before. It is looked up all over a disc
+// (Vogel 1979, "A better way to construct the sunflower head"): a lock of a fringe would draw its outline on the cheek.
 inline constexpr char kBodyWithShadow[] = R"glsl(
 uniform mat4 map_from_world;
 uniform vec4 shadow_depth;
@@ -76,7 +76,8 @@ float key_light(vec3 place, vec3 n, float cosine) {
 }
 )glsl";
 
-// Matte, and what a smooth surface mirrors: Blinn and Phong's highlight with Schlick's approximation of Fresnel's share.
+// Matte, and what a smooth surface mirrors: Blinn and Phong's highlight with Schlick's approximation of Fresnel's
+// share.
 inline constexpr char kBodyFragment[] = R"glsl(
 uniform sampler2D base;
 uniform vec3 color;

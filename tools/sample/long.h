@@ -18,18 +18,19 @@ namespace coif::sample {
 [[nodiscard]] Eigen::Vector3d direction_on_curve(const Eigen::Vector3d& from, const Eigen::Vector3d& control,
                                                  const Eigen::Vector3d& to, double t);
 
-/// The point, moved along `normal` where it is nearer than `clearance` (metres) to the surface: keeps hair that hangs over
-/// cheeks, neck and shoulders outside of them.
+/// The point, moved along `normal` where it is nearer than `clearance` (metres) to the surface: keeps hair that hangs
+/// over cheeks, neck and shoulders outside of them.
 [[nodiscard]] Eigen::Vector3d pushed_clear(Eigen::Vector3d point, double clearance, const Field& distance,
                                            const Gradient& normal);
 
 // Where the locks of the long hair start, and how they run down the head and hang.
 
-/// One lock's middle line. Angles in degrees around the head: 0 at the face, +90 at the model's left (+X), 180 at the back.
+/// One lock's middle line. Angles in degrees around the head: 0 at the face, +90 at the model's left (+X), 180 at the
+/// back.
 struct LockCourse {
   double azimuth = 180;  ///< Where it passes the skull's widest line, 0..360.
-  /// Share of the way from the centre parting to that line at which the root is; above 1 the root is below the line, by a
-  /// right angle more for each whole.
+  /// Share of the way from the centre parting to that line at which the root is; above 1 the root is below the line, by
+  /// a right angle more for each whole.
   double start = 0;
   double lift = 0.01;        ///< Metres above the skull once away from the root.
   double tip_height = 0.98;  ///< Model Y of the tip, metres.
@@ -64,8 +65,8 @@ inline constexpr int kBonesPerLock = 16;
 /// start where locks leave the skull.
 [[nodiscard]] std::vector<Joint> make_long_skeleton(std::span<const Lock> locks);
 
-/// Weights of a point on hair between the locks `a` and `b`, on the two bones of each that are nearest along them. `along`
-/// 0..1 is the place on the chains: below 0 hair is on the scalp. `share_b` 0..1.
+/// Weights of a point on hair between the locks `a` and `b`, on the two bones of each that are nearest along them.
+/// `along` 0..1 is the place on the chains: below 0 hair is on the scalp. `share_b` 0..1.
 [[nodiscard]] SkinInfluences lock_influences(std::span<const Lock> locks, int a, int b, double share_b, double along);
 
 /// The hair: for each lock a broad strip on it, and one above that bridges the gap to the next lock of its row. 20000

@@ -8,9 +8,10 @@
 
 namespace coif::sample {
 
-// The portrait's bust as a signed distance field. Its proportions are those that drawing is taught by: eyes at half the head's
-// height, a fifth of its width each and as far apart; brow, nose and chin a third of the face below each other; the mouth a third
-// from nose to chin. Source: Loomis, "Drawing the Head and Hands", 1956. Model space, metres, face towards +Z.
+// The portrait's bust as a signed distance field. Its proportions are those that drawing is taught by: eyes at half the
+// head's height, a fifth of its width each and as far apart; brow, nose and chin a third of the face below each other;
+// the mouth a third from nose to chin. Source: Loomis, "Drawing the Head and Hands", 1956. Model space, metres, face
+// towards +Z.
 
 inline constexpr double kCrown = 1.720, kChin = 1.488;
 inline constexpr double kEyeLine = 1.6060;
@@ -23,7 +24,8 @@ inline const Eigen::Vector3d kEyeRadii{0.0186, 0.0166, 0.0164};     ///< Broader
 
 inline constexpr double kOpeningMiddle = 0.0318, kOpeningHalf = 0.0172;  ///< Of the left eye's lids, X.
 
-/// The opening between the lids of the left eye, in the plane of the face: Y of both edges at x, which meet in the corners.
+/// The opening between the lids of the left eye, in the plane of the face: Y of both edges at x, which meet in the
+/// corners.
 struct LidEdges {
   double upper, lower;
   double across;  ///< -1 at the inner corner, 1 at the outer; beyond them there is no opening.

@@ -82,8 +82,8 @@ struct StripStyle {
 /// A point of a strip: `across` -1..1, `along` 0 root .. 1 tip, and a little beyond.
 using StripSurface = std::function<Eigen::Vector3d(double across, double along)>;
 
-/// Appends a grid of quads with its own vertices and normals outwards, U across, V 0 at the root and 1 at the tip. Each row of
-/// vertices lies at one of `places` along the strip, ascending.
+/// Appends a grid of quads with its own vertices and normals outwards, U across, V 0 at the root and 1 at the tip. Each
+/// row of vertices lies at one of `places` along the strip, ascending.
 void append_grid(int columns, std::span<const double> places, const TextureWindow& window, const StripSurface& surface,
                  SurfaceMesh& mesh);
 

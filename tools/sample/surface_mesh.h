@@ -34,8 +34,8 @@ struct SurfaceMesh {
   std::vector<std::uint32_t> triangles;  ///< Three indices each, counter-clockwise seen from outside.
 };
 
-/// Weights of up to four joints, of which any may have none and one may come twice, rounded to 1/256 such that they add up to
-/// exactly one. No joint comes twice in the result; of those that were given once the largest come first.
+/// Weights of up to four joints, of which any may have none and one may come twice, rounded to 1/256 such that they add
+/// up to exactly one. No joint comes twice in the result; of those that were given once the largest come first.
 [[nodiscard]] SkinInfluences rounded_influences(std::array<std::pair<int, double>, 4> shares);
 
 }  // namespace coif::sample

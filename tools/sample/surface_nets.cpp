@@ -66,8 +66,8 @@ class SurfaceNets {
     mesh_.positions.push_back(sum / cuts);
   }
 
-  /// A quad around each of the three edges that start at the box's lowest corner and cross the surface. An edge on the grid's own
-  /// side has no box behind it: there the surface ends.
+  /// A quad around each of the three edges that start at the box's lowest corner and cross the surface. An edge on the
+  /// grid's own side has no box behind it: there the surface ends.
   void connect(const Vector3i& box) {
     for (int axis = 0; axis < 3; ++axis) {
       const Vector3i side_a = Vector3i::Unit((axis + 1) % 3), side_b = Vector3i::Unit((axis + 2) % 3);

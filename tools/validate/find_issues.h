@@ -29,8 +29,8 @@ namespace coif {
 /// What a cook warned of.
 [[nodiscard]] Issues cook_issues(const Findings& findings);
 
-/// What a cook of an imported source would stop at or warn of, as far as its first passes tell: which triangles are hair,
-/// whether they fall into strips, and whether unit and up axis of the file are the model's.
+/// What a cook of an imported source would stop at or warn of, as far as its first passes tell: which triangles are
+/// hair, whether they fall into strips, and whether unit and up axis of the file are the model's.
 [[nodiscard]] Issues find_source_issues(const SourceModel& imported, const Recipe& recipe);
 
 /// All that `cooked`, a cook of that source, stopped at or warned of, and what is worth knowing of the source.

@@ -15,7 +15,8 @@ namespace coif {
 
 enum class Severity { kInfo, kWarning, kError };
 
-/// One finding about a source or an asset. Codes are stable: a build may let some pass by number. issue_codes.h holds all.
+/// One finding about a source or an asset. Codes are stable: a build may let some pass by number. issue_codes.h holds
+/// all.
 struct Issue {
   std::string code;
   Severity severity = Severity::kError;

@@ -181,8 +181,8 @@ const BoneRecord* mover_of(const Asset& asset, const SkinRecord& skin) {
   return nullptr;
 }
 
-/// From a place to the segment that the bone is at rest, metres. Rest directions are in the parent's frame, which at rest
-/// has the axes of head space.
+/// From a place to the segment that the bone is at rest, metres. Rest directions are in the parent's frame, which at
+/// rest has the axes of head space.
 float distance(const Vector3f& at, const BoneRecord& bone) {
   const Vector3f from = at - Vector3f(bone.joint);
   const Vector3f direction(bone.rest_direction);

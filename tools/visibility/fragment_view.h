@@ -47,10 +47,10 @@ struct Fragment {
 
 struct PlacedFragment;
 
-/// All fragments of the hair along each line of a grid, nearest first, those that nothing could see included unless the grid
-/// says otherwise: a software
-/// A-buffer (Carpenter 1984, "The A-buffer, an antialiased hidden surface method"). The same bits on every machine and for
-/// every number of views made at a time; fragments at equal depth are in the order of their triangles.
+/// All fragments of the hair along each line of a grid, nearest first, those that nothing could see included unless the
+/// grid says otherwise: a software A-buffer (Carpenter 1984, "The A-buffer, an antialiased hidden surface method"). The
+/// same bits on every machine and for every number of views made at a time; fragments at equal depth are in the order
+/// of their triangles.
 ///
 /// For one-sided hair back faces are not there.
 class FragmentView {
@@ -76,9 +76,9 @@ class FragmentView {
   /// A point of a line, head space.
   [[nodiscard]] Eigen::Vector3f place(std::size_t line, float depth) const { return frame_.place(line, depth); }
 
-  /// Share of the light from the eye's side that reaches a point, by the line nearest to it: the product of 1 - alpha of
-  /// all fragments more than `margin` metres nearer to the eye than the point, 0 behind the head, 1 outside the grid. A point
-  /// of the hair itself wants a margin, or its own card shades it.
+  /// Share of the light from the eye's side that reaches a point, by the line nearest to it: the product of 1 - alpha
+  /// of all fragments more than `margin` metres nearer to the eye than the point, 0 behind the head, 1 outside the
+  /// grid. A point of the hair itself wants a margin, or its own card shades it.
   [[nodiscard]] float transmittance(const Eigen::Vector3f& point, float margin) const;
 
  private:
@@ -98,9 +98,9 @@ struct Layer {
   std::uint32_t is_front : 1 = 0;
 };
 
-/// Lines of one view on which the order of drawing can matter, each with its layers, nearest first: what the head hides is
-/// cut off, and so is what is behind a layer of at least the view's solid_alpha, or less than a thousandth of the light comes
-/// from.
+/// Lines of one view on which the order of drawing can matter, each with its layers, nearest first: what the head hides
+/// is cut off, and so is what is behind a layer of at least the view's solid_alpha, or less than a thousandth of the
+/// light comes from.
 struct SightLines {
   SightLines() = default;
   SightLines(const FragmentView& view, float solid_alpha);

@@ -47,10 +47,10 @@ struct ViewLight {
 using ViewLights = std::array<ViewLight, kStudioLights.size()>;
 [[nodiscard]] ViewLights lights_in(const ViewAxes& view);
 
-/// Hair and head in the light of the tools' pictures (base/studio.h): what colours the layers of a pixel have, for judging
-/// how much it matters which of them is seen. Wrapped diffuse light, both highlights of the thesis, and the ambient term, as
-/// shaders/shading.glsl has them for kThesis; other models' highlights are left out. Light falls as at rest, and highlights are
-/// where they would be without the texture that moves them.
+/// Hair and head in the light of the tools' pictures (base/studio.h): what colours the layers of a pixel have, for
+/// judging how much it matters which of them is seen. Wrapped diffuse light, both highlights of the thesis, and the
+/// ambient term, as shaders/shading.glsl has them for kThesis; other models' highlights are left out. Light falls as at
+/// rest, and highlights are where they would be without the texture that moves them.
 class HairLight {
  public:
   explicit HairLight(const Asset& asset);  ///< One with a mesh; keeps nothing of it.

@@ -24,8 +24,8 @@ constexpr auto kAlphaOf = [] {
   return alpha;
 }();
 
-/// A texture coordinate within its turn: less its floor, but without std::floor(), which is a call where a processor need not have an
-/// instruction for it.
+/// A texture coordinate within its turn: less its floor, but without std::floor(), which is a call where a processor
+/// need not have an instruction for it.
 float within_turn(float value) {
   constexpr float kAllWhole = 1 << kFloatDigits;
   if (!(std::abs(value) < kAllWhole)) return 0;

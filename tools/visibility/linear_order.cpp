@@ -33,8 +33,8 @@ UnitLists<Opinion> opinions_of(std::span<const Vote> votes, std::size_t units) {
           }};
 }
 
-/// An order that units move in without those between them being touched: a list in which each has a number that rises along it
-/// (Dietz and Sleator 1987, "Two algorithms for maintaining order in a list", in its simplest form).
+/// An order that units move in without those between them being touched: a list in which each has a number that rises
+/// along it (Dietz and Sleator 1987, "Two algorithms for maintaining order in a list", in its simplest form).
 class MovingOrder {
  public:
   /// `units`: how many numbers there are of units.
@@ -133,8 +133,8 @@ class InsertionSearch {
     float gain;  ///< Of going past the other from where the unit is.
   };
 
-  /// Puts the unit where it loses least; false where it is there. Then it stays there until one moves that it has an opinion on: where
-  /// all others are does not matter.
+  /// Puts the unit where it loses least; false where it is there. Then it stays there until one moves that it has an
+  /// opinion on: where all others are does not matter.
   bool settle(std::uint32_t unit) {
     const std::uint32_t here = order_.place(unit);
     find_steps(unit);
@@ -157,7 +157,8 @@ class InsertionSearch {
     return true;
   }
 
-  /// Those that a best move may take: on either side no further than the last one that gains. Mostly there are none, or few.
+  /// Those that a best move may take: on either side no further than the last one that gains. Mostly there are none, or
+  /// few.
   void find_steps(std::uint32_t unit) {
     const std::uint32_t here = order_.place(unit);
     std::uint32_t first = here, last = here;

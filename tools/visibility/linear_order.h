@@ -24,10 +24,10 @@ using UnitOrder = std::vector<std::uint32_t>;
 /// The same, from each unit's place (places_in()), for many votes on one order.
 [[nodiscard]] double votes_against_places(std::span<const Vote> votes, std::span<const std::uint32_t> place);
 
-/// The units `order` has, in an order that loses no more than that one does: each unit is taken out and put back where it loses
-/// least, until no move helps (insertion neighbourhood, Laguna, Marti and Campos 1999, "Intensification and diversification
-/// with elite tabu search solutions for the linear ordering problem"). A sweep costs the number of votes. Those on units that the order does
-/// not have do not count.
+/// The units `order` has, in an order that loses no more than that one does: each unit is taken out and put back where
+/// it loses least, until no move helps (insertion neighbourhood, Laguna, Marti and Campos 1999, "Intensification and
+/// diversification with elite tabu search solutions for the linear ordering problem"). A sweep costs the number of
+/// votes. Those on units that the order does not have do not count.
 [[nodiscard]] UnitOrder improve_order(std::span<const Vote> votes, UnitOrder order);
 
 /// Units by what votes say of each in sum: those that others want before them come late. A start for improve_order().
@@ -45,25 +45,27 @@ struct CellOrders {
   [[nodiscard]] std::vector<Vote> votes_on(std::size_t order, const CellVotes& cells, unsigned threads = 1) const;
 };
 
-/// At most `count` orders for all cells, of the units that `start` has. The cells whose own order would save most of all cells'
-/// lost votes found the clusters; then cells go to the order that loses least of their votes and orders are improved for their
-/// cells, until neither changes anything (Lloyd's iteration, with votes for distances). Never loses more votes than `start`
-/// does; the same for every number of threads.
+/// At most `count` orders for all cells, of the units that `start` has. The cells whose own order would save most of
+/// all cells' lost votes found the clusters; then cells go to the order that loses least of their votes and orders are
+/// improved for their cells, until neither changes anything (Lloyd's iteration, with votes for distances). Never loses
+/// more votes than `start` does; the same for every number of threads.
 [[nodiscard]] CellOrders cluster_orders(const CellVotes& cells, const UnitOrder& start, std::size_t count,
                                         unsigned threads);
 
 /// The second half of that alone, from the orders of `found`, which other votes led to.
 [[nodiscard]] CellOrders refine_clusters(const CellVotes& cells, CellOrders found, unsigned threads);
 
-/// Each order found once more for the votes of its cells, from its triangles as they lie along the mean of the cells' directions, the
-/// furthest first; then as refine_clusters(). Pairs of triangles that no vote was seen for end in the order of their depth, which
-/// is mostly right, and fewer votes are lost as well than from an order of whole patches. `positions` of all vertices.
+/// Each order found once more for the votes of its cells, from its triangles as they lie along the mean of the cells'
+/// directions, the furthest first; then as refine_clusters(). Pairs of triangles that no vote was seen for end in the
+/// order of their depth, which is mostly right, and fewer votes are lost as well than from an order of whole patches.
+/// `positions` of all vertices.
 [[nodiscard]] CellOrders refine_from_depth(const HairSurface& hair, std::span<const Eigen::Vector3f> positions,
                                            const CellVotes& cells, CellOrders found, unsigned threads);
 
-/// Triangles of `order` in an order that shares vertices between neighbours as far as the votes allow: two triangles that have
-/// a vote on each other stay in the order they have, all others may move. What no vote was seen for moves too, so judge the
-/// result. Greedy: of the triangles that nothing holds back, the one with most vertices among the last few that were shaded.
+/// Triangles of `order` in an order that shares vertices between neighbours as far as the votes allow: two triangles
+/// that have a vote on each other stay in the order they have, all others may move. What no vote was seen for moves
+/// too, so judge the result. Greedy: of the triangles that nothing holds back, the one with most vertices among the
+/// last few that were shaded.
 [[nodiscard]] UnitOrder order_for_cache(const HairSurface& hair, std::span<const Vote> votes, const UnitOrder& order);
 
 }  // namespace coif

@@ -129,8 +129,8 @@ std::size_t count_of(VoteLists lists) {
   return count;
 }
 
-/// First units that cut all votes into parts of about so many, as their places in the longest list tell: each part's lowest, and one
-/// above all.
+/// First units that cut all votes into parts of about so many, as their places in the longest list tell: each part's
+/// lowest, and one above all.
 std::vector<std::uint32_t> part_bounds(VoteLists lists) {
   const auto longest = std::ranges::max(lists, {}, [](const auto& votes) { return votes.size(); });
   const std::size_t parts = count_of(lists) / kVotesOfPart + 1;

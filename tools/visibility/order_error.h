@@ -19,18 +19,19 @@ struct DrawRule {
 /// PSNR of a picture with this squared error, summed over so many pixels; at most 99.
 [[nodiscard]] double psnr_db(double squared_error, std::size_t pixels);
 
-/// That unit `first` is drawn before unit `second` rather than after it, with the squared error that this saves; first <
-/// second, and negative weights speak for the other way round.
+/// That unit `first` is drawn before unit `second` rather than after it, with the squared error that this saves; first
+/// < second, and negative weights speak for the other way round.
 struct Vote {
   std::uint32_t first = 0;
   std::uint32_t second = 0;
   float weight = 0;
 };
 
-/// What a view wants of an order of units (patches, or parts of them). For each two blended layers on a line, the further one
-/// should come first, by the square of what the pixel loses where only these two are swapped: both alphas times the light
-/// that reaches the further one past all others. Pairs that no order can change do not vote: of one unit, with a solid
-/// layer between or before them, or where faces are drawn apart one of each face. Sorted by units, one vote per pair.
+/// What a view wants of an order of units (patches, or parts of them). For each two blended layers on a line, the
+/// further one should come first, by the square of what the pixel loses where only these two are swapped: both alphas
+/// times the light that reaches the further one past all others. Pairs that no order can change do not vote: of one
+/// unit, with a solid layer between or before them, or where faces are drawn apart one of each face. Sorted by units,
+/// one vote per pair.
 [[nodiscard]] std::vector<Vote> votes_of(const SightLines& lines, std::span<const std::uint32_t> unit_of_triangle,
                                          const DrawRule& rule);
 

@@ -20,8 +20,8 @@ struct OrderQuality {
   double blended = 0;  ///< Layers per pixel that are blended: what drawing costs.
 };
 
-/// The hair from sides that no order is found from. What takes long to see is seen once, and judged with any threshold and the
-/// mips that belong to it.
+/// The hair from sides that no order is found from. What takes long to see is seen once, and judged with any threshold
+/// and the mips that belong to it.
 class JudgedHair {
  public:
   /// `settings`: its solid_alpha does not matter.

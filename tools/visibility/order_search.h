@@ -42,25 +42,26 @@ struct FoundOrders {
 [[nodiscard]] JudgedHair judged_hair(const SeenHair& hair, std::span<const HairPositions> poses,
                                      const OrderSearchSettings& settings);
 
-/// Looks for better orders than `by_head_distance`, which has all patches. `poses`: the first at rest. Orders that are judged
-/// worse than that one are never given back. `judged`: the same hair, whatever its mips' alpha.
+/// Looks for better orders than `by_head_distance`, which has all patches. `poses`: the first at rest. Orders that are
+/// judged worse than that one are never given back. `judged`: the same hair, whatever its mips' alpha.
 ///
 /// Layers vote (votes_of()), orders are improved until no single move helps, cells of directions share a few orders of
-/// triangles (cluster_orders()); all are judged by views of their own. Source of the idea: Chen, Sander, Nehab, Yang and
-/// Hu 2012, "Depth-presorted triangle lists", here for blending, with alphas for weights.
+/// triangles (cluster_orders()); all are judged by views of their own. Source of the idea: Chen, Sander, Nehab, Yang
+/// and Hu 2012, "Depth-presorted triangle lists", here for blending, with alphas for weights.
 [[nodiscard]] FoundOrders search_orders(const HairSurface& hair, const JudgedHair& judged,
                                         std::span<const HairPositions> poses, const UnitOrder& by_head_distance,
                                         const OrderSearchSettings& settings);
 
-/// The same from where a search with fewer views got to, with its faces and no more orders than it found: most of a search's
-/// time goes into finding which directions belong together, and few views tell that as well. `seen`: votes of the same hair in its
-/// first pose, along as many lines, that need not be found again.
+/// The same from where a search with fewer views got to, with its faces and no more orders than it found: most of a
+/// search's time goes into finding which directions belong together, and few views tell that as well. `seen`: votes of
+/// the same hair in its first pose, along as many lines, that need not be found again.
 [[nodiscard]] FoundOrders refine_orders(const HairSurface& hair, const JudgedHair& judged,
                                         std::span<const HairPositions> poses, const UnitOrder& by_head_distance,
                                         const FoundOrders& found, const OrderSearchSettings& settings,
                                         const RestVotes& seen = {});
 
-/// Of the squared error of pictures in orders by direction, found with any threshold, the share that the best order would not have.
+/// Of the squared error of pictures in orders by direction, found with any threshold, the share that the best order
+/// would not have.
 [[nodiscard]] double share_of_order(const HairSurface& hair, const JudgedHair& judged, const FoundOrders& orders,
                                     const OrderSearchSettings& settings);
 

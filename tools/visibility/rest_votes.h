@@ -11,7 +11,8 @@
 
 namespace coif {
 
-/// What some views of the hair at rest want of its triangles, drawn by one rule: for who would look along the same lines again.
+/// What some views of the hair at rest want of its triangles, drawn by one rule: for who would look along the same
+/// lines again.
 class RestVotes {
  public:
   RestVotes() = default;

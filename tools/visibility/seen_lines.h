@@ -20,7 +20,8 @@ struct SeenLayer {
   std::uint32_t is_front : 1 = 0;
 };
 
-/// Pixels of one view in which hair is seen, each with its layers, nearest first: all that any way to draw them may show.
+/// Pixels of one view in which hair is seen, each with its layers, nearest first: all that any way to draw them may
+/// show.
 struct SeenLines {
   [[nodiscard]] std::size_t size() const { return behind.size(); }
   [[nodiscard]] std::span<const SeenLayer> line(std::size_t index) const {
@@ -39,7 +40,8 @@ struct SeenHair {
   HairLight light;
 };
 
-/// Where a line meets the hair, with all that a picture may show of it but the alpha, which depends on the texture's mips.
+/// Where a line meets the hair, with all that a picture may show of it but the alpha, which depends on the texture's
+/// mips.
 struct SeenHit {
   Eigen::Array3f color;  ///< Linear, lit.
   Eigen::Vector2f uv;
@@ -48,17 +50,17 @@ struct SeenHit {
   std::uint32_t is_front : 1 = 0;
 };
 
-/// Pixels of one view in which hair may be seen, each with its hits, nearest first: what takes long to find, and is the same
-/// whatever the mips' alpha and the threshold.
+/// Pixels of one view in which hair may be seen, each with its hits, nearest first: what takes long to find, and is the
+/// same whatever the mips' alpha and the threshold.
 struct SeenHits {
   std::vector<std::uint32_t> begin = {0};  ///< Per line and one more: its first hit.
   std::vector<SeenHit> hits;
   std::vector<Eigen::Array3f> behind;  ///< As SeenLines.
 };
 
-/// Looks at the hair at `positions` as from `towards_eye`, along lines so many metres apart, mips as in a picture that the
-/// hair fills with 160 pixels, which is what `coif report order` takes. What so many layers lie before that it is hidden
-/// whatever the mips are made to hide is left out.
+/// Looks at the hair at `positions` as from `towards_eye`, along lines so many metres apart, mips as in a picture that
+/// the hair fills with 160 pixels, which is what `coif report order` takes. What so many layers lie before that it is
+/// hidden whatever the mips are made to hide is left out.
 [[nodiscard]] SeenHits see_hits(const SeenHair& hair, std::span<const Eigen::Vector3f> positions,
                                 const Eigen::Vector3f& towards_eye, float spacing);
 
@@ -73,13 +75,13 @@ struct SeenHits {
 /// Spread of colours that a picture in the tools' light does not show but another light would, RMS, of 1.
 inline constexpr double kOtherLightSpread = 0.01;
 
-/// Squared difference (of encoded channels, 0..1, mean of the three), as a sum over lines, between the picture in which every
-/// pixel is sorted by depth and every alpha counts as it is, and that drawn by the rule. `rank`: of each triangle, lower ones
-/// drawn first; empty: all layers sorted by depth, the best that any order could do.
+/// Squared difference (of encoded channels, 0..1, mean of the three), as a sum over lines, between the picture in which
+/// every pixel is sorted by depth and every alpha counts as it is, and that drawn by the rule. `rank`: of each
+/// triangle, lower ones drawn first; empty: all layers sorted by depth, the best that any order could do.
 [[nodiscard]] double picture_error(const SeenLines& lines, std::span<const std::uint32_t> rank, const DrawRule& rule);
 
-/// What drawing a view's lines by the rule costs, in blended layers per line: each of those, and all behind a solid one that
-/// the depth test spares count nothing.
+/// What drawing a view's lines by the rule costs, in blended layers per line: each of those, and all behind a solid one
+/// that the depth test spares count nothing.
 [[nodiscard]] double blended_layers(const SeenLines& lines, const DrawRule& rule);
 
 }  // namespace coif

@@ -8,8 +8,8 @@
 namespace coif {
 namespace {
 
-/// Corners are put on a grid this much finer than that of the lines, so that edges are whole numbers: two triangles of a card
-/// never both have a line, nor do both miss it.
+/// Corners are put on a grid this much finer than that of the lines, so that edges are whole numbers: two triangles of
+/// a card never both have a line, nor do both miss it.
 constexpr std::uint32_t kStepBits = 8;
 constexpr std::int32_t kSteps = 1 << kStepBits;
 constexpr double kMostSteps = 1 << 30;
@@ -84,7 +84,8 @@ std::int64_t TriangleRaster::edge(const Corner& a, const Corner& b, std::int64_t
   return std::int64_t(b.x - a.x) * (y - a.y) - std::int64_t(b.y - a.y) * (x - a.x);
 }
 
-/// A line on the edge itself belongs to one of the two triangles that share it: the edge runs the other way in the other.
+/// A line on the edge itself belongs to one of the two triangles that share it: the edge runs the other way in the
+/// other.
 bool TriangleRaster::owns_edge(const Corner& a, const Corner& b) { return b.y != a.y ? b.y > a.y : b.x < a.x; }
 
 /// Those with lines in their boxes: of fine hair most have none.
@@ -109,7 +110,8 @@ std::vector<TriangleRaster::Met> TriangleRaster::met_triangles() const {
   return met;
 }
 
-/// So that what is solid comes before most of what it hides: in slices, each in stored order, in which neighbours share memory.
+/// So that what is solid comes before most of what it hides: in slices, each in stored order, in which neighbours share
+/// memory.
 std::vector<TriangleRaster::Met> TriangleRaster::near_to_far(const std::vector<Met>& met) const {
   constexpr std::uint32_t kSlices = 64;
   const float low = projected_.low.z(), high = projected_.high.z();
@@ -216,8 +218,8 @@ void TriangleRaster::visit_lines(const Met& box) {
   for (std::size_t i = 0; i < inside_count_; ++i) visit(inside_[i].line, inside_[i].areas);
 }
 
-/// Most triangles have some lines in their boxes and fewer inside, of which no branch foretells where they begin: all are written
-/// down, and those inside kept.
+/// Most triangles have some lines in their boxes and fewer inside, of which no branch foretells where they begin: all
+/// are written down, and those inside kept.
 void TriangleRaster::note_row(std::size_t line, std::size_t columns, Areas at, const Areas& by_column) {
   std::size_t count = inside_count_;
   for (std::size_t column = 0; column < columns; ++column) {
@@ -238,7 +240,8 @@ void TriangleRaster::visit_row(std::size_t line, std::size_t columns, Areas at, 
   for (; column < columns && (at[0] | at[1] | at[2]) >= 0; go_on()) visit(line + column, at);
 }
 
-/// A line that meets the triangle. `inside`: twice the areas that it makes with the edges, less 1 with those that are not owned.
+/// A line that meets the triangle. `inside`: twice the areas that it makes with the edges, less 1 with those that are
+/// not owned.
 void TriangleRaster::visit(std::size_t line, const Areas& inside) {
   float& covered = covered_from(line);
   if (nearest_ > covered) return;

@@ -39,8 +39,8 @@ SightLines::SightLines(const FragmentView& view, float solid_alpha) {
 
 namespace {
 
-/// Steps of the additive sequence that fills a square most evenly. Source: Roberts 2018, "The unreasonable effectiveness of
-/// quasirandom sequences".
+/// Steps of the additive sequence that fills a square most evenly. Source: Roberts 2018, "The unreasonable
+/// effectiveness of quasirandom sequences".
 constexpr double kStepX = 0.7548776662466927, kStepY = 0.5698402909980532;
 
 /// Area that the hair covers in a picture, on average over all directions: a quarter of both sides' of a convex body

@@ -8,7 +8,8 @@ namespace coif {
 /// Back faces are drawn too. Without it only the side that the triangles wind around counter-clockwise is seen.
 inline constexpr std::uint32_t kMaterialDoubleSided = 1u << 0;
 
-/// What is blended is drawn in one go, both faces in the order of the triangles; without it back faces come before front faces.
+/// What is blended is drawn in one go, both faces in the order of the triangles; without it back faces come before
+/// front faces.
 inline constexpr std::uint32_t kMaterialFacesTogether = 1u << 1;
 
 inline constexpr std::uint32_t kMaterialFlags = kMaterialDoubleSided | kMaterialFacesTogether;
@@ -42,7 +43,8 @@ struct MaterialRecord {
   std::uint32_t flags;
   ShadingModel shading;
   float tilt;  ///< kMarschner: of the fibre's scales towards the tip, radians, -kMostTilt..kMostTilt.
-  /// kMarschner: width of the first highlight along the strand, radians, kLeastRoughness..kMostRoughness; 0 fits others.
+  /// kMarschner: width of the first highlight along the strand, radians, kLeastRoughness..kMostRoughness; 0 fits
+  /// others.
   float roughness;
   float scatter;    ///< kMarschner: share of the light let through that other strands scatter before it is seen, 0..1.
   float light_cut;  ///< Share of what lights add that is taken away, 0 (as published) .. 1.
@@ -64,10 +66,12 @@ static_assert(sizeof(MaterialRecord) == 112);
 enum class TextureRole : std::uint32_t {
   kBaseColor = 0,
   kShiftMask = 1,  ///< Red: shift, green: mask.
-  /// Red and green: the unit normal's part along the directions in which U and V grow on the surface, as two_sided() has it.
+  /// Red and green: the unit normal's part along the directions in which U and V grow on the surface, as two_sided()
+  /// has it.
   kNormal = 2,
-  /// Red and green, as two_sided() has them: cosine and sine of twice the angle from where U grows to the strand, towards where
-  /// V grows, both times how sure the direction is. A strand and its reverse are the same, so that mips may average.
+  /// Red and green, as two_sided() has them: cosine and sine of twice the angle from where U grows to the strand,
+  /// towards where V grows, both times how sure the direction is. A strand and its reverse are the same, so that mips
+  /// may average.
   kStrandAxis = 3,
 };
 enum class TexelFormat : std::uint32_t {
@@ -76,7 +80,8 @@ enum class TexelFormat : std::uint32_t {
   kRg11Eac = 2,      ///< ETC2/EAC RG11, unsigned: 16 bytes for 4x4 texels; the same meaning, half the size of kRg8.
 };
 
-/// Whether a texture of this role tells of the surface's form. Those are stored in RELR and RELD, all others in TEXR and TEXD.
+/// Whether a texture of this role tells of the surface's form. Those are stored in RELR and RELD, all others in TEXR
+/// and TEXD.
 constexpr bool is_relief(TextureRole role) { return role == TextureRole::kNormal || role == TextureRole::kStrandAxis; }
 
 /// What a channel of 0..1 says of a number from -1 to 1: nought is 128 of 255, which eight bits can say.

@@ -11,9 +11,9 @@
 namespace coif {
 
 struct OpenOptions {
-  /// Compare the hashes of the table and of all chunks but the draw data, for which verify_draw_data() is: a microsecond
-  /// or two. Without it open() still proves that every later access is in range; only silent changes of values inside
-  /// their ranges pass.
+  /// Compare the hashes of the table and of all chunks but the draw data, for which verify_draw_data() is: a
+  /// microsecond or two. Without it open() still proves that every later access is in range; only silent changes of
+  /// values inside their ranges pass.
   bool verify_hash = true;
 };
 
@@ -67,7 +67,8 @@ class COIF_API Asset {
   [[nodiscard]] std::span<const AskedRecord> asked() const { return records<chunk::kAsked>(); }
   /// One per bone, or empty where no bone has one.
   [[nodiscard]] std::span<const LimitRecord> limits() const { return records<chunk::kLimits>(); }
-  /// Between chains; empty where none hang together. Ascending by depth, and a bone's own link before those that hang on it.
+  /// Between chains; empty where none hang together. Ascending by depth, and a bone's own link before those that hang
+  /// on it.
   [[nodiscard]] std::span<const LinkRecord> links() const { return records<chunk::kLinks>(); }
   [[nodiscard]] std::span<const ColliderRecord> colliders() const { return records<chunk::kColliders>(); }
 
@@ -84,8 +85,8 @@ class COIF_API Asset {
   [[nodiscard]] std::span<const SkinRecord> skin() const { return records<chunk::kSkin>(); }
   [[nodiscard]] std::span<const std::uint32_t> indices() const { return records<chunk::kIndices>(); }
   [[nodiscard]] std::span<const PatchRecord> patches() const { return records<chunk::kPatches>(); }
-  /// What the asset stores of its levels of detail, finest first: nothing where there is one, of all patches and with all bones
-  /// simulated. lod_count(), lod_patches() and lod_indices() know that one too.
+  /// What the asset stores of its levels of detail, finest first: nothing where there is one, of all patches and with
+  /// all bones simulated. lod_count(), lod_patches() and lod_indices() know that one too.
   [[nodiscard]] std::span<const LodRecord> stored_lods() const { return records<chunk::kLods>(); }
   /// In how many levels each bone is simulated, from the finest on; 0 for rigid bones. Empty where stored_lods() is.
   [[nodiscard]] std::span<const std::uint8_t> lod_bones() const { return records<chunk::kLodBones>(); }
@@ -100,8 +101,8 @@ class COIF_API Asset {
   [[nodiscard]] std::span<const std::uint32_t> orders() const { return records<chunk::kOrders>(); }
   /// With the stored one, at most kMaxOrders; 0 without a mesh.
   [[nodiscard]] std::uint32_t order_count() const;
-  /// The order for each of the kViewCells directions (coif/view_cells.h): 0 the stored one, k the k-th of orders(). Empty
-  /// where there is one order.
+  /// The order for each of the kViewCells directions (coif/view_cells.h): 0 the stored one, k the k-th of orders().
+  /// Empty where there is one order.
   [[nodiscard]] std::span<const std::uint8_t> order_views() const { return records<chunk::kOrderViews>(); }
 
   [[nodiscard]] const MaterialRecord* material() const { return record<chunk::kMaterial>(); }  ///< Null where absent.

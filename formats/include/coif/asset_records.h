@@ -1,6 +1,7 @@
 #pragma once
 // The records that the chunks of a .coif are made of (coif/chunks.h: which chunk holds which). formats/SPECIFICATION.md
-// describes the same layout in prose and changes together with this file. Everything is little-endian and used in place.
+// describes the same layout in prose and changes together with this file. Everything is little-endian and used in
+// place.
 //
 // Space: "head space" has its origin at the head bone's joint in the rest pose and the axes of the model:
 // right-handed, +Y up, metres. Nothing in an asset is in any other space.
@@ -39,8 +40,8 @@ struct SkeletonRecord {
   /// (p, q * conjugate(head_rotation)).
   float head_joint[3];
   float head_rotation[4];
-  /// 0..1: how much of the head's velocity the air around it does not take on. At 0 a head that moves steadily leaves its hair
-  /// alone, at 1 hair streams back in the world's air.
+  /// 0..1: how much of the head's velocity the air around it does not take on. At 0 a head that moves steadily leaves
+  /// its hair alone, at 1 hair streams back in the world's air.
   float air_lag;
 };
 static_assert(sizeof(SkeletonRecord) == 48);
@@ -72,8 +73,8 @@ enum class ChainModel : std::uint32_t {
   kPassive = 1,  ///< They do.
 };
 
-/// A tree of simulated bones that hangs from one rigid bone. A bone of it is open from its own place in the order to that
-/// of its last child; at no place more than kMaxOpenBones are, those that open or close there included.
+/// A tree of simulated bones that hangs from one rigid bone. A bone of it is open from its own place in the order to
+/// that of its last child; at no place more than kMaxOpenBones are, those that open or close there included.
 struct ChainRecord {
   std::uint32_t first_bone;
   std::uint32_t bone_count;
@@ -104,8 +105,9 @@ struct DynamicsRecord {
 };
 static_assert(sizeof(DynamicsRecord) == 48);
 
-/// What the artist asked for where DynamicsRecord has something else: the numbers of a bone before its chain was made to have
-/// one motion. `thesis` reads the friction of here, and so do the comparisons of `coif report`, with all the rest.
+/// What the artist asked for where DynamicsRecord has something else: the numbers of a bone before its chain was made
+/// to have one motion. `thesis` reads the friction of here, and so do the comparisons of `coif report`, with all the
+/// rest.
 struct AskedRecord {
   float friction;      ///< As DynamicsRecord::friction.
   float damping;       ///< As DynamicsRecord::damping.
@@ -124,20 +126,20 @@ enum class LimitKind : std::uint32_t {
 /// Largest yaw of a spherical limit: a quarter of a turn.
 inline constexpr float kMostYaw = kNoAngleLimit / 2;
 
-/// Where a bone's particle may be, seen from its joint: d is the unit direction in the limit's own axes, whose y is the middle
-/// direction. Cone: d.y >= cos(angles[0]). Hinge: d.x = 0, and that. Spherical: d = (sin(yaw), cos(yaw) cos(pitch), cos(yaw)
-/// sin(pitch)) with |pitch| <= angles[0] and |yaw| <= angles[1].
+/// Where a bone's particle may be, seen from its joint: d is the unit direction in the limit's own axes, whose y is the
+/// middle direction. Cone: d.y >= cos(angles[0]). Hinge: d.x = 0, and that. Spherical: d = (sin(yaw), cos(yaw)
+/// cos(pitch), cos(yaw) sin(pitch)) with |pitch| <= angles[0] and |yaw| <= angles[1].
 struct LimitRecord {
   LimitKind kind;
-  float angles
-      [2];  ///< Radians, 0..kNoAngleLimit; the second, of a spherical limit alone, 0..kMostYaw. 0 without meaning.
+  float angles[2];  ///< Radians, 0..kNoAngleLimit; the second, of a spherical limit alone, 0..kMostYaw. 0 without
+                    ///< meaning.
   float reserved;
   float rotation[4];  ///< Unit quaternion (x, y, z, w) from the limit's own axes to the parent's frame.
 };
 static_assert(sizeof(LimitRecord) == 32);
 
-/// Two bones of equal depth in two chains, whose particles stay together as those of one sheet do. The links of a depth are trees:
-/// each says how a bone hangs on one that was named before it.
+/// Two bones of equal depth in two chains, whose particles stay together as those of one sheet do. The links of a depth
+/// are trees: each says how a bone hangs on one that was named before it.
 struct LinkRecord {
   std::uint32_t bone;
   std::uint32_t to;
@@ -146,9 +148,10 @@ struct LinkRecord {
 };
 static_assert(sizeof(LinkRecord) == 16);
 
-/// The default direction at rest, unit: where a bone with this unit rest direction is pulled to. `lean` (length at most 1) goes
-/// along two directions at right angles to it (Duff et al. 2017, "Building an Orthonormal Basis, Revisited"), what is left of a
-/// unit along itself. A bone whose pull leans against its weight rests where it was modelled. `solver thesis` knows no lean.
+/// The default direction at rest, unit: where a bone with this unit rest direction is pulled to. `lean` (length at most
+/// 1) goes along two directions at right angles to it (Duff et al. 2017, "Building an Orthonormal Basis, Revisited"),
+/// what is left of a unit along itself. A bone whose pull leans against its weight rests where it was modelled. `solver
+/// thesis` knows no lean.
 inline void pull_direction(const float (&rest)[3], const float (&lean)[2], float (&pull)[3]) {
   const float sign = rest[2] < 0.0f ? -1.0f : 1.0f;
   const float a = -1.0f / (sign + rest[2]), b = rest[0] * rest[1] * a;
@@ -188,8 +191,9 @@ struct ColliderRecord {
 };
 static_assert(sizeof(ColliderRecord) == 80);
 
-/// A bone of the body that wears the hair, by its name in the source: what body colliders hang from. Where it is in each step
-/// the host says: what is at x in head space at rest is at pose * rest^-1 * x, both of them poses of this bone.
+/// A bone of the body that wears the hair, by its name in the source: what body colliders hang from. Where it is in
+/// each step the host says: what is at x in head space at rest is at pose * rest^-1 * x, both of them poses of this
+/// bone.
 struct BodyBoneRecord {
   std::uint32_t name;  ///< Byte offset into NAME; never kNone.
   float joint[3];      ///< Rest pose, head space, metres.
@@ -222,12 +226,12 @@ struct PatchRecord {
 };
 static_assert(sizeof(PatchRecord) == 20);
 
-// Draw orders. Order 0 is that of INDX; ORDR holds the others one after the other, each of them all triangles, every level of
-// detail in its own range of positions: triangle t is the three indices from 3 t on. VIEW has for each cell of directions
-// (coif/view_cells.h, from the head towards the eye in head space) the number of the order that suits it.
+// Draw orders. Order 0 is that of INDX; ORDR holds the others one after the other, each of them all triangles, every
+// level of detail in its own range of positions: triangle t is the three indices from 3 t on. VIEW has for each cell of
+// directions (coif/view_cells.h, from the head towards the eye in head space) the number of the order that suits it.
 
-/// A level of detail: consecutive patches, drawn in their order. Coarser levels simulate fewer bones: LODB holds for each
-/// bone in how many levels, counted from the finest, it is simulated. In the others it is rigid to its parent.
+/// A level of detail: consecutive patches, drawn in their order. Coarser levels simulate fewer bones: LODB holds for
+/// each bone in how many levels, counted from the finest, it is simulated. In the others it is rigid to its parent.
 struct LodRecord {
   std::uint32_t first_patch;  ///< Into PTCH; levels follow each other without gap.
   std::uint32_t patch_count;  ///< > 0.

@@ -1,7 +1,7 @@
 #pragma once
-// The file around the records: header, table of chunks, and the one list of what chunks there are. Whatever treats chunks
-// alike goes by that list: ids, the reader's bounds, alignment and needs, the views of an Asset, what the writer writes in
-// which order, `coif strip`, reports, and the test of formats/SPECIFICATION.md. A new chunk takes a record
+// The file around the records: header, table of chunks, and the one list of what chunks there are. Whatever treats
+// chunks alike goes by that list: ids, the reader's bounds, alignment and needs, the views of an Asset, what the writer
+// writes in which order, `coif strip`, reports, and the test of formats/SPECIFICATION.md. A new chunk takes a record
 // (coif/asset_records.h), a row here, an accessor with its meaning (coif/asset.h), a check of its content
 // (formats/check_*.cpp), its place in the specification, and a pass of the cook that fills AssetContents.
 
@@ -26,8 +26,8 @@ struct FileHeader {
   std::uint16_t minor;
   std::uint32_t chunk_count;
   std::uint64_t total_bytes;  ///< The length of the whole file, header included.
-  /// XXH64 of the chunk table, seeded with the XXH64 (seed 0) of the header's first 24 bytes. The table has the hashes of
-  /// the chunks, and bytes between them are zero: every byte of the file is covered.
+  /// XXH64 of the chunk table, seeded with the XXH64 (seed 0) of the header's first 24 bytes. The table has the hashes
+  /// of the chunks, and bytes between them are zero: every byte of the file is covered.
   std::uint64_t table_hash;
 };
 static_assert(sizeof(FileHeader) == 32);
@@ -138,8 +138,8 @@ enum class ChunkCount : std::uint8_t { kOne, kMany };
 enum class ChunkUse : std::uint8_t {
   kSimulation,  ///< Stays as long as the hair is simulated.
   kDrawing,     ///< May go once the mesh is on the graphics card.
-  /// As kDrawing, and nearly all bytes of an asset: whatever the values, in range they do no harm, so that their hashes may
-  /// be compared later (Asset::verify_draw_data()).
+  /// As kDrawing, and nearly all bytes of an asset: whatever the values, in range they do no harm, so that their hashes
+  /// may be compared later (Asset::verify_draw_data()).
   kDrawData,
   kTools,  ///< A game never reads it.
 };

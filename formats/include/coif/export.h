@@ -1,6 +1,6 @@
 #pragma once
-// What the shared libraries show. A shared build (BUILD_SHARED_LIBS) hides every other symbol; in archives the word says
-// nothing, so a game that hides its own symbols hides theirs, too. Games need not define COIF_SHARED.
+// What the shared libraries show. A shared build (BUILD_SHARED_LIBS) hides every other symbol; in archives the word
+// says nothing, so a game that hides its own symbols hides theirs, too. Games need not define COIF_SHARED.
 
 // 201709: what g++ 10 calls its C++20.
 #if defined _MSVC_LANG ? _MSVC_LANG < 202002L : __cplusplus < 201709L

@@ -1,6 +1,6 @@
-/* Hair drawn by a renderer of its own, in C, from coif.h alone: the asset's mesh, textures and material, its draw orders, and
- * the shaders of shaders/, put together as the README there says. One head at rest, seen from an angle in degrees, as
- * `coif render FILE.coif --view YAW,PITCH --size 512x384 --shadows none` draws it.
+/* Hair drawn by a renderer of its own, in C, from coif.h alone: the asset's mesh, textures and material, its draw
+ * orders, and the shaders of shaders/, put together as the README there says. One head at rest, seen from an angle in
+ * degrees, as `coif render FILE.coif --view YAW,PITCH --size 512x384 --shadows none` draws it.
  *
  *   draw_in_c FILE.coif SHADER_FOLDER OUT.ppm YAW PITCH [bald]        bald: all but the hair
  */

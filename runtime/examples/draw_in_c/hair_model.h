@@ -1,4 +1,5 @@
-/* Hair on the graphics card, made from what coif.h says of an asset: mesh, draw orders, textures, the shaders that it needs. */
+/* Hair on the graphics card, made from what coif.h says of an asset: mesh, draw orders, textures, the shaders that it
+ * needs. */
 #ifndef HAIR_MODEL_H
 #define HAIR_MODEL_H
 
@@ -19,8 +20,8 @@ typedef struct model {
   GLuint color_program, depth_program;
 } model;
 
-/* The context is current; `folder` has the shaders. Null: it is loaded, and the asset's mesh and textures may go. Else what is
- * wrong. */
+/* The context is current; `folder` has the shaders. Null: it is loaded, and the asset's mesh and textures may go. Else
+ * what is wrong. */
 const char* model_load(model* made, const coif_asset* asset, const char* folder);
 
 /* For the next draw: the uniform block, and the matrices of one head, whose palette has one for each bone. */

@@ -18,7 +18,8 @@ typedef struct host_source {
 
 host_source host_source_begin(void);
 void host_source_add(host_source* source, const char* text);
-/* Adds what stands in folder/file after the line `//// piece`, up to the next such line; the whole file without `piece`. */
+/* Adds what stands in folder/file after the line `//// piece`, up to the next such line; the whole file without
+ * `piece`. */
 void host_source_add_piece(host_source* source, const char* folder, const char* file, const char* piece);
 /* Frees both texts. 0, with the driver's reason on stderr, where they make no program. */
 GLuint host_link(host_source* vertex, host_source* fragment);

@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <span>
 
-// The OpenGL ES 3.0 functions that only shadows need, apart from the renderer's own, so that a game without shadows asks
-// its host for none of them.
+// The OpenGL ES 3.0 functions that only shadows need, apart from the renderer's own, so that a game without shadows
+// asks its host for none of them.
 #define COIF_SHADOW_FUNCTIONS(X) \
   X(BindFramebuffer)             \
   X(CheckFramebufferStatus)      \
@@ -48,8 +48,8 @@ struct ShadowView {
   double distance = 0;  ///< From the light to the ball's centre; 0: directional.
 };
 
-/// What a program needs that looks shadows up. The renderer reaches all of a shadow through this, so that it holds none of
-/// it where no shadow is named.
+/// What a program needs that looks shadows up. The renderer reaches all of a shadow through this, so that it holds none
+/// of it where no shadow is named.
 struct ShadowLookup {
   std::uint32_t id;       ///< Of the programs that it is part of, 1..15; no two lookups share one.
   const char* pieces[2];  ///< GLSL: a line that defines what the other depends on; hair_light().
@@ -139,9 +139,9 @@ struct ShadowState {
 /// Read texel by texel. Leaves it bound to the active unit.
 [[nodiscard]] GLuint make_depth_texture(const ShadowState& shadow);
 
-/// Textures for what fades light, four values to a texel, in halves or else in bytes, which ShadowState::opacity_unit tells
-/// then: OpenGL ES 3.0 draws into half floats only with GL_EXT_color_buffer_half_float or _float; nearly all devices have
-/// one. False where the driver cannot. `first`, and as many as `count` from there on.
+/// Textures for what fades light, four values to a texel, in halves or else in bytes, which ShadowState::opacity_unit
+/// tells then: OpenGL ES 3.0 draws into half floats only with GL_EXT_color_buffer_half_float or _float; nearly all
+/// devices have one. False where the driver cannot. `first`, and as many as `count` from there on.
 bool make_opacity_layers(ShadowState& shadow, ShadowTexture first, std::uint32_t count);
 [[nodiscard]] std::uint32_t opacity_texel_bytes(const ShadowState& shadow);
 /// Hair that goes into the map of solid things instead, and the rest.
@@ -152,8 +152,8 @@ bool make_opacity_layers(ShadowState& shadow, ShadowTexture first, std::uint32_t
 Status draw_hair(const ShadowState& shadow, const ShadowStage& stage, std::span<const ShadowCrowd> crowds,
                  const MapPart& part = {});
 
-/// Depths move away from the light by what they change within a few texels, so that a surface does not shade itself where
-/// light grazes it: percentage-closer filtering compares it to its neighbours. 0 turns it off.
+/// Depths move away from the light by what they change within a few texels, so that a surface does not shade itself
+/// where light grazes it: percentage-closer filtering compares it to its neighbours. 0 turns it off.
 void set_slope_bias(const ShadowState& shadow, float texels);
 
 /// Leaves it bound.

@@ -8,8 +8,8 @@ namespace {
 constexpr FragmentCode kSharpenedCode = {
     .id = 1, .keep = kShaderKeepSharpenedGlsl, .output = kShaderCoverageOutputGlsl};
 
-// Where hair covers half: there the part of an edge that is drawn though it should not be is as large as the part that is
-// missing. Cut at the opaque threshold, hair would be too thin.
+// Where hair covers half: there the part of an edge that is drawn though it should not be is as large as the part that
+// is missing. Cut at the opaque threshold, hair would be too thin.
 constexpr float kCut = 0.5f;
 
 PassList plan(const MaterialRecord& material, const AlphaRange& texture) {

@@ -16,7 +16,8 @@ void release_all(const GlFunctions& gl, ModeMemory& memory) {
   release(gl, exact.functions, exact.peel);
 }
 
-/// With all functions but those of OpenGL ES 3.1. Null, with the reason in the renderer's failure, where the host lacks one.
+/// With all functions but those of OpenGL ES 3.1. Null, with the reason in the renderer's failure, where the host lacks
+/// one.
 ExactMemory* exact_memory(RendererState& renderer) {
   static_assert(sizeof(ExactMemory) <= sizeof(ModeMemory::bytes));
   if (renderer.mode_memory.release != nullptr) return &memory_in(renderer.mode_memory);

@@ -86,8 +86,8 @@ extern const FragmentCode kPeelKeyCode;
 /// Draws the one that was found.
 extern const FragmentCode kPeeledCode;
 
-/// Makes what is missing for this area. False where the driver refuses, with the reason in the renderer's failure. Leaves the host's
-/// framebuffer bound.
+/// Makes what is missing for this area. False where the driver refuses, with the reason in the renderer's failure.
+/// Leaves the host's framebuffer bound.
 [[nodiscard]] bool make_peel_targets(const ModeDraw& draw, const PixelArea& area, ExactMemory& memory);
 
 struct PeelPasses {
@@ -96,8 +96,8 @@ struct PeelPasses {
   PassList draw_found;
 };
 
-/// Draws the crowd's soft texels layer by layer, from the furthest on, over what is in the framebuffer. Waits for the GPU
-/// after each. False where the driver refuses. Restores the host's framebuffer and polygon offset; leaves the depth
+/// Draws the crowd's soft texels layer by layer, from the furthest on, over what is in the framebuffer. Waits for the
+/// GPU after each. False where the driver refuses. Restores the host's framebuffer and polygon offset; leaves the depth
 /// function as it likes, and no texture bound.
 [[nodiscard]] bool draw_peeled(const ModeDraw& draw, const PeelPasses& passes, ExactMemory& memory);
 

@@ -1,5 +1,6 @@
 #pragma once
-// The air around heads and what it does to hair, besides the wind that blows everywhere: see Hair in coif/hair.h, "Air".
+// The air around heads and what it does to hair, besides the wind that blows everywhere: see Hair in coif/hair.h,
+// "Air".
 
 #include <coif/export.h>
 #include <coif/math.h>
@@ -17,13 +18,14 @@ inline constexpr float kLongestGust = 1e4f;    ///< and the most.
 
 /// The air around one head.
 struct HeadAir {
-  Vec3 wind{};  ///< Besides the weather's, world, m/s: of a fan, a vehicle, a draught.
-  float exposure =
-      1.0f;  ///< 0..1: of the weather, which is the settings' wind and the gusts, this share reaches the head; 0 indoors.
+  Vec3 wind{};            ///< Besides the weather's, world, m/s: of a fan, a vehicle, a draught.
+  float exposure = 1.0f;  ///< 0..1: of the weather, which is the settings' wind and the gusts, this share reaches the
+                          ///< head; 0 indoors.
 };
 
-/// Turbulence that the wind carries along: a pattern that stands still in air that moves at `speed` in `direction`, so that a gust that bends
-/// one chain bends the next one down the wind as much later as the way takes. It is a sum of six plane waves. Wave i = 0..5:
+/// Turbulence that the wind carries along: a pattern that stands still in air that moves at `speed` in `direction`, so
+/// that a gust that bends one chain bends the next one down the wind as much later as the way takes. It is a sum of six
+/// plane waves. Wave i = 0..5:
 ///
 ///     wavelength   length / 1.6^i            from gusts to flutter
 ///     runs         at an angle a(i) from `direction`, at most 40 degrees, to both sides and up and down
@@ -31,8 +33,8 @@ struct HeadAir {
 ///     amplitude    in proportion to wavelength^(1/3): Kolmogorov's law for differences of velocity over a distance
 ///     phase        and angles by `seed`
 ///
-/// Its mean over time is zero in every place, and nowhere does it exceed `amplitude`; half of that is a strong gust, 0.28 of it the root
-/// mean square along `direction`.
+/// Its mean over time is zero in every place, and nowhere does it exceed `amplitude`; half of that is a strong gust,
+/// 0.28 of it the root mean square along `direction`.
 struct Gusts {
   float amplitude = 0;       ///< m/s, 0..kMostGust; 0: none.
   float length = 1.5f;       ///< Metres, kShortestGust..kLongestGust.
@@ -41,17 +43,18 @@ struct Gusts {
   std::uint32_t seed = 0;
 };
 
-/// Velocity of the gusts' air at a world place (metres), m/s, when it has come `way` metres since its beginning: its speed times the
-/// time, as Hair::gusts_way() tells. What hair feels there, to 1e-4 of the amplitude. Zero for gusts that set_gusts() would refuse.
+/// Velocity of the gusts' air at a world place (metres), m/s, when it has come `way` metres since its beginning: its
+/// speed times the time, as Hair::gusts_way() tells. What hair feels there, to 1e-4 of the amplitude. Zero for gusts
+/// that set_gusts() would refuse.
 [[nodiscard]] COIF_API Vec3 gust_at(const Gusts& gusts, double way, const double (&place)[3]);
 
-/// The same at many places, given from one near them, for a game's cloth and grass: a tenth of the time each. kSizeMismatch, or kBadArgument
-/// for gusts that set_gusts() would refuse; then `air` stays.
+/// The same at many places, given from one near them, for a game's cloth and grass: a tenth of the time each.
+/// kSizeMismatch, or kBadArgument for gusts that set_gusts() would refuse; then `air` stays.
 COIF_API Status gusts_near(const Gusts& gusts, double way, const double (&place)[3], std::span<const Vec3> offsets,
                            std::span<Vec3> air);
 
-/// What changes the speed of hair at once, within `radius` of a ball or capsule: by most at its middle, by nothing at its surface, evenly
-/// in between. World space.
+/// What changes the speed of hair at once, within `radius` of a ball or capsule: by most at its middle, by nothing at
+/// its surface, evenly in between. World space.
 struct Impulse {
   double center[3] = {0, 0, 0};  ///< The ball's centre, or one end of the capsule's segment, metres.
   Vec3 axis{};                   ///< To the segment's other end, metres; none for a ball.

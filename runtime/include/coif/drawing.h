@@ -1,7 +1,8 @@
 #pragma once
-// What a renderer computes before it calls its graphics interface, whichever that is: what it has to know of an asset, which
-// heads are seen and in what order, what its uniform blocks hold. coif::gl stands on this and so can a renderer for Vulkan,
-// Direct3D or WebGPU; shaders/README.md says what it has to draw with it. Nothing here allocates or keeps what it was given.
+// What a renderer computes before it calls its graphics interface, whichever that is: what it has to know of an asset,
+// which heads are seen and in what order, what its uniform blocks hold. coif::gl stands on this and so can a renderer
+// for Vulkan, Direct3D or WebGPU; shaders/README.md says what it has to draw with it. Nothing here allocates or keeps
+// what it was given.
 
 #include <coif/asset.h>
 #include <coif/export.h>
@@ -27,12 +28,14 @@ struct Light {
   Vec3 spot_axis{0, -1, 0};     ///< kSpot: the way it shines, any length > 0.
   float inner_cosine = 0.966f;  ///< kSpot: of the angle to `spot_axis` up to which it has all its light,
   float outer_cosine = 0.866f;  ///< and from which on it has none; -1..1, below the inner one.
-  // Between the two it falls with the square of the cosine's way from one to the other, as glTF's KHR_lights_punctual has it.
+  // Between the two it falls with the square of the cosine's way from one to the other, as glTF's KHR_lights_punctual
+  // has it.
 };
 
-/// What is drawn: parts of the shading, with Algorithm 3 as in the six pictures of the thesis's Gallery 1, or, to check an
-/// asset, the strands' direction: green at the root to red at the tip, with arrowheads that point to the tip, without light.
-/// With ShadingModel::kMarschner the primary highlight is R and the secondary one TRT; TT is a part of the diffuse light.
+/// What is drawn: parts of the shading, with Algorithm 3 as in the six pictures of the thesis's Gallery 1, or, to check
+/// an asset, the strands' direction: green at the root to red at the tip, with arrowheads that point to the tip,
+/// without light. With ShadingModel::kMarschner the primary highlight is R and the secondary one TRT; TT is a part of
+/// the diffuse light.
 enum class Component : std::uint8_t { kAll, kAmbient, kDiffuse, kSpecular, kPrimary, kSecondary, kDirection };
 
 /// One head of a crowd.
@@ -60,7 +63,8 @@ struct Reach {
 };
 
 /// Bones do not stretch, so however a chain turns, a vertex stays as near to the chain's root as the bones up to it and
-/// its own distance from its bone are long. The ball is around the middle of the mesh at rest, of which there must be one.
+/// its own distance from its bone are long. The ball is around the middle of the mesh at rest, of which there must be
+/// one.
 [[nodiscard]] COIF_API Reach reach_of(const Asset& asset);
 
 /// How vertices hang on bones.
@@ -97,8 +101,8 @@ struct DrawnHair {
 /// `asset` is open and has vertices and indices.
 [[nodiscard]] COIF_API DrawnHair drawn_hair_of(const Asset& asset);
 
-/// Writes the asset's indices once for each of its draw orders, DrawnHair::index_bytes each: with some orders, indices are
-/// most of a mesh. Writes nothing where `out` has not exactly that many bytes.
+/// Writes the asset's indices once for each of its draw orders, DrawnHair::index_bytes each: with some orders, indices
+/// are most of a mesh. Writes nothing where `out` has not exactly that many bytes.
 COIF_API void write_draw_orders(const Asset& asset, const DrawnHair& hair, std::span<std::byte> out);
 
 /// kSizeMismatch when the palette has not one matrix per bone (rigid hair may also have none), kBadArgument for no such
@@ -114,11 +118,13 @@ struct MatrixLayout {
   static constexpr std::uint32_t kRowBytes = 4 * sizeof(float);
   static constexpr std::uint32_t kMatrixRows = 3;
 
-  /// vec4 of each head: its own matrix, then those of its bones; where there are two frames, then the same of the last frame.
+  /// vec4 of each head: its own matrix, then those of its bones; where there are two frames, then the same of the last
+  /// frame.
   std::uint32_t rows_of_head = kMatrixRows;
   std::uint32_t frames = 1;          ///< 2: for vectors of motion.
   std::uint32_t heads_of_batch = 1;  ///< Most that one block holds, and so one draw call shows.
-  /// The bones are too many for a block: they go into a texture, head by head, and the block has the head's matrix alone.
+  /// The bones are too many for a block: they go into a texture, head by head, and the block has the head's matrix
+  /// alone.
   bool bones_in_texture = false;
 
   [[nodiscard]] std::uint32_t rows_of_frame() const { return rows_of_head / frames; }
@@ -129,8 +135,8 @@ struct MatrixLayout {
 [[nodiscard]] COIF_API MatrixLayout matrix_layout_of(const DrawnHair& hair, std::uint32_t block_bytes,
                                                      std::uint32_t frames = 1);
 
-/// Writes one head's rows_of_frame(), view from head space first, with the head's scale; view space has the world's axes and its
-/// origin at the eye.
+/// Writes one head's rows_of_frame(), view from head space first, with the head's scale; view space has the world's
+/// axes and its origin at the eye.
 COIF_API void write_head(const MatrixLayout& layout, const HairInstance& instance, const Vec3& eye, std::byte* to);
 
 /// Where a shader finds its place in a shadow map, beside the textures: for the arguments of hair_light().
@@ -168,13 +174,13 @@ struct DrawView {
   bool framebuffer_is_srgb = false;  ///< The target encodes sRGB itself; otherwise the shader does.
 };
 
-/// Takes a draw call's world-space values into view space. kBadArgument, with `block` undefined, for values that are not
-/// finite or out of their range. `rows_of_head`: MatrixLayout's.
+/// Takes a draw call's world-space values into view space. kBadArgument, with `block` undefined, for values that are
+/// not finite or out of their range. `rows_of_head`: MatrixLayout's.
 COIF_API Status fill_draw_block(const DrawView& view, const MaterialRecord& material, std::uint32_t rows_of_head,
                                 DrawBlock& block);
 
-/// The heads of a crowd that may be in view, in groups of what one draw call can show. Refers to its first two arguments,
-/// whose instances have been checked. Heads of a group come in the order given.
+/// The heads of a crowd that may be in view, in groups of what one draw call can show. Refers to its first two
+/// arguments, whose instances have been checked. Heads of a group come in the order given.
 class COIF_API VisibleCrowd {
  public:
   struct Group {
@@ -187,8 +193,8 @@ class COIF_API VisibleCrowd {
   VisibleCrowd(const DrawnHair& hair, std::span<const HairInstance> instances, const Vec3& eye,
                const float (&clip_from_view)[16]);
 
-  /// Calls visit(group) for each group that has heads until one returns false, and returns whether none did. Coarse levels
-  /// come first, since they are far away.
+  /// Calls visit(group) for each group that has heads until one returns false, and returns whether none did. Coarse
+  /// levels come first, since they are far away.
   template <typename Visit>
   bool for_each_group(const Visit& visit) const {
     for (std::uint32_t lod = kMaxLods; lod-- > 0;) {
@@ -212,9 +218,8 @@ class COIF_API VisibleCrowd {
   const DrawnHair& hair_;
   std::span<const HairInstance> instances_;
   Vec3 eye_;
-  float planes_
-      [6]
-      [4];  ///< The view's sides. A point p is inside where dot(xyz, p) + w >= 0; xyz unit, or 0 for a plane at infinity.
+  float planes_[6][4];  ///< The view's sides. A point p is inside where dot(xyz, p) + w >= 0; xyz unit, or 0 for a
+                        ///< plane at infinity.
   std::uint32_t orders_of_lod_[kMaxLods] = {};  ///< Bit k: some head in view is drawn in order k.
 };
 

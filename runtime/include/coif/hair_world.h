@@ -11,8 +11,8 @@ namespace coif {
 
 inline constexpr std::uint32_t kMaxWorldAssets = 4096;
 
-/// Names an asset of a HairWorld, for as long as it is there; the default names none. Those that left are told from those that came in
-/// their place.
+/// Names an asset of a HairWorld, for as long as it is there; the default names none. Those that left are told from
+/// those that came in their place.
 struct WorldAsset {
   std::uint32_t index = 0;
   std::uint32_t generation = 0;
@@ -27,8 +27,9 @@ struct WorldHead {
 struct WorldDesc {
   std::uint32_t assets = 32;  ///< Most that are there at once, 1..kMaxWorldAssets.
   std::uint32_t heads = 128;  ///< The same of heads, of all assets together, 1..kMaxInstances.
-  /// For what assets and heads bring along, up to SIZE_MAX / 4. HairWorld::bytes_for() says how much that is; where assets of many sizes come
-  /// and go all the time, free memory falls into pieces: give more than their sum, and be ready for kMemoryTooSmall.
+  /// For what assets and heads bring along, up to SIZE_MAX / 4. HairWorld::bytes_for() says how much that is; where
+  /// assets of many sizes come and go all the time, free memory falls into pieces: give more than their sum, and be
+  /// ready for kMemoryTooSmall.
   std::size_t hair_bytes = std::size_t{4} << 20;
   const Solver* solver = &kCoifSolver;  ///< What moves all heads: kCoifSolver, kCascadeSolver or kPassiveSolver.
   InstructionSet instruction_set = InstructionSet::kBest;  ///< As HairDesc's; few lanes are stepped by narrower ones.
@@ -36,16 +37,16 @@ struct WorldDesc {
 
 struct WorldState;
 
-/// Heads with hair of many assets, which come and go while a game runs, stepped together: chains of equal shape stand side by side
-/// whatever asset and head they are of, and whatever their lengths. Forty heads of fifteen assets take about half of the time of a Hair for
-/// each asset (tests/bench); many heads of one asset take less in a Hair.
+/// Heads with hair of many assets, which come and go while a game runs, stepped together: chains of equal shape stand
+/// side by side whatever asset and head they are of, and whatever their lengths. Forty heads of fifteen assets take
+/// about half of the time of a Hair for each asset (tests/bench); many heads of one asset take less in a Hair.
 ///
-/// Each head has the same bits, in every step, as it has in a Hair of its asset alone that is told the same: whatever else is
-/// there, comes and goes, on every instruction set, and in every order of jobs.
+/// Each head has the same bits, in every step, as it has in a Hair of its asset alone that is told the same: whatever
+/// else is there, comes and goes, on every instruction set, and in every order of jobs.
 ///
-/// Allocates nothing: the caller gives memory once. Not thread safe but for run_job(). What Hair has and this has not: kThesisSolver,
-/// characters, links, levels of detail and intervals, gusts, air of single heads, pushes, sets of dynamics, settling, saved states, bone
-/// ends. It has no functions in C.
+/// Allocates nothing: the caller gives memory once. Not thread safe but for run_job(). What Hair has and this has not:
+/// kThesisSolver, characters, links, levels of detail and intervals, gusts, air of single heads, pushes, sets of
+/// dynamics, settling, saved states, bone ends. It has no functions in C.
 class COIF_API HairWorld {
  public:
   HairWorld() = default;
@@ -60,19 +61,19 @@ class COIF_API HairWorld {
 
   /// Exact need of create(); zero bytes for a description that it refuses.
   [[nodiscard]] static MemoryNeed memory_need(const WorldDesc& desc);
-  /// How much of WorldDesc::hair_bytes an asset takes with so many heads that share nothing with others; together they take less. 0 for an asset
-  /// that is not open or a solver that a world does not know.
+  /// How much of WorldDesc::hair_bytes an asset takes with so many heads that share nothing with others; together they
+  /// take less. 0 for an asset that is not open or a solver that a world does not know.
   [[nodiscard]] static std::size_t bytes_for(const Asset& asset, std::uint32_t heads,
                                              const Solver& solver = kCoifSolver);
 
   /// An empty world. `memory` must outlive this object. kBadArgument (desc), kMemoryTooSmall (or not aligned).
   Status create(const WorldDesc& desc, std::span<std::byte> memory);
 
-  // These four may be called between any two steps. They cost microseconds (add_asset() some more, for each chain), and change no
-  // bit of any other head's hair. Where they fail, all is as it was.
+  // These four may be called between any two steps. They cost microseconds (add_asset() some more, for each chain), and
+  // change no bit of any other head's hair. Where they fail, all is as it was.
 
-  /// The asset's bytes must stay for as long as it is here; the Asset itself need not. kAssetLacksData for one that is not open,
-  /// kMemoryTooSmall where WorldDesc::assets are there or hair_bytes are used up.
+  /// The asset's bytes must stay for as long as it is here; the Asset itself need not. kAssetLacksData for one that is
+  /// not open, kMemoryTooSmall where WorldDesc::assets are there or hair_bytes are used up.
   Status add_asset(const Asset& asset, WorldAsset& added);
   /// kBadArgument while heads of it are there; kBadIndex.
   Status remove_asset(WorldAsset asset);
@@ -93,14 +94,15 @@ class COIF_API HairWorld {
 
   /// As Hair's, for all heads of all assets. An asset's tuned sub-steps are its own.
   Status step(const StepSettings& settings);
-  /// The same in parts, as Hair's. A job is some chains of any heads; what those have in common is computed by begin_step() and
-  /// finish_step().
+  /// The same in parts, as Hair's. A job is some chains of any heads; what those have in common is computed by
+  /// begin_step() and finish_step().
   Status begin_step(const StepSettings& settings);
   [[nodiscard]] std::uint32_t job_count() const;
   void run_job(std::uint32_t job);
   void finish_step();
 
-  /// As Hair's, a matrix for each bone of the head's asset; at the same place until the head is removed. Empty for one that is not there.
+  /// As Hair's, a matrix for each bone of the head's asset; at the same place until the head is removed. Empty for one
+  /// that is not there.
   [[nodiscard]] std::span<const Mat34> palette(WorldHead head) const;
 
  private:

@@ -19,8 +19,8 @@ struct Mat34 {
 
 inline constexpr float kSmallestScale = 0.05f, kLargestScale = 20.0f;  ///< A head's size against its asset's.
 
-/// World from head space: p' = position + rotation (scale p). Double precision, so that hair does not shake far from the
-/// world's origin.
+/// World from head space: p' = position + rotation (scale p). Double precision, so that hair does not shake far from
+/// the world's origin.
 struct HeadPose {
   double position[3] = {0, 0, 0};  ///< Metres.
   Quat rotation;

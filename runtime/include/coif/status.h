@@ -6,7 +6,8 @@
 
 namespace coif {
 
-/// Result of a runtime call. Anything but kOk leaves the state and every output as they were, where a call does not say otherwise.
+/// Result of a runtime call. Anything but kOk leaves the state and every output as they were, where a call does not say
+/// otherwise.
 enum class [[nodiscard]] Status : std::uint8_t{
     kOk = 0,
     kBadTimeStep,     ///< dt is not a number, below zero or infinite.

@@ -1,6 +1,6 @@
 #pragma once
-// Orders of triangles that are made anew for each head and frame, while the asset's own orders (Asset::orders()) were made once,
-// by the cooker, for hair at rest and some movements.
+// Orders of triangles that are made anew for each head and frame, while the asset's own orders (Asset::orders()) were
+// made once, by the cooker, for hair at rest and some movements.
 
 #include <coif/asset.h>
 #include <coif/drawing.h>
@@ -15,9 +15,9 @@
 
 namespace coif {
 
-/// Says in which order a head's triangles are drawn (DrawDesc::order). A program holds the orders that it names, of which there
-/// is one: BoneOrder. Any number of heads and models of one asset may share it, in one thread at a time: it has room for one
-/// head's sorting. The asset's own orders take no such object.
+/// Says in which order a head's triangles are drawn (DrawDesc::order). A program holds the orders that it names, of
+/// which there is one: BoneOrder. Any number of heads and models of one asset may share it, in one thread at a time: it
+/// has room for one head's sorting. The asset's own orders take no such object.
 class COIF_API TriangleOrder {
  public:
   TriangleOrder(const TriangleOrder&) = delete;
@@ -28,9 +28,9 @@ class COIF_API TriangleOrder {
   [[nodiscard]] bool fits(const DrawnHair& hair) const {
     return is_created() && bone_count_ == hair.bone_count && indices_of_order_ == hair.indices_of_order;
   }
-  /// Writes the triangles of the head's level in the order in which they are to be drawn, seen from `eye` (world, metres): as
-  /// many indices as the level has, DrawnHair::index_bytes each. Call it after create(), with a head that check_instance()
-  /// lets pass. Allocates nothing.
+  /// Writes the triangles of the head's level in the order in which they are to be drawn, seen from `eye` (world,
+  /// metres): as many indices as the level has, DrawnHair::index_bytes each. Call it after create(), with a head that
+  /// check_instance() lets pass. Allocates nothing.
   void write(const HairInstance& head, const Vec3& eye, std::byte* out) { write_(*this, head, eye, out); }
 
  protected:
@@ -44,16 +44,17 @@ class COIF_API TriangleOrder {
   std::uint32_t indices_of_order_ = 0;
 };
 
-/// Bones sorted while the hair moves (thesis, 8.1, which has it as future work): "the bones could be sorted to give a primary
-/// render order of the patches. Each bone could then have a set of patches associated to it, with a static render order." The
-/// furthest bone's triangles come first.
+/// Bones sorted while the hair moves (thesis, 8.1, which has it as future work): "the bones could be sorted to give a
+/// primary render order of the patches. Each bone could then have a set of patches associated to it, with a static
+/// render order." The furthest bone's triangles come first.
 ///
-/// What the thesis leaves open is coif's: a triangle belongs to the bone that moves its corners most, so that a patch along a
-/// chain is taken apart at its joints; a bone is where the middle of its triangles' corners at rest is moved by its matrix; within
-/// a bone triangles are in the cooked order for the side that the head is seen from. How wrong that is, beside cooked orders: `coif report FILE order`.
+/// What the thesis leaves open is coif's: a triangle belongs to the bone that moves its corners most, so that a patch
+/// along a chain is taken apart at its joints; a bone is where the middle of its triangles' corners at rest is moved by
+/// its matrix; within a bone triangles are in the cooked order for the side that the head is seen from. How wrong that
+/// is, beside cooked orders: `coif report FILE order`.
 ///
-/// Costs per head: sorting as many numbers as bones have triangles, and copying the level's indices to the GPU. Heads share no
-/// draw calls.
+/// Costs per head: sorting as many numbers as bones have triangles, and copying the level's indices to the GPU. Heads
+/// share no draw calls.
 class COIF_API BoneOrder final : public TriangleOrder {
  public:
   BoneOrder() = default;
@@ -62,9 +63,9 @@ class COIF_API BoneOrder final : public TriangleOrder {
   [[nodiscard]] static std::size_t memory_bytes(const Asset& asset);
   static constexpr std::size_t kAlignment = 16;
 
-  /// Takes all it needs from `memory`, which must stay as long as the order; the asset may go. kAssetLacksData without mesh, bones
-  /// or SKIN: rigid hair never changes its order; kMemoryTooSmall also for wrong alignment. A failure leaves what was
-  /// created before.
+  /// Takes all it needs from `memory`, which must stay as long as the order; the asset may go. kAssetLacksData without
+  /// mesh, bones or SKIN: rigid hair never changes its order; kMemoryTooSmall also for wrong alignment. A failure
+  /// leaves what was created before.
   Status create(const Asset& asset, std::span<std::byte> memory);
 
   /// Bones that have triangles of this level, below the asset's count of levels; 0 before create().

@@ -1,7 +1,7 @@
 #ifndef COIF_VERSION_H
 #define COIF_VERSION_H
-/* The version of these headers, for C and C++. The libraries that a program was linked with say theirs by coif_version(). CMakeLists.txt
- * reads the three numbers from here. */
+/* The version of these headers, for C and C++. The libraries that a program was linked with say theirs by
+ * coif_version(). CMakeLists.txt reads the three numbers from here. */
 
 #define COIF_VERSION_MAJOR 0
 #define COIF_VERSION_MINOR 1

@@ -1,4 +1,5 @@
-// How a bone turns with its particle: the one place where direction becomes rotation. Compiled once per instruction set.
+// How a bone turns with its particle: the one place where direction becomes rotation. Compiled once per instruction
+// set.
 
 #include "lane_math-inl.h"
 
@@ -14,8 +15,8 @@ namespace coif {
 namespace HWY_NAMESPACE {
 
 /// The frame that the shortest arc from `from`, which is `rest` in the frame `parent`, to `to` makes of `parent`, and
-/// 1 / (1 + from to). All three directions are unit. Each column c of `parent` becomes c - k (from + to) c (from + to) + 2
-/// (from c) to, where k is that factor and (from c) is the constant rest direction's own coordinate.
+/// 1 / (1 + from to). All three directions are unit. Each column c of `parent` becomes c - k (from + to) c (from + to)
+/// + 2 (from c) to, where k is that factor and (from c) is the constant rest direction's own coordinate.
 template <class D>
 struct Bent {
   M3<D> frame;
@@ -23,8 +24,9 @@ struct Bent {
   V<D> per_fold;
 };
 
-/// The same for `to` nearly opposite to `from`, where 1 + from to is mostly rounding: the reflection that swaps the two,
-/// then the one that brings what this made of `from` to `to`. However inexact the sum is, the result is a rotation.
+/// The same for `to` nearly opposite to `from`, where 1 + from to is mostly rounding: the reflection that swaps the
+/// two, then the one that brings what this made of `from` to `to`. However inexact the sum is, the result is a
+/// rotation.
 template <class D>
 COIF_RARE M3<D> bend_back(D d, const M3<D>& parent, const V3<D>& rest, const V3<D>& from, const V3<D>& to) {
   const auto two = hn::Set(d, 2.0f);
@@ -65,8 +67,8 @@ HWY_INLINE Bent<D> bend(D d, const M3<D>& parent, const V3<D>& rest, const V3<D>
   return bent;
 }
 
-/// How fast the frame that bend() makes turns about its own direction `to`, 1/s; without memory. `from` and `to` in the axes of
-/// the parent's angular velocity and of the bone's `swing`, which is across `to`.
+/// How fast the frame that bend() makes turns about its own direction `to`, 1/s; without memory. `from` and `to` in the
+/// axes of the parent's angular velocity and of the bone's `swing`, which is across `to`.
 template <class D>
 HWY_INLINE V<D> spin_of_arc(D d, const V3<D>& from, const V3<D>& to, const V3<D>& angular_velocity, const V3<D>& swing,
                             V<D> per_fold) {
@@ -86,7 +88,8 @@ HWY_INLINE M3<D> twisted(D d, const M3<D>& frame, const V3<D>& axis, V<D> sine, 
           twisted(d, frame.z, axis, sine, versine)};
 }
 
-/// By which the cosine of half a twist grows against its sine while the twist goes back at `rate` for so long: exp(t) to second order.
+/// By which the cosine of half a twist grows against its sine while the twist goes back at `rate` for so long: exp(t)
+/// to second order.
 template <class D>
 HWY_INLINE V<D> untwisted_by(D d, V<D> rate, V<D> seconds) {
   const auto one = hn::Set(d, 1.0f), decay = hn::Mul(rate, seconds);
@@ -94,9 +97,10 @@ HWY_INLINE V<D> untwisted_by(D d, V<D> rate, V<D> seconds) {
 }
 
 /// Carries the frame along, without any twist from one direction to the next seen from the parent, and back towards the
-/// shortest arc at the rate `torsion` (MODEL.md, "Frames and twist"). The arc alone would flip when the bone folds over its
-/// parent. Half of the step the twist goes back at the rate before it, then it is carried, and the other half at that after it (Strang's
-/// splitting): to second order. `to` is the bone's direction in the space of bent.frame. Returns the rate at which the twist goes back, 1/s.
+/// shortest arc at the rate `torsion` (MODEL.md, "Frames and twist"). The arc alone would flip when the bone folds over
+/// its parent. Half of the step the twist goes back at the rate before it, then it is carried, and the other half at
+/// that after it (Strang's splitting): to second order. `to` is the bone's direction in the space of bent.frame.
+/// Returns the rate at which the twist goes back, 1/s.
 template <class D>
 HWY_INLINE V<D> twist(D d, const V3<D>& rest, const V3<D>& to, V<D> torsion, float dt, TwistState& state,
                       std::size_t lane, Bent<D>& bent) {
@@ -107,7 +111,8 @@ HWY_INLINE V<D> twist(D d, const V3<D>& rest, const V3<D>& to, V<D> torsion, flo
   const auto rate_at = [&](V<D> unfolded) { return hn::Mul(most, hn::Add(one, unfolded)); };  // 0 folded over
   const auto cosine = hn::Mul(load(d, state.cosine, lane), untwisted_by(d, rate_at(rest_before), half_step));
   const auto sine = load(d, state.sine, lane);
-  // The triangle rest, before, after on the unit sphere turns what is carried around it by its area (Oosterom, Strackee).
+  // The triangle rest, before, after on the unit sphere turns what is carried around it by its area (Oosterom,
+  // Strackee).
   const auto area_sine = dot(d, rest, cross(d, before, after));
   const auto area_cosine = hn::Add(hn::Add(one, rest_before), hn::Add(dot(d, before, after), rest_after));
   auto twist_cosine = hn::Sub(hn::Mul(cosine, area_cosine), hn::Mul(sine, area_sine));

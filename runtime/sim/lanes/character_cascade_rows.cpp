@@ -1,5 +1,5 @@
-// The cascade's step of a row of chains for hair on a character: with colliders that move and poses to follow. Compiled once per
-// instruction set.
+// The cascade's step of a row of chains for hair on a character: with colliders that move and poses to follow. Compiled
+// once per instruction set.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "lanes/character_cascade_rows.cpp"

@@ -75,7 +75,8 @@ HWY_INLINE BoneMotion<D> keep_length(D d, const V3<D>& free, const V3<D>& veloci
       hn::And(hn::And(hn::Gt(along2, hn::Mul(hn::Set(d, 0.1f), mean2)), hn::Gt(along, zero)), hn::Gt(root2, zero));
   const auto reach = hn::Div(lack, hn::Add(along, hn::Sqrt(root2)));  // not a number without a mean: replaced below
   V3<D> kept = add_scaled(d, free, mean, reach);
-  // Unit but for rounding, for which one step of Newton's method does; unless a free end many lengths away left only that.
+  // Unit but for rounding, for which one step of Newton's method does; unless a free end many lengths away left only
+  // that.
   const auto size2 = dot(d, kept, kept);
   const auto off_unit = hn::Abs(hn::Sub(size2, one));
   const auto is_unit = hn::And(has_mean, hn::Lt(off_unit, hn::Set(d, 1e-3f)));
@@ -93,8 +94,8 @@ HWY_INLINE BoneMotion<D> keep_length(D d, const V3<D>& free, const V3<D>& veloci
   return {kept, across(d, add_scaled(d, velocity, way, velocity_per_way), kept)};
 }
 
-/// Section 4. `cosine` of the largest angle; `by_parent` as the target's, in world axes. Against the stop, the bone moves as
-/// its default position does.
+/// Section 4. `cosine` of the largest angle; `by_parent` as the target's, in world axes. Against the stop, the bone
+/// moves as its default position does.
 template <class D>
 HWY_INLINE void keep_in_limit(D d, V<D> cosine, const V3<D>& by_parent, const Target<D>& target, BoneMotion<D>& now) {
   const auto zero = hn::Zero(d);
@@ -147,7 +148,8 @@ HWY_INLINE V<D> of_last_bones(D d, const RowStep& row, std::size_t bone, std::si
   return bone + 1 == row.bones.size() ? here : hn::IfThenZeroElse(has_bone(d, row, bone + 1, lane), here);
 }
 
-/// Of a joint that moves rigidly with the head; `joint` in head space, `turn` the head's rotation at the end of the step.
+/// Of a joint that moves rigidly with the head; `joint` in head space, `turn` the head's rotation at the end of the
+/// step.
 template <class D>
 HWY_INLINE void joint_on_head(D d, const RowStep& row, std::size_t lane, const M3<D>& turn, const V3<D>& joint,
                               Carrier<D>& carrier) {
@@ -165,8 +167,9 @@ HWY_INLINE void joint_on_head(D d, const RowStep& row, std::size_t lane, const M
   carrier.frame = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
 }
 
-/// Section 4, of a bone of a row that is bounded: turns `now` and `direction`, which is now.direction in head space, to where the
-/// limit about the frame of `from` allows it. `limited` is what colliders need for the same. Returns where the bone was beyond.
+/// Section 4, of a bone of a row that is bounded: turns `now` and `direction`, which is now.direction in head space, to
+/// where the limit about the frame of `from` allows it. `limited` is what colliders need for the same. Returns where
+/// the bone was beyond.
 template <class D>
 HWY_INLINE hn::Mask<D> keep_in_limit(D d, const RowStep& row, std::size_t lane, std::size_t bone,
                                      const Carrier<D>& from, LimitedBone<V<D>>& limited, BoneMotion<D>& now,
@@ -188,8 +191,10 @@ HWY_INLINE hn::Mask<D> keep_in_limit(D d, const RowStep& row, std::size_t lane, 
   return hn::Gt(limited.beyond, hn::Zero(d));
 }
 
-/// Section 4, of bone `bone` of the row, which starts at `start` (head space) with `start_velocity` and got there by `start_way`, as Carrier::way.
-/// That is null where colliders shall push at the end of the step alone. `direction` is now.direction in head space and follows it; `limited`, which may be null, is from keep_in_limit(). Returns the lanes in which the bone touched something.
+/// Section 4, of bone `bone` of the row, which starts at `start` (head space) with `start_velocity` and got there by
+/// `start_way`, as Carrier::way. That is null where colliders shall push at the end of the step alone. `direction` is
+/// now.direction in head space and follows it; `limited`, which may be null, is from keep_in_limit(). Returns the lanes
+/// in which the bone touched something.
 template <class D>
 HWY_INLINE hn::Mask<D> keep_clear_of(D d, const RowStep& row, std::size_t lane, const M3<D>& turn, std::size_t bone,
                                      const V3<D>& start, const V3<D>& start_velocity,

@@ -1,5 +1,5 @@
-// The step of the model in runtime/docs/MODEL.md for one chain, from root to tip. Section names below are those of MODEL.md,
-// "The step". Compiled once per instruction set.
+// The step of the model in runtime/docs/MODEL.md for one chain, from root to tip. Section names below are those of
+// MODEL.md, "The step". Compiled once per instruction set.
 
 #include "bone_frame-inl.h"
 #include "coif_bone-inl.h"
@@ -59,7 +59,8 @@ class CoifChain {
     store(d_, spin, state.spin, lane_);
   }
 
-  /// Section 2. The velocity before is that of the direction stored after the last step, under its parent's motion then.
+  /// Section 2. The velocity before is that of the direction stored after the last step, under its parent's motion
+  /// then.
   HWY_INLINE Target<D> target_of(const RowBone& shape, const PoseLanes* pose, bool leans, const BoneLanes& bone,
                                  const Carrier<D>& from, const V3<D>& arm_before, V<D> length) const {
     const V3<D> rest = load(d_, bone.rest, lane_), pull = leans ? load(d_, bone.pull, lane_) : rest;
@@ -102,8 +103,8 @@ class CoifChain {
     return air;
   }
 
-  /// Section 2 and 3: the exact answer of the oscillator about the moving default position, then the force that keeps the
-  /// length.
+  /// Section 2 and 3: the exact answer of the oscillator about the moving default position, then the force that keeps
+  /// the length.
   HWY_INLINE BoneMotion<D> move_freely(std::size_t i, const RowBone& shape, const Carrier<D>& from,
                                        const Target<D>& target, const V3<D>& before, const V3<D>& arm_before,
                                        const V3<D>& speed_before, V<D> length) const {

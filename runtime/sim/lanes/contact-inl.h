@@ -20,7 +20,8 @@ inline constexpr int kContactRounds = 4;
 /// A limit that stands against a collider pushes back at an angle: that takes more of them to agree.
 inline constexpr int kLimitedRounds = 24;
 
-/// Radians by which a bone may be turned along a surface without being looked at again: it gets no deeper than half the square of that.
+/// Radians by which a bone may be turned along a surface without being looked at again: it gets no deeper than half the
+/// square of that.
 inline constexpr float kSmallShift = 1e-5f;
 
 /// Where a bone that starts here and is no longer than `reach` could touch any of the colliders, whatever its
@@ -80,15 +81,17 @@ HWY_INLINE hn::Mask<D> reaches(D d, const PlacedCollider& collider, const V3<D>&
 /// How a collider pushes a bone that it holds at the end of a step.
 template <class D>
 struct Push {
-  V3<D>
-      way;  ///< What it takes of the bone's velocity goes along this. As long along the normal as the part of the normal across the bone.
+  V3<D> way;    ///< What it takes of the bone's velocity goes along this. As long along the normal as the part of the
+                ///< normal across the bone.
   V3<D> shift;  ///< By so much more the bone's direction is turned, beside the normal.
 };
 
-/// A push as it arises within the step. A constant force that turns the bone out as far leaves behind twice what that takes a second, along the mean of
-/// how bone and normal stand before the step and after it; the rest of what is taken goes along how they stand at the end. Where a bone comes to the
-/// collider within the step that is how they stand as it comes, and where it lies on it the mean of both; with the end alone both are of first
-/// order. `taken`: of the velocity along the normal, negative; in the lanes of `follows` that is the bone's own, since its start sinks besides.
+/// A push as it arises within the step. A constant force that turns the bone out as far leaves behind twice what that
+/// takes a second, along the mean of how bone and normal stand before the step and after it; the rest of what is taken
+/// goes along how they stand at the end. Where a bone comes to the collider within the step that is how they stand as
+/// it comes, and where it lies on it the mean of both; with the end alone both are of first order. `taken`: of the
+/// velocity along the normal, negative; in the lanes of `follows` that is the bone's own, since its start sinks
+/// besides.
 template <class D>
 COIF_RARE void find_push(D d, const PlacedCollider& collider, const Contact<D>& contact, const V3<D>& inside,
                          const TouchingBone<D>& bone, V<D> taken, hn::Mask<D> follows, Push<D>& push) {
@@ -128,8 +131,9 @@ COIF_RARE void find_push(D d, const PlacedCollider& collider, const Contact<D>& 
   set_where(d, is_alike, add_scaled(d, push.way, aside, share), push.way);
 }
 
-/// The velocity of the contact's point into the collider is lost. The collider stands still against the head. `inside`: the bone's direction
-/// before it was turned out. Returns 1 where the bone was turned on, beside the normal, and may be inside again, else 0.
+/// The velocity of the contact's point into the collider is lost. The collider stands still against the head. `inside`:
+/// the bone's direction before it was turned out. Returns 1 where the bone was turned on, beside the normal, and may be
+/// inside again, else 0.
 template <class D>
 HWY_INLINE V<D> stop_at_contact(D d, hn::Mask<D> touches, const PlacedCollider& collider, const Contact<D>& contact,
                                 const V3<D>& inside, TouchingBone<D>& bone) {
@@ -188,9 +192,9 @@ HWY_INLINE hn::Mask<D> keep_in_limit(D d, hn::Mask<D> here, TouchingBone<D>& bon
   return hn::Gt(limited.beyond, hn::Zero(d));
 }
 
-/// Turns the bones in the lanes of `reached` until they are clear of their colliders, which stand still against the head, and takes from their velocities
-/// what leads into those. `set` has the colliders of all lanes. Returns the lanes that touched any: only in them the
-/// bone is another.
+/// Turns the bones in the lanes of `reached` until they are clear of their colliders, which stand still against the
+/// head, and takes from their velocities what leads into those. `set` has the colliders of all lanes. Returns the lanes
+/// that touched any: only in them the bone is another.
 template <class D>
 COIF_RARE_ONCE hn::Mask<D> keep_clear(D d, const PlacedColliders& colliders, std::uint32_t set,
                                       const BoneLanes& constants, std::size_t lane, hn::Mask<D> reached,

@@ -67,8 +67,8 @@ void set_where(D d, hn::Mask<D> where, const M3<D>& value, LanesMatrix& to, std:
   set_where(d, where, value.z, to.z, lane);
 }
 
-/// Leaves of `move`, in which a head goes for `dt` seconds, the part between these shares of it. (But for the quaternions, which the bones
-/// do not read.)
+/// Leaves of `move`, in which a head goes for `dt` seconds, the part between these shares of it. (But for the
+/// quaternions, which the bones do not read.)
 template <class D>
 COIF_RARE void cut_move(D d, V<D> from, V<D> to, V<D> dt, std::size_t lane, MoveLanes& move) {
   const auto is_later = hn::Gt(from, hn::Zero(d)), is_shorter = hn::Lt(to, hn::Set(d, 1.0f));

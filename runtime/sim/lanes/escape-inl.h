@@ -16,12 +16,12 @@ namespace HWY_NAMESPACE {
 /// Depth in a collider at which a bone is not clear of it, share of its size: ten times what turning out leaves.
 inline constexpr float kLiesIn = 1e-5f;
 
-/// A start deeper than this, share of the size, is in the collider where no way out is found otherwise: ten times as deep as a bone is
-/// left there.
+/// A start deeper than this, share of the size, is in the collider where no way out is found otherwise: ten times as
+/// deep as a bone is left there.
 inline constexpr float kStartsIn = 1e-4f;
 
-/// Where the bone in this direction lies in the collider. Of one whose start is in there, that counts the end alone; of one whose
-/// start is on its surface what is deeper than the start.
+/// Where the bone in this direction lies in the collider. Of one whose start is in there, that counts the end alone; of
+/// one whose start is on its surface what is deeper than the start.
 template <class D>
 COIF_RARE hn::Mask<D> lies_in(D d, hn::Mask<D> asked, const PlacedCollider& collider, const TouchingBone<D>& bone,
                               const V3<D>& direction) {
@@ -67,8 +67,9 @@ struct EscapeSides {
 /// First to few, which mostly do; then to many, as what is left between two colliders may be narrow.
 inline constexpr EscapeSides kEscapeSides[] = {{8, 0.70710678f, 0.70710678f}, {32, 0.98078528f, 0.19509032f}};
 
-/// Turns `direction` in the lanes of `stuck` by the smallest multiple of six degrees that leads out, to any of the sides, and
-/// back as far as it stays out. Where nothing leads out it stays as it is. `is_blocked(lanes, direction)` says where not.
+/// Turns `direction` in the lanes of `stuck` by the smallest multiple of six degrees that leads out, to any of the
+/// sides, and back as far as it stays out. Where nothing leads out it stays as it is. `is_blocked(lanes, direction)`
+/// says where not.
 template <class D, class Blocked>
 HWY_INLINE void escape(D d, hn::Mask<D> stuck, const Blocked& is_blocked, V3<D>& direction) {
   const V3<D> middle = direction, u = any_perpendicular(d, middle), v = cross(d, middle, u);

@@ -11,8 +11,8 @@ namespace coif {
 
 inline constexpr std::uint32_t kGustWaves = 6;
 
-/// sin(2 pi f) for |f| <= 1/2 is, but for f's sign, a polynomial in |f| (1/2 - |f|): from the highest power down to the first, to 1e-5.
-/// Least squares in Chebyshev's points.
+/// sin(2 pi f) for |f| <= 1/2 is, but for f's sign, a polynomial in |f| (1/2 - |f|): from the highest power down to the
+/// first, to 1e-5. Least squares in Chebyshev's points.
 inline constexpr float kGustSine[] = {77.9606934f, 50.02286f, 12.5689141f};
 
 /// Plane waves: each moves air by `air` sin(2 pi (turns place - turns_per_way way + begin)).
@@ -37,7 +37,8 @@ struct GustLanes {
   Lanes strength;           ///< What the gusts' air is for the hair: exposure by scale.
 };
 
-/// What remains of `turns` without whole ones: -1/2..1/2; 0 from 1e15 turns on, where doubles have hardly any parts left.
+/// What remains of `turns` without whole ones: -1/2..1/2; 0 from 1e15 turns on, where doubles have hardly any parts
+/// left.
 [[nodiscard]] float part_turn(double turns);
 
 /// Of gusts that set_gusts() takes; `amplitude` and all.

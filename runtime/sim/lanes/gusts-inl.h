@@ -26,8 +26,8 @@ HWY_INLINE bool feels_gusts(D, const RowStep& row) {
     return row.character->gusts != nullptr;
 }
 
-/// What gusts add to the velocity of the air, the hair's metres a second, at `offset` from the head's position: world axes, hair's
-/// metres.
+/// What gusts add to the velocity of the air, the hair's metres a second, at `offset` from the head's position: world
+/// axes, hair's metres.
 template <class D>
 HWY_NOINLINE V3<D> gust_at(D d, const RowCharacter& character, std::size_t lane, const V3<D>& offset) {
   const GustLanes& heads = *character.gusts;
@@ -57,7 +57,8 @@ struct NoBoneAir {};
 template <class D>
 using BoneAirOf = std::conditional_t<kOnCharacter<D>, BoneAir<D>, NoBoneAir>;
 
-/// Of bone `i` of `bones`, parents first: where it starts, as it was before the step but for the head's turn, the air there.
+/// Of bone `i` of `bones`, parents first: where it starts, as it was before the step but for the head's turn, the air
+/// there.
 template <class D, class Bone>
 HWY_INLINE void feel_air(D d, const RowStep& row, std::size_t lane, std::size_t i, const M3<D>& turn,
                          const V3<D>& direction, Bone* bones) {

@@ -1,6 +1,7 @@
-// A smooth path through the poses of many heads. Between two poses it is the cubic with the velocities at both ends; the
-// velocity at a new pose is what the host told, or that of the parabola through the last three. Without it a head is a polygon in time: at each
-// frame its velocity jumps, and hair in sub-steps feels every corner. Compiled once per instruction set.
+// A smooth path through the poses of many heads. Between two poses it is the cubic with the velocities at both ends;
+// the velocity at a new pose is what the host told, or that of the parabola through the last three. Without it a head
+// is a polygon in time: at each frame its velocity jumps, and hair in sub-steps feels every corner. Compiled once per
+// instruction set.
 
 #include "lane_code.h"
 #include "lane_math-inl.h"
@@ -33,8 +34,8 @@ HWY_NOINLINE V3<D> vector_of(D d, const Q<D>& q) {
   constexpr float kArcTangent[] = {-0.0603324163f, 0.105728144f, -0.142399829f, 0.199982108f, -0.333333075f, 1.0f};
   const auto one = hn::Set(d, 1.0f), zero = hn::Zero(d);
   const auto sine2 = dot(d, axis_of(q), axis_of(q)), sine = hn::Sqrt(sine2), cosine = hn::Abs(q.w);
-  // With t = sine / cosine: beyond a quarter of the way to the pole, atan(t) = pi/4 + atan((t - 1) / (t + 1)); in the last
-  // quarter, pi/2 - atan(1 / t).
+  // With t = sine / cosine: beyond a quarter of the way to the pole, atan(t) = pi/4 + atan((t - 1) / (t + 1)); in the
+  // last quarter, pi/2 - atan(1 / t).
   const auto is_wide = hn::Gt(sine, hn::Mul(hn::Set(d, 0.414213562f), cosine));
   const auto is_steep = hn::Gt(sine, hn::Mul(hn::Set(d, 2.41421356f), cosine));
   const auto wide_rise = hn::IfThenElse(is_steep, hn::Neg(cosine), hn::Sub(sine, cosine));
@@ -88,8 +89,8 @@ HWY_INLINE V3<D> slope_at_end(D d, const V3<D>& mean, const V3<D>& mean_before, 
   return add_scaled(d, mean, sub(d, mean, mean_before), share);
 }
 
-/// The same after a frame that took long, in which a head that was on its way may have been held. As far as it is certain:
-/// by the parabola the head would now fly back as fast as it came.
+/// The same after a frame that took long, in which a head that was on its way may have been held. As far as it is
+/// certain: by the parabola the head would now fly back as fast as it came.
 template <class D>
 HWY_INLINE V3<D> slope_after_stall(D d, const V3<D>& mean, const V3<D>& mean_before, V<D> share) {
   const V3<D> change = scale(d, sub(d, mean, mean_before), share);
@@ -172,8 +173,8 @@ HWY_INLINE hn::Mask<D> watch_rest(D d, HeadLanes& heads, std::size_t lane, V<D> 
   return hn::Ge(quiet, hn::Set(d, watch.sleep_after));
 }
 
-/// Rate of the rotation vector r for the angular velocity w in the turned frame, and the reverse; both are the first terms
-/// of the differential of the exponential map, good for the turn of one step.
+/// Rate of the rotation vector r for the angular velocity w in the turned frame, and the reverse; both are the first
+/// terms of the differential of the exponential map, good for the turn of one step.
 template <class D>
 HWY_INLINE V3<D> rate_of_vector(D d, const V3<D>& r, const V3<D>& w) {
   const V3<D> once = cross(d, r, w);
@@ -203,7 +204,7 @@ HWY_NOINLINE V3<D> blend(D d, const HermiteLanes<D>& weights, const V3<D>& start
   return add_scaled(d, sum, end_slope, weights.end_slope);
 }
 
-/// How a head turns during some time: where it begins and ends, the rotation vector in between, and how fast it turns there.
+/// A head's turn during some time: its first and last rotation, the rotation vector between them, and its speeds there.
 template <class D>
 struct TurningHead {
   Q<D> before, after;
@@ -211,7 +212,7 @@ struct TurningHead {
   V3<D> angular_velocity_before, angular_velocity;
 };
 
-/// The rotation within that time of `dt` seconds where the cubic has these weights, and, by those of its slope, the angular velocity there.
+/// The rotation within `dt` seconds for these weights of the cubic, and, for those of its slope, the angular velocity.
 template <class D>
 HWY_INLINE void turn_along(D d, const TurningHead<D>& head, const HermiteLanes<D>& values,
                            const HermiteLanes<D>& slopes, V<D> dt, V<D> per_second, Q<D>& rotation,
@@ -257,8 +258,8 @@ HWY_INLINE void follow_path(D d, const HeadLanes& heads, const HeadStepLanes& st
   store(d, angular_velocity, move.angular_velocity, lane);
 }
 
-/// What the hair feels of a sub-step when it feels a share of the head's motion. The rest turns the hair by the rotation
-/// returned.
+/// What the hair feels of a sub-step when it feels a share of the head's motion. The rest turns the hair by the
+/// rotation returned.
 template <class D>
 HWY_INLINE Q<D> share_motion(D d, float inertia, std::size_t lane, MoveLanes& move) {
   const auto share = hn::Set(d, inertia);

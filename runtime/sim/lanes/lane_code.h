@@ -1,5 +1,6 @@
 #pragma once
-// The code that exists once per instruction set, behind plain functions. Each pointer is null where a build lacks the set.
+// The code that exists once per instruction set, behind plain functions. Each pointer is null where a build lacks the
+// set.
 
 #include "row.h"
 #include "step_parts.h"
@@ -30,8 +31,8 @@ struct RestingHeads {
   std::uint32_t flies = 0;  ///< Its hair is faster than light, or nowhere.
 };
 
-/// Follows the heads of one block through a step. In this order: look_ahead, begin, move for each part, finish. Of as many vectors as
-/// hold the first `lanes` lanes; what is in others stays as it is.
+/// Follows the heads of one block through a step. In this order: look_ahead, begin, move for each part, finish. Of as
+/// many vectors as hold the first `lanes` lanes; what is in others stays as it is.
 struct HeadCode {
   /// Returns whether some head, perhaps of a lane that is not in use, moves further than it can have moved.
   bool (*look_ahead)(const HeadLanes& heads, std::uint32_t lanes, const StepParts& parts,
@@ -62,8 +63,8 @@ HeadCode head_code(InstructionSet set);
 #define COIF_SINGLY(function) nullptr
 #endif
 
-/// Defines name(set): a pointer to that instruction set's `function`, or null where this build has none. `function` takes
-/// as many lanes as there are, `function`_singly one.
+/// Defines name(set): a pointer to that instruction set's `function`, or null where this build has none. `function`
+/// takes as many lanes as there are, `function`_singly one.
 #define COIF_CHOOSE(name, function)                                                                              \
   decltype(&HWY_STATIC_DISPATCH(function)) name(InstructionSet set) {                                            \
     switch (set) {                                                                                               \

@@ -1,6 +1,7 @@
 #pragma once
-// How numbers lie in memory for the code that steps many chains at once. A "lane" is one place in a SIMD vector. Sixteen
-// lanes are stored side by side whatever the processor: a vector of 4, 8 or 16 then walks over them in 4, 2 or 1 parts.
+// How numbers lie in memory for the code that steps many chains at once. A "lane" is one place in a SIMD vector.
+// Sixteen lanes are stored side by side whatever the processor: a vector of 4, 8 or 16 then walks over them in 4, 2 or
+// 1 parts.
 
 #include <coif/asset_records.h>
 #include <coif/math.h>
@@ -56,14 +57,14 @@ struct BoneLanes {
   Lanes parent_share;
   Lanes torsion;
   Lanes resistance;
-  Lanes
-      carried;  ///< Moment of inertia of all that hangs from the start, at rest, if bones weigh a kilogram a metre: kg m^2.
+  Lanes carried;  ///< Moment of inertia of all that hangs from the start, at rest, if bones weigh a kilogram a metre:
+                  ///< kg m^2.
   alignas(64) std::uint32_t colliders[kLanes];  ///< Sets.
   alignas(64) std::int32_t levels[kLanes];  ///< In how many levels of detail, from the finest, the bone is simulated.
 };
 
-/// What bounds a bone's direction, of a row in which some bone has a LimitRecord. Two angles: the first from the axes' y to the side
-/// of z, or for a cone to any side; the second from there to the side of x.
+/// What bounds a bone's direction, of a row in which some bone has a LimitRecord. Two angles: the first from the axes'
+/// y to the side of z, or for a cone to any side; the second from there to the side of x.
 struct LimitLanes {
   LanesMatrix axes;  ///< From the limit's own axes to the parent's frame.
   Lanes is_cone;     ///< 1 or 0.
@@ -126,7 +127,8 @@ struct PassiveState {
   Lanes3 lagged;        ///< The same as the method has it, which lags behind.
   Lanes tension;        ///< Along the bone, newtons for bones of a kilogram a metre; >= 0.
   Lanes bent;           ///< Energy of its bending, over its stiffness and what it carries; kNotBent: it was put there.
-  /// 1: it lies on a collider of its head, 0: it does not. A chain's first bone has 2 more if any bone of it came to one in the last step.
+  /// 1: it lies on a collider of its head, 0: it does not. A chain's first bone has 2 more if any bone of it came to
+  /// one in the last step.
   Lanes contact;
 };
 
@@ -143,8 +145,8 @@ struct ThesisState {
   Lanes3 velocity;  ///< m/s, world.
 };
 
-/// What the heads of one block do during one step or sub-step. World axes where not said otherwise; metres of the hair itself,
-/// of which the world has as many as the head's scale.
+/// What the heads of one block do during one step or sub-step. World axes where not said otherwise; metres of the hair
+/// itself, of which the world has as many as the head's scale.
 struct MoveLanes {
   Lanes4 rotation_before;  ///< World from head space.
   Lanes4 rotation;
@@ -160,15 +162,16 @@ struct MoveLanes {
   Lanes near_cosine;  ///< A bone whose direction turned by less cannot have jumped through a collider; see kFarTurn.
 };
 
-/// The heads of one block: where each is, where it goes during the coming step, and how it has moved. World axes and metres.
+/// The heads of one block: where each is, where it goes during the coming step, and how it has moved. World axes and
+/// metres.
 struct HeadLanes {
   Lanes4 rotation;       ///< World from head space, now.
   Lanes4 next_rotation;  ///< At the end of the coming step.
   Lanes3 way;            ///< To there, metres.
   Lanes3 velocity;       ///< Now, m/s and rad/s.
   Lanes3 angular_velocity;
-  Lanes3
-      mean_velocity;  ///< Over the last step. Where is_told: at the end of the coming one, for which the mean is not needed.
+  Lanes3 mean_velocity;  ///< Over the last step. Where is_told: at the end of the coming one, for which the mean is not
+                         ///< needed.
   Lanes3 mean_angular_velocity;
   Lanes is_told;                    ///< 1: the host said how fast the head arrives; or 0.
   Lanes last_dt;                    ///< Seconds; 0: there was no step yet.

@@ -1,5 +1,5 @@
-// Vectors and matrices of which each number is a SIMD vector: one lane for each chain. Compiled once per instruction set.
-// Nothing here is fused, estimated or taken from libm, so that every instruction set computes the same bits.
+// Vectors and matrices of which each number is a SIMD vector: one lane for each chain. Compiled once per instruction
+// set. Nothing here is fused, estimated or taken from libm, so that every instruction set computes the same bits.
 
 #include "lane_layout.h"
 
@@ -18,7 +18,8 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The scalar path is compiled once, beside several instruction sets to compare with. Alone, an instruction set has none.
+/// The scalar path is compiled once, beside several instruction sets to compare with. Alone, an instruction set has
+/// none.
 #ifndef COIF_HAS_SINGLY
 #define COIF_HAS_SINGLY (HWY_TARGETS != HWY_STATIC_TARGET && HWY_TARGET == HWY_STATIC_TARGET)
 #endif
@@ -41,8 +42,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Widest = hn::CappedTag<float, kLanes>;
 using Single = hn::CappedTag<float, 1>;
 
-/// The same vectors, for the code of hair on a character (kCharacterSolver): by this type its functions know that they may meet
-/// colliders that move, poses to follow and gusts. Code for other hair holds nothing of that.
+/// The same vectors, for the code of hair on a character (kCharacterSolver): by this type its functions know that they
+/// may meet colliders that move, poses to follow and gusts. Code for other hair holds nothing of that.
 template <class D>
 struct OnCharacter : D {};
 template <class D>
@@ -74,8 +75,8 @@ struct M3 {
   V3<D> x, y, z;
 };
 
-/// Copies vector by vector. Left to the compiler, the assignment of a large struct goes through memory in parts that the
-/// processor cannot forward to the loads that follow.
+/// Copies vector by vector. Left to the compiler, the assignment of a large struct goes through memory in parts that
+/// the processor cannot forward to the loads that follow.
 template <class D>
 HWY_INLINE void copy(D, const V3<D>& from, V3<D>& to) {
   to.x = from.x;
@@ -189,8 +190,8 @@ HWY_INLINE void set_where(D, hn::Mask<D> mask, const V3<D>& value, V3<D>& to) {
   to.z = hn::IfThenElse(mask, value.z, to.z);
 }
 
-/// Makes nothing of what is too small to be seen and would fade away through subnormal numbers, which are slow: it loses
-/// itself beside a number of 1e-18.
+/// Makes nothing of what is too small to be seen and would fade away through subnormal numbers, which are slow: it
+/// loses itself beside a number of 1e-18.
 template <class D>
 HWY_INLINE V<D> without_trace(D d, V<D> fading) {
   const auto beside = hn::Set(d, 1e-18f);

@@ -1,5 +1,5 @@
-// What the steps hand over to the code that keeps bones in their limits (limit_rows.cpp), which is there once for all models.
-// Compiled once per instruction set.
+// What the steps hand over to the code that keeps bones in their limits (limit_rows.cpp), which is there once for all
+// models. Compiled once per instruction set.
 
 #include "lane_math-inl.h"
 #include "row.h"
@@ -15,8 +15,8 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// A bone whose direction is bounded, as it would be at the end of a step. `Vector` is that of the lanes, so that hair on a
-/// character has the same type. Each pointer is to as many vectors as it says, one after the other.
+/// A bone whose direction is bounded, as it would be at the end of a step. `Vector` is that of the lanes, so that hair
+/// on a character has the same type. Each pointer is to as many vectors as it says, one after the other.
 template <class Vector>
 struct LimitedBone {
   const RowStep* row;

@@ -17,7 +17,8 @@ namespace HWY_NAMESPACE {
 inline constexpr float kBeyond =
     1e-6f;  ///< Radians: nearer is within, so that what was turned back is not turned again.
 
-/// A direction in the limit's own axes: (x, y) and the part of it that the first angle goes to. For a cone x is part of that.
+/// A direction in the limit's own axes: (x, y) and the part of it that the first angle goes to. For a cone x is part of
+/// that.
 template <class D>
 struct Angles {
   V<D> cosine[2], sine[2];  ///< Of the two angles that are allowed.
@@ -25,8 +26,8 @@ struct Angles {
   V<D> side_x, side_z;  ///< Where the first angle goes to, unit.
 };
 
-/// The nearest that is allowed: the first angle first. The second angle, at most a quarter of a turn, is then that of what is
-/// left in the plane of the first, and at each end of the first the nearest of all of that plane.
+/// The nearest that is allowed: the first angle first. The second angle, at most a quarter of a turn, is then that of
+/// what is left in the plane of the first, and at each end of the first the nearest of all of that plane.
 template <class D>
 HWY_INLINE Angles<D> nearest_angles(D d, const LimitLanes& limits, std::size_t lane, const V3<D>& v) {
   const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-18f), least_angle = hn::Set(d, kBeyond);
@@ -62,8 +63,8 @@ HWY_INLINE Angles<D> nearest_angles(D d, const LimitLanes& limits, std::size_t l
   return at;
 }
 
-/// Takes out what leads further along `way`, the unit direction in which an angle grows, `sine` its own. A lock, of angle 0, holds
-/// in both directions.
+/// Takes out what leads further along `way`, the unit direction in which an angle grows, `sine` its own. A lock, of
+/// angle 0, holds in both directions.
 template <class D>
 HWY_INLINE void stop(D d, hn::Mask<D> is_beyond, V<D> sine, const V3<D>& way, V3<D>& velocity) {
   const auto speed = dot(d, velocity, way);

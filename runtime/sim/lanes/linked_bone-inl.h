@@ -1,5 +1,5 @@
-// What becomes of one bone of a chain that links hold (runtime/docs/MODEL.md, "Links"), one lane at a time: the same pieces that the
-// rows' steps are made of. Compiled once, for one lane.
+// What becomes of one bone of a chain that links hold (runtime/docs/MODEL.md, "Links"), one lane at a time: the same
+// pieces that the rows' steps are made of. Compiled once, for one lane.
 
 #include "bone_frame-inl.h"
 #include "coif_bone-inl.h"
@@ -54,7 +54,8 @@ class HangingBone {
   [[nodiscard]] const BoneLanes& constants() const { return row_.constants[i_]; }
   [[nodiscard]] M3<D> turn() const { return load(d_, row_.move->from_head, lane_); }
 
-  /// What the bone hangs from, as far as its own end is concerned. A first bone's parent frame is only known of moved chains' others.
+  /// What the bone hangs from, as far as its own end is concerned. A first bone's parent frame is only known of moved
+  /// chains' others.
   Carrier<D> carrier(const HeldBone& bone) const {
     const auto one = hn::Set(d_, 1.0f), zero = hn::Zero(d_);
     Carrier<D> from;
@@ -109,7 +110,8 @@ class HangingBone {
   const HeldBone* const parent_;
 };
 
-/// What the row's step would have made of it, had its parent been there: the oscillator about a default position that went another way.
+/// What the row's step would have made of it, had its parent been there: the oscillator about a default position that
+/// went another way.
 template <class D>
 void HangingBone<D>::follow_as_cascade(const Carrier<D>& from, const V3<D>& shift, const V3<D>& change,
                                        HeldBone& bone) const {

@@ -1,5 +1,5 @@
-// When bones meet the colliders of their head within a step, and whether they come to lie on them or leave them again. Compiled once
-// per instruction set. What a lane comes to depends on its own numbers, never on its neighbours'.
+// When bones meet the colliders of their head within a step, and whether they come to lie on them or leave them again.
+// Compiled once per instruction set. What a lane comes to depends on its own numbers, never on its neighbours'.
 
 #include "coif_bone-inl.h"
 #include "row.h"
@@ -60,8 +60,8 @@ struct Meeting {
   V<D> when;     ///< Share of the step after which they meet.
 };
 
-/// Its distance from the collider falls evenly faster or slower throughout the step. The bone loses the speed at which it comes; it
-/// comes to lie where it is pressed on, and else leaves again. Keeps in `meeting` what lifts it farthest.
+/// Its distance from the collider falls evenly faster or slower throughout the step. The bone loses the speed at which
+/// it comes; it comes to lie where it is pressed on, and else leaves again. Keeps in `meeting` what lifts it farthest.
 template <class D>
 COIF_RARE void meet_within(D d, const PlacedCollider& collider, const MeetingBone<D>& bone, V<D> dt,
                            const Deepest<D>& now, hn::Mask<D> asked, Meeting<D>& meeting) {
@@ -96,7 +96,8 @@ COIF_RARE void meet_within(D d, const PlacedCollider& collider, const MeetingBon
   keep(hn::IfThenElseZero(leaves, hn::Mul(gain, left)), meeting.leave);
 }
 
-/// How the bone goes through the step. `before`: its direction then; the last two: of its start and end, before the step.
+/// How the bone goes through the step. `before`: its direction then; the last two: of its start and end, before the
+/// step.
 template <class D>
 HWY_INLINE MeetingBone<D> meeting_bone(D d, const RowStep& row, std::size_t lane, std::size_t bone, const M3<D>& turn,
                                        const Carrier<D>& from, const V3<D>& before, const V3<D>& direction,

@@ -1,5 +1,5 @@
-// Bones against colliders that move, and against those of their head at the same time. Compiled once per instruction set. What a
-// lane comes to depends on its own numbers, never on its neighbours'.
+// Bones against colliders that move, and against those of their head at the same time. Compiled once per instruction
+// set. What a lane comes to depends on its own numbers, never on its neighbours'.
 
 #include <new>
 #include <type_traits>
@@ -36,8 +36,8 @@ HWY_INLINE hn::Mask<D> lanes_of(D d, std::uint32_t bits) {
   return hn::Gt(hn::Load(d, lanes), hn::Zero(d));
 }
 
-/// Where the end of a bone that was pushed about went during a part of a step, head space: after each eighth of it. Its children follow
-/// it there, as on the straight way they would pass through what it went round.
+/// Where the end of a bone that was pushed about went during a part of a step, head space: after each eighth of it. Its
+/// children follow it there, as on the straight way they would pass through what it went round.
 template <class D>
 struct TailPath {
   static constexpr int kEighths = 8;
@@ -148,8 +148,8 @@ HWY_INLINE hn::Mask<D> may_touch_body(D d, const RowCharacter& character, std::s
   return hn::RebindMask(d, hn::TestBit(sets, hn::Set(du, 1u << way.place)));
 }
 
-/// The first lane of `all`, and those of the same head that meet the same colliders: how often these look, and with that every lane's
-/// bits, then does not depend on who else is in the vector.
+/// The first lane of `all`, and those of the same head that meet the same colliders: how often these look, and with
+/// that every lane's bits, then does not depend on who else is in the vector.
 HWY_INLINE std::uint32_t alike(const RowCharacter& character, const std::uint32_t* bits, std::uint32_t all) {
   const std::uint32_t first = all & (0u - all);
   if (character.only_head < 0) return first;
@@ -157,7 +157,8 @@ HWY_INLINE std::uint32_t alike(const RowCharacter& character, const std::uint32_
   return all;
 }
 
-/// Which of the head's colliders come near the bone in some lane of `own`. `bits` has a bit for each lane and collider near.
+/// Which of the head's colliders come near the bone in some lane of `own`. `bits` has a bit for each lane and collider
+/// near.
 template <class D>
 HWY_INLINE void meet(D d, const RowStep& row, std::size_t lane, std::size_t index, const ColliderWay* ways,
                      const std::uint32_t* bits, std::uint32_t count, hn::Mask<D> own, std::uint32_t own_bits,
@@ -195,8 +196,8 @@ HWY_INLINE hn::Mask<D> is_near(D d, const RowCharacter& character, std::size_t l
   return hn::Lt(dot(d, offset, offset), hn::Mul(farthest, farthest));
 }
 
-/// keep_clear_of() for the colliders that move. `from_path` is that of what the bone hangs from, `own_path` for its children; both may
-/// be null.
+/// keep_clear_of() for the colliders that move. `from_path` is that of what the bone hangs from, `own_path` for its
+/// children; both may be null.
 template <class D>
 COIF_RARE hn::Mask<D> keep_clear_of_moving(D d, const RowStep& row, std::size_t lane, const M3<D>& turn,
                                            std::size_t index, const Carrier<D>& from, const V3<D>& before,

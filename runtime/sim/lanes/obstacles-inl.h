@@ -1,5 +1,5 @@
-// What a bone on a character may touch at one moment, of its head's colliders and of those that move, and how it gets clear of all.
-// Compiled once per instruction set.
+// What a bone on a character may touch at one moment, of its head's colliders and of those that move, and how it gets
+// clear of all. Compiled once per instruction set.
 
 #include "character_row.h"
 #include "contact-inl.h"
@@ -30,8 +30,8 @@ struct Met {
   };
 };
 
-/// The velocity of the contact's point into a surface that moves is lost, and it goes along with that. A surface throws what it
-/// meets over a lever of a quarter of the bone at least, so that no speed is more than four times as fast.
+/// The velocity of the contact's point into a surface that moves is lost, and it goes along with that. A surface throws
+/// what it meets over a lever of a quarter of the bone at least, so that no speed is more than four times as fast.
 template <class D>
 HWY_INLINE void go_along(D d, hn::Mask<D> touches, const Contact<D>& contact, const ColliderWay& way,
                          const Vec3& center, TouchingBone<D>& bone) {
@@ -60,8 +60,8 @@ struct Obstacles {
   std::uint32_t moving_count;
 };
 
-/// Turns bones out of one collider after the other until none touches more than one, or for so many rounds. Returns the lanes that
-/// touched any. (One loop for both kinds, so that the code is there once.)
+/// Turns bones out of one collider after the other until none touches more than one, or for so many rounds. Returns the
+/// lanes that touched any. (One loop for both kinds, so that the code is there once.)
 template <class D>
 COIF_RARE hn::Mask<D> keep_clear_of_all(D d, const Obstacles<D>& obstacles, hn::Mask<D> here, int rounds,
                                         TouchingBone<D>& bone) {

@@ -14,7 +14,8 @@ namespace coif {
 namespace HWY_NAMESPACE {
 
 #if HWY_TARGET != HWY_SCALAR
-/// Rows of the matrices of four lanes in each vector's 128-bit blocks: of the first of each four, the second, and so on.
+/// Rows of the matrices of four lanes in each vector's 128-bit blocks: of the first of each four, the second, and so
+/// on.
 template <class D>
 struct FourRows {
   V<D> of[4];
@@ -59,8 +60,8 @@ HWY_INLINE void store_blocks(D d, const FourRows<D> (&rows)[3], Mat34* const* to
 
 #endif
 
-/// Rotates about the bone's rest joint, then carries that joint to `start`: rest pose in head space -> present pose. Each
-/// lane's matrix goes to its own place, where it is written as a whole.
+/// Rotates about the bone's rest joint, then carries that joint to `start`: rest pose in head space -> present pose.
+/// Each lane's matrix goes to its own place, where it is written as a whole.
 template <class D>
 HWY_INLINE void store_matrix(D d, const M3<D>& frame, const V3<D>& joint, const V3<D>& start, Mat34* const* to,
                              std::size_t bone, [[maybe_unused]] std::size_t lanes) {

@@ -1,5 +1,5 @@
-// A chain of the passive model that arrives at a collider (runtime/docs/MODEL.md, "The passive model"): when the step is split, how the next one begins
-// and what a blow elsewhere lets go. Compiled once per instruction set.
+// A chain of the passive model that arrives at a collider (runtime/docs/MODEL.md, "The passive model"): when the step
+// is split, how the next one begins and what a blow elsewhere lets go. Compiled once per instruction set.
 
 #include "passive_chain-inl.h"
 #include "passive_contact-inl.h"
@@ -16,7 +16,8 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// Shares of what is left of a step: it is split a little after a bone has come to a collider, no earlier, and no later than these.
+/// Shares of what is left of a step: it is split a little after a bone has come to a collider, no earlier, and no later
+/// than these.
 constexpr float kAfterMeeting = 0.03f, kEarliestSplit = 0.1f, kLatestSplit = 0.93f;
 
 /// Whether the step may be taken in parts. What moves colliders, poses and links knows whole ones only.
@@ -28,8 +29,8 @@ bool PassiveChain<D>::may_split() const {
   return !row_.is_linked && (part_ == nullptr || part_->may_split);
 }
 
-/// A blow changes accelerations at once, and those of before it say nothing about the next step. That one takes the accelerations at its own
-/// end for all of it: the same method with other numbers.
+/// A blow changes accelerations at once, and those of before it say nothing about the next step. That one takes the
+/// accelerations at its own end for all of it: the same method with other numbers.
 template <class D>
 COIF_RARE void PassiveChain<D>::start_after_blow(hn::Mask<D> blow) {
   if (part_ != nullptr) blow = hn::And(blow, part_->acts);
@@ -49,7 +50,8 @@ COIF_RARE void PassiveChain<D>::start_after_blow(hn::Mask<D> blow) {
   has_own_numbers_ = true;
 }
 
-/// A blow in the midst of a step changes what happens in the rest of it. (Where a bone that lay somewhere has been let go there is none.)
+/// A blow in the midst of a step changes what happens in the rest of it. (Where a bone that lay somewhere has been let
+/// go there is none.)
 template <class D>
 COIF_RARE bool PassiveChain<D>::finds_split(hn::Mask<D> hit) {
   if (!may_split()) return false;
@@ -104,8 +106,9 @@ COIF_RARE void PassiveChain<D>::undo_links() {
   }
 }
 
-/// Makes velocities fit once more, without the contacts that would have to pull after a blow elsewhere. hold_at_contacts() sees such a pull in
-/// how far bones move, and they hardly move in the little time that a blow leaves them.
+/// Makes velocities fit once more, without the contacts that would have to pull after a blow elsewhere.
+/// hold_at_contacts() sees such a pull in how far bones move, and they hardly move in the little time that a blow
+/// leaves them.
 template <class D>
 COIF_RARE void PassiveChain<D>::let_go_after_blow() {
   for (int round = 0; round < kMostReleases && finds_pulling(); ++round) {

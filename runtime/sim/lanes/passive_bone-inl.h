@@ -1,6 +1,6 @@
-// One bone on its way through a step of the passive model (runtime/docs/MODEL.md, "The passive model"): what is kept of it between the
-// walks along its chain, and how its turns are taken out of the equations. Masses in kilograms for bones of one a metre, world
-// axes. Compiled once per instruction set.
+// One bone on its way through a step of the passive model (runtime/docs/MODEL.md, "The passive model"): what is kept of
+// it between the walks along its chain, and how its turns are taken out of the equations. Masses in kilograms for bones
+// of one a metre, world axes. Compiled once per instruction set.
 
 #include <new>
 
@@ -26,8 +26,8 @@ struct PassiveBone {
 
   Carrier<D> tail;
   V3<D> direction, arc;  ///< The bone's, and where it would rest.
-  /// By what the direction changed in this step, before it was rounded: velocities of what the rounded one does would hold a bone
-  /// where it is against small forces, in short steps.
+  /// By what the direction changed in this step, before it was rounded: velocities of what the rounded one does would
+  /// hold a bone where it is against small forces, in short steps.
   V3<D> moved;
   V<D> per_fold;
   V3<D> load, torque, reaction;
@@ -41,14 +41,16 @@ struct PassiveBone {
     PassiveBelow<D> below;
     PassiveLinks<D> links;  ///< When `below` has done its work, begun by link().
   };
-  /// Its turns y solve H y + by_start p + by_frame w + wanted = 0, where its start goes by p and its parent's frame turns by w.
+  /// Its turns y solve H y + by_start p + by_frame w + wanted = 0, where its start goes by p and its parent's frame
+  /// turns by w.
   V3<D> by_start[2], by_frame[2];
   V<D> wanted[2];
   V<D> inverse[3];  ///< 1 / H: 11, 12, 22.
   V3<D> shift;      ///< Of its end: against the first guess; then of what held it, against where it would freely be.
   V3<D> turn;       ///< Of its frame.
   PassiveBook<D> book;
-  /// As `moved`, without the contacts that it comes to; then the way of its end; then its end's velocity before that is made to fit.
+  /// As `moved`, without the contacts that it comes to; then the way of its end; then its end's velocity before that is
+  /// made to fit.
   V3<D> free;
   PassiveTouch<D> touch;
   PassiveHold<D> hold;
@@ -80,8 +82,8 @@ struct PassiveBone {
     coupled = hn::IfThenElse(rigid, one, coupled);
   }
 
-  /// The torque that unfolds a bone which is folded by more than a right angle, by the sine of that angle: the gradient of kFoldStiffness
-  /// stiffness (tan^2(fold / 2) - 1)^3. Sets its stiffness.
+  /// The torque that unfolds a bone which is folded by more than a right angle, by the sine of that angle: the gradient
+  /// of kFoldStiffness stiffness (tan^2(fold / 2) - 1)^3. Sets its stiffness.
   HWY_INLINE V<D> fold_back(D d, V<D> stiffness) {
     const auto twice = hn::Add(per_fold, per_fold), fold = folded(d, per_fold);
     const auto each =

@@ -1,6 +1,6 @@
-// The passive model's chain (runtime/docs/MODEL.md) during a step: what it keeps, and the order in which the step goes through it. The parts are
-// passive_solve-inl.h (where bones freely go), passive_contact-inl.h, passive_step-inl.h (limits and velocities) and
-// passive_energy-inl.h. Compiled once per instruction set.
+// The passive model's chain (runtime/docs/MODEL.md) during a step: what it keeps, and the order in which the step goes
+// through it. The parts are passive_solve-inl.h (where bones freely go), passive_contact-inl.h, passive_step-inl.h
+// (limits and velocities) and passive_energy-inl.h. Compiled once per instruction set.
 
 #include "bone_frame-inl.h"
 #include "coif_bone-inl.h"

@@ -1,5 +1,6 @@
-// How contacts act throughout a chain of the passive model (runtime/docs/MODEL.md, "The passive model"): a bone that lies on a
-// collider is held at the place of contact, and what holds it reaches its parents and children. Compiled once per instruction set.
+// How contacts act throughout a chain of the passive model (runtime/docs/MODEL.md, "The passive model"): a bone that
+// lies on a collider is held at the place of contact, and what holds it reaches its parents and children. Compiled once
+// per instruction set.
 
 #include "meeting-inl.h"
 #include "passive_chain-inl.h"
@@ -103,8 +104,8 @@ HWY_INLINE hn::Mask<D> PassiveChain<D>::lay_on(std::size_t i) const {
   return hn::Or(hn::Eq(contact, hn::Set(d_, 1.0f)), hn::Eq(contact, hn::Set(d_, 3.0f)));
 }
 
-/// First the contacts that there were hold, then those at which other bones come to lie. Accelerations and velocities are those of
-/// before the latter: a blow is no force. False where the step has to be split at a blow.
+/// First the contacts that there were hold, then those at which other bones come to lie. Accelerations and velocities
+/// are those of before the latter: a blow is no force. False where the step has to be split at a blow.
 template <class D>
 HWY_INLINE bool PassiveChain<D>::meet_colliders() {
   auto lay = hn::Lt(turn_.x.x, hn::Set(d_, -2.0f));

@@ -1,5 +1,6 @@
-// What keeps the passive model's step from making energy (runtime/docs/MODEL.md, "Energy"): a chain's book over one step, seen from
-// the head, and what becomes of a chain that has more than it was given. Compiled once per instruction set.
+// What keeps the passive model's step from making energy (runtime/docs/MODEL.md, "Energy"): a chain's book over one
+// step, seen from the head, and what becomes of a chain that has more than it was given. Compiled once per instruction
+// set.
 
 #include "palette-inl.h"
 #include "passive_chain-inl.h"
@@ -21,7 +22,8 @@ constexpr float kSlowHead = 0.1f;  ///< m/s
 constexpr float kSlowTurn = 1.0f;  ///< rad/s
 /// Share of the work of a head that moves by which the book may be wrong: a step knows how the head moves at its ends.
 constexpr float kUnsureOfHead = 0.25f;
-/// Share of what friction takes that is asked for: the step is of second order, and may take a little less than the equation.
+/// Share of what friction takes that is asked for: the step is of second order, and may take a little less than the
+/// equation.
 constexpr float kAskedOfFriction = 0.5f;
 
 /// As store_matrix(), of these lanes alone.
@@ -104,7 +106,8 @@ HWY_INLINE void PassiveChain<D>::open_book(std::size_t i, const V3<D>& before, c
   had_ = hn::Add(had_, hn::Mul(mass_of(i), dot(d_, book.drift, book.drift)));
 }
 
-/// Energy of the bending over the stiffness, where the bone has this direction, world axes; `pull` where its parent pulls it.
+/// Energy of the bending over the stiffness, where the bone has this direction, world axes; `pull` where its parent
+/// pulls it.
 template <class D>
 HWY_INLINE V<D> PassiveChain<D>::bent_to(std::size_t i, const V3<D>& direction, const V3<D>& arc,
                                          const V3<D>& pull) const {
@@ -122,7 +125,8 @@ HWY_INLINE V<D> PassiveChain<D>::bent_to(std::size_t i, const V3<D>& direction, 
   return hn::Add(bent, fold_energy(d_, direction, arc));
 }
 
-/// After the step: where the bone went against the head, and what it got from weight, bending, air and the head's own motion.
+/// After the step: where the bone went against the head, and what it got from weight, bending, air and the head's own
+/// motion.
 template <class D>
 HWY_INLINE void PassiveChain<D>::enter_way(std::size_t i, const Carrier<D>& from, const V3<D>& arc,
                                            const V3<D>& direction) {
@@ -173,8 +177,8 @@ HWY_INLINE void PassiveChain<D>::enter_motion(std::size_t i, const V3<D>& turnin
   has_ = hn::Add(has_, hn::Mul(mass_of(i), dot(d_, drift, drift)));
 }
 
-/// A chain that has more than it had and was given is slowed against the head until it has not. Where even at rest it would have more, it
-/// stays where it was, if nothing else moves there.
+/// A chain that has more than it had and was given is slowed against the head until it has not. Where even at rest it
+/// would have more, it stays where it was, if nothing else moves there.
 template <class D>
 HWY_INLINE void PassiveChain<D>::balance() {
   const auto zero = hn::Zero(d_), half = hn::Set(d_, 0.5f);

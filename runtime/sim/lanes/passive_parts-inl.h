@@ -1,5 +1,6 @@
-// What a bone of the passive model is made of while a step goes on: sums over what hangs from it, what holds it and where it touches, and
-// the algebra of those. Masses in kilograms for bones of one a metre, world axes. Compiled once per instruction set.
+// What a bone of the passive model is made of while a step goes on: sums over what hangs from it, what holds it and
+// where it touches, and the algebra of those. Masses in kilograms for bones of one a metre, world axes. Compiled once
+// per instruction set.
 
 #include "../passive_method.h"
 #include "coif_bone-inl.h"
@@ -16,10 +17,12 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// Least 1 + cosine of a fold in formulas: a bone nearer to folded over its parent turns its frame no faster, small as its movements are.
+/// Least 1 + cosine of a fold in formulas: a bone nearer to folded over its parent turns its frame no faster, small as
+/// its movements are.
 inline constexpr float kLeastUnfolded = 0.02f;
 
-/// Nearer to its start than this share of its length a contact holds a bone as if it were there; and nearer than the other not at all.
+/// Nearer to its start than this share of its length a contact holds a bone as if it were there; and nearer than the
+/// other not at all.
 inline constexpr float kLeastShare = 0.02f, kNoShare = 1e-4f;
 
 /// A contact is so many times as firm as what it holds.
@@ -81,8 +84,8 @@ HWY_INLINE Symmetric3<D> inverse_of(D d, const Symmetric3<D>& m) {
           hn::Mul(minor(m.xx, m.yy, m.xy, m.xy), k)};
 }
 
-/// Forces go on where a bone was held, but for what of them leads against what `push` its particle's velocity was changed by. The blow
-/// itself is over. Of PassiveState.
+/// Forces go on where a bone was held, but for what of them leads against what `push` its particle's velocity was
+/// changed by. The blow itself is over. Of PassiveState.
 template <class D>
 HWY_INLINE void give_way(D d, hn::Mask<D> held, const V3<D>& push, V3<D>& acceleration, V3<D>& lagged) {
   const auto push2 = dot(d, push, push), zero = hn::Zero(d);
@@ -170,15 +173,15 @@ struct PassiveBelow {
   V3<D> torque;            ///< t
 };
 
-/// A bone's two turns, while they are taken out: what holds them against the parent's frame and besides (11, 12, 22), and by how much
-/// the spin of the bone's frame moves them.
+/// A bone's two turns, while they are taken out: what holds them against the parent's frame and besides (11, 12, 22),
+/// and by how much the spin of the bone's frame moves them.
 template <class D>
 struct PassiveTurns {
   V<D> firm[3], rest[3], spin[2];
 };
 
-/// The same for velocities that stretch nothing: what `push` the bone's end gets moves it by mass^-1 (push - pull direction),
-/// and the bone pulls by `pull`, less `yields` times how fast its start goes along it.
+/// The same for velocities that stretch nothing: what `push` the bone's end gets moves it by mass^-1 (push - pull
+/// direction), and the bone pulls by `pull`, less `yields` times how fast its start goes along it.
 template <class D>
 struct PassiveLinks {
   Symmetric3<D> mass;
@@ -272,8 +275,8 @@ struct PassivePart {
   bool may_split;          ///< Once more.
 };
 
-/// What keeps velocities from leading into the collider that the bone touches: a push of -yields (wanted + lever v) along the normal, where
-/// its start goes faster by v than was thought.
+/// What keeps velocities from leading into the collider that the bone touches: a push of -yields (wanted + lever v)
+/// along the normal, where its start goes faster by v than was thought.
 template <class D>
 struct PassiveHold {
   hn::Mask<D> holds;

@@ -1,5 +1,5 @@
-// The steps of a row of chains of the passive model, each at once or, where bones arrive at colliders in the midst of it, in parts. Compiled once
-// per instruction set.
+// The steps of a row of chains of the passive model, each at once or, where bones arrive at colliders in the midst of
+// it, in parts. Compiled once per instruction set.
 
 #include "cut_move-inl.h"
 #include "passive_step-inl.h"
@@ -42,8 +42,8 @@ struct PassiveWay {
   }
 };
 
-/// The step in parts, since bones come to colliders in the midst of it: until then in the lanes of `split`, and on from there. After
-/// kMostSplits of them a lane takes the rest at once.
+/// The step in parts, since bones come to colliders in the midst of it: until then in the lanes of `split`, and on from
+/// there. After kMostSplits of them a lane takes the rest at once.
 template <class D>
 COIF_RARE void step_in_parts(const PassiveWay<D>& way, PassiveSplit<D> split) {
   const D d = way.d;

@@ -1,5 +1,6 @@
-// How a chain of the passive model gets to the end of a step (runtime/docs/MODEL.md, "The passive model"): where its bones freely
-// go, by a guess and rounds of Newton's method, down, up and down again. Compiled once per instruction set.
+// How a chain of the passive model gets to the end of a step (runtime/docs/MODEL.md, "The passive model"): where its
+// bones freely go, by a guess and rounds of Newton's method, down, up and down again. Compiled once per instruction
+// set.
 
 #include "passive_chain-inl.h"
 #include "row.h"
@@ -17,8 +18,8 @@ namespace HWY_NAMESPACE {
 
 constexpr int kMostRounds = 8;  ///< After the first.
 
-/// Radians that Newton's method may leave undone in a step of `dt` seconds: as a force that is always the same, but no less than what
-/// single precision sees.
+/// Radians that Newton's method may leave undone in a step of `dt` seconds: as a force that is always the same, but no
+/// less than what single precision sees.
 template <class D>
 HWY_INLINE V<D> may_leave(D d, V<D> dt) {
   return hn::Max(hn::Mul(hn::Mul(hn::Set(d, 0.1f), dt), dt), hn::Set(d, 1e-7f));
@@ -115,8 +116,8 @@ HWY_INLINE void PassiveChain<D>::bend_towards_rest(std::size_t i, const Carrier<
   bone.reaction = bone.torque;
 }
 
-/// The two turns of the bone, as functions of how its start moves and how its parent's frame turns, taken out of the equations;
-/// what is left of them goes to the parent.
+/// The two turns of the bone, as functions of how its start moves and how its parent's frame turns, taken out of the
+/// equations; what is left of them goes to the parent.
 template <class D>
 HWY_INLINE void PassiveChain<D>::eliminate(std::size_t i) {
   PassiveBone<D>& bone = bones_[i];
@@ -127,8 +128,8 @@ HWY_INLINE void PassiveChain<D>::eliminate(std::size_t i) {
     bone.load = add(d_, bone.load, bone.below.load);
     torque = add(d_, torque, bone.below.torque);
   }
-  // How the frame's spin changes as the bone turns: by the torque times the tangent of half the bend. That is not in the
-  // equations, which only have as much more to hold the bone by (Newton's method is slower for it, and goes on).
+  // How the frame's spin changes as the bone turns: by the torque times the tangent of half the bend. That is not in
+  // the equations, which only have as much more to hold the bone by (Newton's method is slower for it, and goes on).
   const V3<D> lever = cross(d_, bone.arc, bone.direction);
   const auto twisting = hn::Mul(hn::Sqrt(hn::Mul(dot(d_, torque, torque), dot(d_, lever, lever))), bone.per_fold);
   const auto slack = hn::Add(hn::Add(hn::Sub(bone.firm, bone.coupled), hn::Mul(tension, length)), twisting);
@@ -170,7 +171,8 @@ HWY_INLINE void PassiveChain<D>::turn_bone(std::size_t i, hn::Mask<D> moving) {
   bone.turn_by(d_, change, moving);
 }
 
-/// One round of Newton's method, in which the bones of these lanes turn. (Not inline: it is called in two places, and is most of the step.)
+/// One round of Newton's method, in which the bones of these lanes turn. (Not inline: it is called in two places, and
+/// is most of the step.)
 template <class D>
 HWY_NOINLINE void PassiveChain<D>::solve_round(bool is_first_guess, hn::Mask<D> moving) {
   for (std::size_t i = 0; i < count_; ++i) {
@@ -182,8 +184,8 @@ HWY_NOINLINE void PassiveChain<D>::solve_round(bool is_first_guess, hn::Mask<D> 
   for (std::size_t i = 0; i < count_; ++i) turn_bone(i, moving);
 }
 
-/// Rounds of Newton's method, until what the next one would turn is too little to matter: of this round's turns the share that the
-/// equations leave out, and their squares. Nearly always one is enough. Each lane stops by itself.
+/// Rounds of Newton's method, until what the next one would turn is too little to matter: of this round's turns the
+/// share that the equations leave out, and their squares. Nearly always one is enough. Each lane stops by itself.
 template <class D>
 HWY_INLINE void PassiveChain<D>::turn_bones() {
   auto moving = hn::Eq(turn_.x.x, turn_.x.x);

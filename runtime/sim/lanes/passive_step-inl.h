@@ -1,5 +1,6 @@
-// The step of the passive model in runtime/docs/MODEL.md for one chain: after passive_solve-inl.h and passive_contact-inl.h what limits and
-// contacts make of it, and velocities that stretch nothing. Compiled once per instruction set.
+// The step of the passive model in runtime/docs/MODEL.md for one chain: after passive_solve-inl.h and
+// passive_contact-inl.h what limits and contacts make of it, and velocities that stretch nothing. Compiled once per
+// instruction set.
 
 #include "moving_contact-inl.h"
 #include "palette-inl.h"
@@ -148,8 +149,8 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   copy(d_, bent.frame, bone.tail.frame);
 }
 
-/// Velocities that stretch no bone, as near as can be to those found, by mass: what hangs from each particle takes part of its
-/// push. And the tension.
+/// Velocities that stretch no bone, as near as can be to those found, by mass: what hangs from each particle takes part
+/// of its push. And the tension.
 template <class D>
 HWY_INLINE void PassiveChain<D>::gather_momentum(std::size_t i) {
   PassiveBone<D>& bone = bones_[i];
@@ -234,8 +235,8 @@ HWY_INLINE void PassiveChain<D>::forget_accelerations(std::size_t i, hn::Mask<D>
   }
 }
 
-/// A chain of which some bone turns so fast against the head that no step of this length can follow it would go on to rattle,
-/// however much is damped. All of its bones are slowed alike, which stretches none and takes energy only.
+/// A chain of which some bone turns so fast against the head that no step of this length can follow it would go on to
+/// rattle, however much is damped. All of its bones are slowed alike, which stretches none and takes energy only.
 template <class D>
 HWY_INLINE void PassiveChain<D>::calm_what_is_wild() {
   const auto limit = hn::Set(d_, kMostTurn / row_.dt);

@@ -1,4 +1,5 @@
-// Hair that follows an animator's pose: what that makes of the frame that a bone hangs in. Compiled once per instruction set.
+// Hair that follows an animator's pose: what that makes of the frame that a bone hangs in. Compiled once per
+// instruction set.
 
 #include "character_row.h"
 #include "coif_bone-inl.h"
@@ -31,8 +32,8 @@ HWY_INLINE V3<D> mixed(D d, const Lanes3& before, const Lanes3& now, float s, st
   return add_scaled(d, from, sub(d, load(d, now, lane), from), hn::Set(d, s));
 }
 
-/// Turns the frame of what a bone hangs from as the pose says, and tells how fast that goes: then the bone's rest direction in it
-/// is the pose's. `turn` is the head's rotation.
+/// Turns the frame of what a bone hangs from as the pose says, and tells how fast that goes: then the bone's rest
+/// direction in it is the pose's. `turn` is the head's rotation.
 template <class D>
 HWY_NOINLINE void follow_pose(D d, const RowCharacter& character, const PoseLanes& pose, std::size_t lane,
                               const M3<D>& turn, Carrier<D>& carrier) {

@@ -1,4 +1,5 @@
-// Rotations of which each number is a SIMD vector: of heads, and of bones that follow a pose. Compiled once per instruction set.
+// Rotations of which each number is a SIMD vector: of heads, and of bones that follow a pose. Compiled once per
+// instruction set.
 
 #include "lane_math-inl.h"
 

@@ -41,8 +41,9 @@ struct RowCharacter;
 /// Turns bones to where their limits allow them: of a LimitedBone<V<D>> (lanes/limit-inl.h).
 using LimitFunction = void(void* bone);
 
-/// What one row takes to advance by one step, under the heads of one block. Arrays over a row's bones have one entry for
-/// each. The state is of the solver that runs: CoifState and CoifCoefficients, or ThesisState and ThesisCoefficients.
+/// What one row takes to advance by one step, under the heads of one block. Arrays over a row's bones have one entry
+/// for each. The state is of the solver that runs: CoifState and CoifCoefficients, or ThesisState and
+/// ThesisCoefficients.
 struct RowStep {
   std::span<const RowBone> bones;
   const BoneLanes* constants = nullptr;

@@ -33,8 +33,9 @@ HWY_INLINE V<D> Solid<D>::gap_to_box(const V3<D>& point, V3<D>& normal) const {
   return hn::Sub(hn::IfThenElse(is_out, apart, most), radius_);
 }
 
-/// The distance from a convex body is convex along the bone: halving finds where it is least. In a corner of that function the
-/// normal is the mean of both sides' that is at a right angle to the bone: along it the least distance grows as the bone turns.
+/// The distance from a convex body is convex along the bone: halving finds where it is least. In a corner of that
+/// function the normal is the mean of both sides' that is at a right angle to the bone: along it the least distance
+/// grows as the bone turns.
 template <class D>
 HWY_INLINE void Solid<D>::find_in_box(const V3<D>& direction, Deepest<D>& at) const {
   constexpr int kBoxHalvings = 22;

@@ -1,5 +1,5 @@
-// The shapes of colliders. As bones meet the round ones: where a segment with a thickness comes nearest to a surface, or
-// deepest below it. As particles meet them all: where they come out. Compiled once per instruction set.
+// The shapes of colliders. As bones meet the round ones: where a segment with a thickness comes nearest to a surface,
+// or deepest below it. As particles meet them all: where they come out. Compiled once per instruction set.
 
 #include "../placed_colliders.h"
 #include "lane_math-inl.h"

@@ -1,4 +1,5 @@
-// One step of Algorithm 1 for one row of chains, pass by pass as published (thesis 5.2). Compiled once per instruction set.
+// One step of Algorithm 1 for one row of chains, pass by pass as published (thesis 5.2). Compiled once per instruction
+// set.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "lanes/thesis_rows.cpp"
@@ -39,9 +40,10 @@ class ThesisChain {
   }
 
  private:
-  /// Lines 1-8: forces to velocity, velocity to position, towards the default position. Parents come first, so each bone
-  /// sees its parent already pulled. The resistance is taken per step, whatever the step's length: the published method
-  /// has no correction. Positions are relative to the head: when it moves one way, everything else moves the other way.
+  /// Lines 1-8: forces to velocity, velocity to position, towards the default position. Parents come first, so each
+  /// bone sees its parent already pulled. The resistance is taken per step, whatever the step's length: the published
+  /// method has no correction. Positions are relative to the head: when it moves one way, everything else moves the
+  /// other way.
   HWY_INLINE void fall_and_pull(std::size_t i) {
     const RowBone& shape = row_.bones[i];
     const BoneLanes& bone = row_.constants[i];

@@ -7,8 +7,9 @@
 
 namespace coif {
 
-/// Parts of sixteen lanes in a chain, of which the first lanes are in use, without a hole. There is room for all members, of
-/// which some may be elsewhere (asleep): to come back costs no memory. `Part` has `previous`, `next` and `count`.
+/// Parts of sixteen lanes in a chain, of which the first lanes are in use, without a hole. There is room for all
+/// members, of which some may be elsewhere (asleep): to come back costs no memory. `Part` has `previous`, `next` and
+/// `count`.
 template <typename Part>
 struct DenseList {
   struct Place {

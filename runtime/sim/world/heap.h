@@ -5,8 +5,8 @@
 
 namespace coif {
 
-/// Memory for what comes and goes at any time, out of one piece that the host gave. What is freed joins the free memory on both sides
-/// of it. Whoever frees says how much it was. Constant but for a walk over the gaps.
+/// Memory for what comes and goes at any time, out of one piece that the host gave. What is freed joins the free memory
+/// on both sides of it. Whoever frees says how much it was. Constant but for a walk over the gaps.
 class WorldHeap {
  public:
   static constexpr std::size_t kAlignment = 64;

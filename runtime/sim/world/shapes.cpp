@@ -7,7 +7,8 @@
 namespace coif {
 namespace {
 
-/// Of RowFeature: what all chains of a bundle have in common, since a lane computes other bits beside one that has them; see rows.cpp.
+/// Of RowFeature: what all chains of a bundle have in common, since a lane computes other bits beside one that has
+/// them; see rows.cpp.
 constexpr std::uint32_t kInCommon = kRowTwists | kRowIsBounded;
 
 std::uint32_t common_features(const Asset& asset, const Solver& solver, std::uint32_t bone) {

@@ -1,10 +1,11 @@
 #pragma once
 // All that a HairWorld keeps in the caller's memory.
 //
-// A *shape* is what chains have in common that may stand side by side. Its chains' lanes lie in *bundles* of sixteen, whatever heads and assets
-// they are of; a bundle is stepped as a row is (row.h). Chains of one shape may be of unlike length: longer ones come first, so that hardly
-// any bundle has lanes that end before others. Heads lie in blocks of sixteen by their *pace*: what their assets say of
-// how a step is made. A head that sleeps leaves its block and bundles, and keeps its numbers itself.
+// A *shape* is what chains have in common that may stand side by side. Its chains' lanes lie in *bundles* of sixteen,
+// whatever heads and assets they are of; a bundle is stepped as a row is (row.h). Chains of one shape may be of unlike
+// length: longer ones come first, so that hardly any bundle has lanes that end before others. Heads lie in blocks of
+// sixteen by their *pace*: what their assets say of how a step is made. A head that sleeps leaves its block and
+// bundles, and keeps its numbers itself.
 
 #include "../placed_colliders.h"
 #include "../rows.h"
@@ -160,13 +161,15 @@ struct WorldState {
 
 // shared_colliders.cpp
 
-/// Gives the asset's colliders places in a table, those of another asset where that has the same; false where there is no memory.
+/// Gives the asset's colliders places in a table, those of another asset where that has the same; false where there is
+/// no memory.
 [[nodiscard]] bool join_colliders(WorldState& world, WornAsset& worn);
 void leave_colliders(WorldState& world, WornAsset& worn);
 
 // shapes.cpp
 
-/// Finds or makes the shape of each chain of an asset that knows its pace and colliders; false where there is no memory.
+/// Finds or makes the shape of each chain of an asset that knows its pace and colliders; false where there is no
+/// memory.
 [[nodiscard]] bool join_shapes(WorldState& world, WornAsset& worn);
 /// Of those chains that have joined one.
 void leave_shapes(WorldState& world, const WornAsset& worn);
@@ -193,12 +196,14 @@ void renew_motions(const WorldState& world, WornAsset& worn);
 /// Makes room for one more chain; false where there is no memory.
 [[nodiscard]] bool add_member(WorldState& world, ChainShape& shape);
 void remove_member(WorldState& world, ChainShape& shape);
-/// A lane for a chain of so many bones, behind those that are no shorter; some of the others move. What it has is yet to be written.
+/// A lane for a chain of so many bones, behind those that are no shorter; some of the others move. What it has is yet
+/// to be written.
 [[nodiscard]] ChainPlace push_lane(WorldState& world, ChainShape& shape, std::uint32_t bones);
 /// Takes away the lane of a chain of so many bones; some of the others move.
 void pop_lane(WorldState& world, ChainShape& shape, std::uint32_t bones, ChainPlace lane);
-/// Lanes compute along where their chain has ended, or there is none: numbers that are none would be slow. There they have those of the
-/// first lane, touch nothing, and are at rest and held to their parents as in a level of detail without them.
+/// Lanes compute along where their chain has ended, or there is none: numbers that are none would be slow. There they
+/// have those of the first lane, touch nothing, and are at rest and held to their parents as in a level of detail
+/// without them.
 void fill_missing_bones(const ChainShape& shape, Bundle& bundle);
 /// Of a chain of so many bones, and of those after them that compute along: what is nowhere would spread.
 [[nodiscard]] ChainLane chain_lane(const ChainShape& shape, const ChainPlace& place, std::uint32_t bones);

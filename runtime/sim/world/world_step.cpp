@@ -107,8 +107,8 @@ void gather_head(const WorldBlock& block, std::uint32_t i, LaneHeads& to, std::u
   set_lane(to.step.next_angular_velocity, k, lane(block.step.next_angular_velocity, i));
 }
 
-/// Nothing for lanes that have the same head as in the last bundle, as long hair's do. Those of the vectors that are not in use compute
-/// along with any.
+/// Nothing for lanes that have the same head as in the last bundle, as long hair's do. Those of the vectors that are
+/// not in use compute along with any.
 void gather_heads(const WorldState& world, const Bundle& bundle, LaneHeads& lanes) {
   const std::uint32_t width = lanes_of(width_for(bundle.count));
   for (std::uint32_t k = 0; k < width; ++k) {

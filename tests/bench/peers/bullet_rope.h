@@ -12,8 +12,8 @@
 
 namespace coif {
 
-/// The crowd of ../workload.h as Bullet's soft bodies: one rope for each chain, its root node fixed to the head, which is
-/// a kinematic sphere.
+/// The crowd of ../workload.h as Bullet's soft bodies: one rope for each chain, its root node fixed to the head, which
+/// is a kinematic sphere.
 class BulletRopes {
  public:
   BulletRopes(const CrowdShape& shape, int iterations);

@@ -1,7 +1,7 @@
 // What a frame of a crowd costs natively, for crowd_test.mjs, which times the same in a browser:
 //   coif_time_crowd ASSET HEADS FRAMES
-// prints a line for each instruction set: its name, and the microseconds of a frame, least over blocks of FRAMES. A frame is what
-// a host does: it writes each head's pose, hands them over, and steps.
+// prints a line for each instruction set: its name, and the microseconds of a frame, least over blocks of FRAMES. A
+// frame is what a host does: it writes each head's pose, hands them over, and steps.
 #include "base/asset_refusal.h"
 #include "base/files.h"
 #include "base/hair_runtime.h"

@@ -44,8 +44,8 @@ class Cutting {
     }
   }
 
-  /// Gains only fall as others are cut, so that the one whose gain is looked up anew and still the largest is the largest (lazy
-  /// evaluation, Minoux 1978, "Accelerated greedy algorithms for maximizing submodular set functions").
+  /// Gains only fall as others are cut, so that the one whose gain is looked up anew and still the largest is the
+  /// largest (lazy evaluation, Minoux 1978, "Accelerated greedy algorithms for maximizing submodular set functions").
   CutResult run() {
     for (std::uint32_t t = 0; t < of_triangle_.size(); ++t) offer(t);
     while (!offers_.empty()) {

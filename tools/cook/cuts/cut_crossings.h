@@ -21,9 +21,10 @@ struct CutResult {
   double gained = 0;      ///< Of SeenCrossings::unavoidable: what is so no longer.
 };
 
-/// Cuts triangles in two or three where they cross others as far as pictures show it, the cuts first that put most right for each
-/// triangle they add: along the other one's plane, or only from a corner to where that plane meets an edge, which adds half as many.
-/// The numbers of triangles in the samples are those of the mesh. The same for the same samples.
+/// Cuts triangles in two or three where they cross others as far as pictures show it, the cuts first that put most
+/// right for each triangle they add: along the other one's plane, or only from a corner to where that plane meets an
+/// edge, which adds half as many. The numbers of triangles in the samples are those of the mesh. The same for the same
+/// samples.
 CutResult cut_crossings(const SeenCrossings& crossings, const CutSettings& settings, SplitMesh& mesh);
 
 }  // namespace coif

@@ -33,10 +33,11 @@ struct Crossings {
   RestVotes votes;             ///< Of what was looked at, where nothing is cut.
 };
 
-/// Cuts the hair of `contents`, drawn as `hair` is in the orders by direction and by the rule of `drawn`, where this puts most right
-/// for the triangles that it adds: at most so many, and not where that gains too little. Looks at the hair at rest along as many
-/// lines, from as many sides and with as many threads as `settings` say. `share_of_order`: how much of the pictures' squared error
-/// is of wrong order; asked only where it matters. Coarser levels stay as they are.
+/// Cuts the hair of `contents`, drawn as `hair` is in the orders by direction and by the rule of `drawn`, where this
+/// puts most right for the triangles that it adds: at most so many, and not where that gains too little. Looks at the
+/// hair at rest along as many lines, from as many sides and with as many threads as `settings` say. `share_of_order`:
+/// how much of the pictures' squared error is of wrong order; asked only where it matters. Coarser levels stay as they
+/// are.
 [[nodiscard]] Crossings cut_where_crossing(const AssetContents& contents, const HairSurface& hair,
                                            std::span<const Eigen::Vector3f> positions, const FoundOrders& drawn,
                                            std::size_t most_added, const SampleSettings& settings,

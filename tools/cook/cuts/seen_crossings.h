@@ -18,8 +18,8 @@
 
 namespace coif {
 
-/// A line of sight that meets two triangles of which no order is right all over a picture: they cross there, or lie before each other
-/// in turns.
+/// A line of sight that meets two triangles of which no order is right all over a picture: they cross there, or lie
+/// before each other in turns.
 struct CrossingSample {
   std::uint32_t view = 0;
   std::uint32_t near = 0, far = 0;  ///< Triangles of the surface.
@@ -39,8 +39,8 @@ struct SeenCrossings {
 /// Looks at the hair from all sides for what crosses.
 class CrossingSearch {
  public:
-  /// Along as many lines, from as many sides at most, and with the threads that `settings` say. `orders`: of all triangles. Keeps references
-  /// to the hair and its positions.
+  /// Along as many lines, from as many sides at most, and with the threads that `settings` say. `orders`: of all
+  /// triangles. Keeps references to the hair and its positions.
   CrossingSearch(const HairSurface& hair, std::span<const Eigen::Vector3f> positions, const CellOrders& orders,
                  const DrawRule& rule, const SampleSettings& settings);
 

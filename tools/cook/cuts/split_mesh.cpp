@@ -138,7 +138,8 @@ std::uint32_t SplitMesh::place_of(const VertexRecord& vertex) {
   return places_.try_emplace({p[0], p[1], p[2]}, std::uint32_t(places_.size())).first->second;
 }
 
-/// From the place that was there first to the other, whichever way the edge is named: all its vertices come to the same place.
+/// From the place that was there first to the other, whichever way the edge is named: all its vertices come to the same
+/// place.
 std::uint32_t SplitMesh::add_between(std::uint32_t from, std::uint32_t to, float share) {
   if (place_[from] > place_[to]) {
     std::swap(from, to);

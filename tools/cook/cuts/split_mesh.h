@@ -12,9 +12,10 @@
 
 namespace coif {
 
-/// The finest level of packed hair while edges of it are split. Vertices at the same place count as one, so that no gap opens beside
-/// an edge, wherever texture coordinates or patches end. What a split changes of the picture at rest is below rounding: positions,
-/// texture coordinates, normals, tangents, light and weights of a new vertex lie between those of the edge's ends.
+/// The finest level of packed hair while edges of it are split. Vertices at the same place count as one, so that no gap
+/// opens beside an edge, wherever texture coordinates or patches end. What a split changes of the picture at rest is
+/// below rounding: positions, texture coordinates, normals, tangents, light and weights of a new vertex lie between
+/// those of the edge's ends.
 class SplitMesh {
  public:
   explicit SplitMesh(const AssetContents& contents);
@@ -43,8 +44,9 @@ class SplitMesh {
   /// Puts a vertex on the edge, `share` of the way, 0..1 and neither of them, into every triangle that has it.
   std::vector<Halves> split_edge(std::uint32_t from, std::uint32_t to, float share);
 
-  /// Writes vertices, skin, indices and patches of the contents that this was made of; orders by direction must be none yet. Pieces
-  /// of a triangle follow each other in its place. Returns for each triangle of the finest level which one it is a piece of.
+  /// Writes vertices, skin, indices and patches of the contents that this was made of; orders by direction must be none
+  /// yet. Pieces of a triangle follow each other in its place. Returns for each triangle of the finest level which one
+  /// it is a piece of.
   std::vector<std::uint32_t> write_to(AssetContents& contents) const;
 
  private:

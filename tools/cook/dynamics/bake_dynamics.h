@@ -2,13 +2,14 @@
 
 // VRM's spring bones as this project's dynamics.
 //
-// Source: VRMC_springBone-1.0, "SpringBone Algorithm"; VRM 0.x computes the same. With h the time of a frame, x a joint's
-// tail, x' the tail one frame ago, u the unit rest direction (turned with the parent), l the length, every frame is
+// Source: VRMC_springBone-1.0, "SpringBone Algorithm"; VRM 0.x computes the same. With h the time of a frame, x a
+// joint's tail, x' the tail one frame ago, u the unit rest direction (turned with the parent), l the length, every
+// frame is
 //
 //     next = x + (x - x') (1 - drag) + h stiffness u + h gravityPower g,   then |next - joint| = l,
 //
-// from root to tip. Neither h nor (1 - drag) is corrected for the frame rate, so a spring bone has one look per rate; the
-// one that artists tune at, and that this mapping reproduces, is 60 frames per second.
+// from root to tip. Neither h nor (1 - drag) is corrected for the frame rate, so a spring bone has one look per rate;
+// the one that artists tune at, and that this mapping reproduces, is 60 frames per second.
 //
 // Seen from the joint the tail is l times a unit vector, and only the sum's direction matters. Divide it by
 // 1 + k with k = h stiffness / l and r = k / (1 + k):
@@ -22,11 +23,12 @@
 //
 // and for the gravity a, as an acceleration, h^2 a = h gravityPower, or a = gravityPower / h. The published algorithm
 // brakes gravity's share within the same step, so there the hair sags 1 - drag times as far; the oscillator that
-// resistance stands for (a spring of r / ((1 - r) h^2) per unit of mass) has no such factor and sags as VRM's does, which
-// is why there is none here.
+// resistance stands for (a spring of r / ((1 - r) h^2) per unit of mass) has no such factor and sags as VRM's does,
+// which is why there is none here.
 //
 // k is a rate of turning and belongs to VRM's length l. Where the cooked bone has another length L (the 7 cm behind a
-// leaf of VRM 0.x become the length of the hair there), the same turning takes the same resistance, and gravity a L / l.
+// leaf of VRM 0.x become the length of the hair there), the same turning takes the same resistance, and gravity a L /
+// l.
 //
 // What has no counterpart: gravity in other directions than the scene's (its vertical part is kept), and `center`. VRM
 // simulates a spring with a center in that node's space: it does not feel the node's motion, so with the head as its
@@ -52,8 +54,8 @@ inline constexpr double kSpringRate = 60;  ///< Frames per second at which sprin
 /// Settings of one joint for a bone of `length` metres; hit_radius is left at 0.
 [[nodiscard]] DynamicsRecord dynamics_of_joint(const SourceSpringJoint& joint, double length);
 
-/// Rate at which a twist goes back where the recipe leaves it open, 1/s: a twist is gone within a swing of the hair, and not
-/// so fast that it shows.
+/// Rate at which a twist goes back where the recipe leaves it open, 1/s: a twist is gone within a swing of the hair,
+/// and not so fast that it shows.
 inline constexpr double kUsualTorsion = 20;
 
 /// Who says how a bone moves.
@@ -72,15 +74,15 @@ struct SaidMotion {
   [[nodiscard]] bool is_tied(std::size_t bone) const { return bone < tied.size() && tied[bone]; }
 };
 
-/// The asset's SkeletonRecord::air_lag: what the recipe says, else what is usual for where most of the hair's numbers come from. VRM
-/// brakes velocities in the world; Algorithm 1's friction is taken against air that goes along; and human hair has its head's
-/// air about it, but not all of it.
+/// The asset's SkeletonRecord::air_lag: what the recipe says, else what is usual for where most of the hair's numbers
+/// come from. VRM brakes velocities in the world; Algorithm 1's friction is taken against air that goes along; and
+/// human hair has its head's air about it, but not all of it.
 [[nodiscard]] float air_lag(const RigRecipe& recipe, const SaidMotion& said);
 
-/// How each bone moves: as the file's spring bones say or by the recipe's curves, as "dynamics.source" has it. By its curve a
-/// bone takes the values at its middle, so that a chain of one bone has the mean and not the tip's value. `of_chain`, empty or
-/// one for each chain, is what the recipe says of its motion alone, before the file's springs. Notes how many have springs;
-/// warns of what springs lose.
+/// How each bone moves: as the file's spring bones say or by the recipe's curves, as "dynamics.source" has it. By its
+/// curve a bone takes the values at its middle, so that a chain of one bone has the mean and not the tip's value.
+/// `of_chain`, empty or one for each chain, is what the recipe says of its motion alone, before the file's springs.
+/// Notes how many have springs; warns of what springs lose.
 [[nodiscard]] SaidMotion bake_dynamics(const SourceModel& source, const Skeleton& skeleton, const RigRecipe& recipe,
                                        std::span<const PatchOverride> of_chain, Findings& findings);
 

@@ -9,7 +9,8 @@
 
 namespace coif {
 
-/// Chains of one model with equally many bones, and those of them that tell most about all: the softest and the longest.
+/// Chains of one model with equally many bones, and those of them that tell most about all: the softest and the
+/// longest.
 struct ChainGroup {
   std::vector<std::uint32_t> chains;
   std::vector<std::uint32_t> telling;  ///< One or two of them.
@@ -31,8 +32,8 @@ struct ChainGroup {
 
 // Parts of a skeleton, so that passes can run through the runtime what a game will run.
 
-/// The rigid bones, colliders and these chains of a skeleton (indices into contents.chains), in this order, without names
-/// and surface. Chains do not act on each other, so each moves as it does among all.
+/// The rigid bones, colliders and these chains of a skeleton (indices into contents.chains), in this order, without
+/// names and surface. Chains do not act on each other, so each moves as it does among all.
 [[nodiscard]] AssetContents chains_alone(const AssetContents& contents, std::span<const std::uint32_t> chains);
 
 }  // namespace coif

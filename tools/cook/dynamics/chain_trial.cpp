@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kTrialSeconds = 2;
 constexpr double kMostSelfDifferencePct = 0.1;
-/// Share of the chain's length. A chain that hurries about its head is off by a few percent for the contacts' sake; one that
-/// amplifies is off by ten and more.
+/// Share of the chain's length. A chain that hurries about its head is off by a few percent for the contacts' sake; one
+/// that amplifies is off by ten and more.
 constexpr double kMostRuntimeError = 0.05;
 constexpr double kMostGrowth = 1.0e4;  ///< No need to compute what amplifies a rounding error into sight.
 

@@ -11,15 +11,15 @@
 
 namespace coif {
 
-/// The motions that a cook runs to judge an asset: how many sub-steps it wants, and where frames need a twist. An asset stores their names,
-/// so that this list may change without those that users choose from (all_motions()). `jog` is not one of them: it pumps hair from a
-/// small sway to a large one, which takes longer than a cook looks.
+/// The motions that a cook runs to judge an asset: how many sub-steps it wants, and where frames need a twist. An asset
+/// stores their names, so that this list may change without those that users choose from (all_motions()). `jog` is not
+/// one of them: it pumps hair from a small sway to a large one, which takes longer than a cook looks.
 inline constexpr Motion kCookSuite[] = {Motion::kStill, Motion::kNod,  Motion::kTurn,   Motion::kCharge,
                                         Motion::kRun,   Motion::kJump, Motion::kTumble, Motion::kTeleport,
                                         Motion::kBow,   Motion::kLie};
 
-// Whether a chain has one motion: over motions of the suite two computations of the reference agree, and the runtime follows
-// it (runtime/docs/MODEL.md, "Well-posed or not").
+// Whether a chain has one motion: over motions of the suite two computations of the reference agree, and the runtime
+// follows it (runtime/docs/MODEL.md, "Well-posed or not").
 
 inline constexpr std::uint32_t kTrialRate = 60, kTrialSubsteps = 4;
 
@@ -27,8 +27,8 @@ inline constexpr std::uint32_t kTrialRate = 60, kTrialSubsteps = 4;
 inline constexpr Motion kTrialMotions[] = {Motion::kTumble, Motion::kTurn, Motion::kRun, Motion::kCharge,
                                            Motion::kJump};
 
-/// Steps a second that a reference of the cook begins with. Most chains agree with twice as many to a fiftieth of what is
-/// wanted; for the others there are more.
+/// Steps a second that a reference of the cook begins with. Most chains agree with twice as many to a fiftieth of what
+/// is wanted; for the others there are more.
 inline constexpr double kCoarsestSteps = 360;
 
 /// How a chain failed.
@@ -55,13 +55,14 @@ struct ChainTrial {
 /// True where a cascade amplifies rounding into sight: there is no need to compute it.
 [[nodiscard]] bool grows_beyond_hope(const AssetContents& alone);
 
-/// Of contents with one chain (chains_alone()), in the model that they are meant for. `threads`: without influence on the result.
+/// Of contents with one chain (chains_alone()), in the model that they are meant for. `threads`: without influence on
+/// the result.
 [[nodiscard]] ChainTrial try_chain(const AssetContents& alone, unsigned threads);
 /// The same, however hopeless it is.
 [[nodiscard]] ChainTrial try_any_chain(const AssetContents& alone, unsigned threads);
 
-/// RMS over all samples of the runs of one chain, share of its length; what was not finite is as far off as can be. `rig` has the
-/// chain's tips, and both have the same motions.
+/// RMS over all samples of the runs of one chain, share of its length; what was not finite is as far off as can be.
+/// `rig` has the chain's tips, and both have the same motions.
 [[nodiscard]] double rms_apart(const Rig& rig, std::span<const ReferenceRun> a, std::span<const ReferenceRun> b);
 
 [[nodiscard]] std::string what_failed(const ChainFinding& finding);

@@ -28,16 +28,18 @@ struct ModelChoice {
 /// The cascades of `contents` that have no one motion (chain_trial.h); of chains alike, the telling ones are run.
 [[nodiscard]] std::vector<IllPosedChains> find_ill_posed(const AssetContents& contents, unsigned threads);
 
-/// By which model each chain moves where nothing is run: as "dynamics.model" says; if that leaves it open, a chain with a bone
-/// that a preset moves by the passive one, others as a cascade.
+/// By which model each chain moves where nothing is run: as "dynamics.model" says; if that leaves it open, a chain with
+/// a bone that a preset moves by the passive one, others as a cascade.
 [[nodiscard]] std::vector<ChainModel> models_by_rule(const RigRecipe& recipe, const SaidMotion& said,
                                                      const AssetContents& contents);
 
 /// By which model each chain moves, after running the telling ones in both:
-/// - One with numbers of its own is a cascade, the cheaper model, if that has one motion. If not, it would have to be damped, and
+/// - One with numbers of its own is a cascade, the cheaper model, if that has one motion. If not, it would have to be
+/// damped, and
 ///   would not swing as it was asked to: then it is passive, unless that has no one motion either or is so stiff that
 ///   nothing could check it.
-/// - One of a preset is passive, unless a cascade moves it within two percent of its length like that, or it is too stiff
+/// - One of a preset is passive, unless a cascade moves it within two percent of its length like that, or it is too
+/// stiff
 ///   to swing.
 /// Notes say why. `contents` as settle_model() wants it.
 [[nodiscard]] ModelChoice choose_models(const RigRecipe& recipe, const SaidMotion& said, const AssetContents& contents,

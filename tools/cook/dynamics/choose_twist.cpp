@@ -18,13 +18,13 @@ namespace {
 
 constexpr double kWatchedSeconds = 2;
 constexpr std::uint32_t kWatchedRate = 60, kWatchedSubsteps = 2;
-/// Radians. Games move heads in other ways than the suite does: 60 degrees are left until the arc flips, and at 120 it turns
-/// about the bone no faster than sqrt(3) times as fast as the bone swings.
+/// Radians. Games move heads in other ways than the suite does: 60 degrees are left until the arc flips, and at 120 it
+/// turns about the bone no faster than sqrt(3) times as fast as the bone swings.
 constexpr double kMostFold = 2 * std::numbers::pi / 3;
 constexpr std::size_t kMostNames = 4;  ///< In a note.
 
-/// May the bone bend that far from its default direction by the parent? The limit counts from what parent and head share,
-/// and what pushes hair out of a collider comes after it.
+/// May the bone bend that far from its default direction by the parent? The limit counts from what parent and head
+/// share, and what pushes hair out of a collider comes after it.
 bool may_fold(const BoneRecord& bone, const DynamicsRecord& dynamics) {
   const bool is_held = dynamics.parent_share == 1 && bone.colliders == 0;
   return !is_held || double(dynamics.angle_limit) > kMostFold;
@@ -38,8 +38,8 @@ bool may_fold(const AssetContents& contents, const ChainRecord& chain) {
   return false;
 }
 
-/// Cosine of the angle between where a bone points and where it would by its parent alone; both frames are rotations from
-/// rest.
+/// Cosine of the angle between where a bone points and where it would by its parent alone; both frames are rotations
+/// from rest.
 double cosine_of_fold(const BoneRecord& bone, const Mat34& own, const Mat34& parent) {
   double cosine = 0;
   for (int row = 0; row < 3; ++row) {

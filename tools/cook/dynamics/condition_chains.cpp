@@ -16,23 +16,24 @@
 namespace coif {
 namespace {
 
-/// What a chain is given. Damping and friction are shares of the square root of the bone's stiffness, its own weight's and
-/// its acceleration's included; both at 1 are half of critical each.
+/// What a chain is given. Damping and friction are shares of the square root of the bone's stiffness, its own weight's
+/// and its acceleration's included; both at 1 are half of critical each.
 struct Conditioning {
   double damping = 0;
   double friction = 0;
   double parent_share = 1;
 };
 
-/// From little to much. Damping alone helps short chains; friction takes the energy out of long ones; and only a share of the
-/// pull that does not follow the parent bounds the gain of very long ones.
+/// From little to much. Damping alone helps short chains; friction takes the energy out of long ones; and only a share
+/// of the pull that does not follow the parent bounds the gain of very long ones.
 constexpr Conditioning kCandidates[] = {{0.5, 0, 1},   {1, 0, 1},     {2, 0, 1},   {3, 0, 1},   {1, 0.5, 0.8},
                                         {1, 0.7, 0.6}, {2, 0.7, 0.8}, {2, 1, 0.6}, {2, 1, 0.4}, {2, 1.4, 0.3},
                                         {3, 2, 0.2},   {4, 3, 0.1},   {4, 4, 0}};
 /// What comes after so many that are good changes more. Chains of many bones take long to compute.
 std::size_t enough_good(std::uint32_t bones) { return bones <= 16 ? 3 : 1; }
 
-/// Of the chain's length, RMS: above, two computations of what the artist asked for have less in common than with Algorithm 1.
+/// Of the chain's length, RMS: above, two computations of what the artist asked for have less in common than with
+/// Algorithm 1.
 constexpr double kMostSelfDifferenceOfArtistPct = 5;
 constexpr int kArtistIterations = 8;
 
@@ -63,7 +64,8 @@ ChainTrial examine(const AssetContents& contents, std::uint32_t chain, const Con
   return is_last ? try_any_chain(alone, 1) : try_chain(alone, 1);
 }
 
-/// The motion as Algorithm 1 has it at the rate that an artist tunes at; by numbers that it does not know, the runtime's.
+/// The motion as Algorithm 1 has it at the rate that an artist tunes at; by numbers that it does not know, the
+/// runtime's.
 ReferenceRun run_by_steps(const OpenedAsset& opened, const Rig& rig, Motion motion) {
   ReferenceRun run;
   run.times = trial_times();
@@ -109,7 +111,8 @@ struct Examined {
   double difference = 0;  ///< As Outcome::difference, of the chain that it changes most.
 };
 
-/// Of some of kCandidates. Chains of all of them are examined beside each other, no further one of a candidate that is not good.
+/// Of some of kCandidates. Chains of all of them are examined beside each other, no further one of a candidate that is
+/// not good.
 std::vector<Examined> examine_group(const AssetContents& contents, const ChainGroup& group,
                                     std::span<const AskedMotions> asked, std::span<const Conditioning> candidates,
                                     unsigned threads) {
@@ -135,8 +138,9 @@ std::vector<Examined> examine_group(const AssetContents& contents, const ChainGr
   return examined;
 }
 
-/// Of the candidates under which every telling chain is good, the one that changes its motion least. As many are examined at a
-/// time as there are threads, and what they find counts in the order of the candidates: it does not depend on how many there are.
+/// Of the candidates under which every telling chain is good, the one that changes its motion least. As many are
+/// examined at a time as there are threads, and what they find counts in the order of the candidates: it does not
+/// depend on how many there are.
 Outcome search(const AssetContents& contents, const ChainGroup& group, unsigned threads) {
   std::vector<AskedMotions> asked;
   for (const std::uint32_t chain : group.telling) asked.push_back(artists_motions(contents, chain, threads));

@@ -43,8 +43,8 @@ std::vector<double> bones_in_a_row(const Rig& rig) {
   return all;
 }
 
-/// Torques over what each joint carries. A column buckles where its joints give way together: each has to hold its share
-/// (Dunkerley's bound).
+/// Torques over what each joint carries. A column buckles where its joints give way together: each has to hold its
+/// share (Dunkerley's bound).
 std::vector<Burden> burdens_in_passive(const Rig& rig) {
   const std::vector<Carried> carried = carried_at_rest(rig.bones);
   const std::vector<double> joints = bones_in_a_row(rig);

@@ -14,7 +14,8 @@ namespace coif {
 namespace {
 
 constexpr double kUsualError = 0.007;  ///< Where the recipe asks for nothing, this is wanted and nothing less refused.
-/// In slower frames nobody knows what the head does: there the error grows with their square, and up to this much is let be.
+/// In slower frames nobody knows what the head does: there the error grows with their square, and up to this much is
+/// let be.
 constexpr double kUsualRate = 60, kMostUsualError = 0.02;
 /// Nor is more than four steps a frame of the usual rate taken for less than that.
 constexpr double kDearSteps = 4 * kUsualRate;

@@ -19,10 +19,12 @@ namespace {
 constexpr double kSeconds = 2;
 constexpr double kMostError = 1000;    ///< That an asset may hold.
 constexpr std::size_t kFewBones = 24;  ///< Up to here every chain is run.
-/// Steps times bones: of the reference, over all motions, and of the runtime, over all motions, frame rates and sub-steps.
+/// Steps times bones: of the reference, over all motions, and of the runtime, over all motions, frame rates and
+/// sub-steps.
 constexpr double kMostReferenceWork = 8e6;
 constexpr std::uint64_t kMostRuntimeWork = 8'000'000;
-/// First runs that a reference may take: with fewer hardly a motion would be known. Two runs take three times a first, and hair that whips round some more.
+/// First runs that a reference may take: with fewer hardly a motion would be known. Two runs take three times a first,
+/// and hair that whips round some more.
 constexpr double kLeastRuns = 4;
 
 ReferenceSettings reference_settings(std::span<const std::uint32_t> rates) {

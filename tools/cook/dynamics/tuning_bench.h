@@ -28,9 +28,10 @@ struct ChainsToRun {
 
 /// The runtime beside the reference, for any frame rate of the recipe's and number of parts; each is measured once.
 ///
-/// Its work is bounded by counts of steps times bones, which are the same on every machine and on any number of threads: about ten seconds
-/// of one processor at most, whatever the file. Of many chains those are run that tell about most others; a motion whose reference takes more than its share
-/// is as exact as that share makes it, or left out. left_out() says all of it.
+/// Its work is bounded by counts of steps times bones, which are the same on every machine and on any number of
+/// threads: about ten seconds of one processor at most, whatever the file. Of many chains those are run that tell about
+/// most others; a motion whose reference takes more than its share is as exact as that share makes it, or left out.
+/// left_out() says all of it.
 class TuningBench {
  public:
   TuningBench(const AssetContents& contents, std::span<const std::uint32_t> rates, unsigned threads);

@@ -38,8 +38,8 @@ class CoarsePatch {
     }
   }
 
-  /// From the triangles around what the point has become on to their neighbours, as long as that leads nearer; any value
-  /// below `enough` once one is found. 0 for points that are in no triangle.
+  /// From the triangles around what the point has become on to their neighbours, as long as that leads nearer; any
+  /// value below `enough` once one is found. 0 for points that are in no triangle.
   [[nodiscard]] double squared_distance_of(std::uint32_t point, std::size_t pose, double enough) const {
     if (becomes_[point] == point || around_[becomes_[point]].empty()) return 0;
     double nearest = INFINITY;

@@ -98,8 +98,8 @@ double Collapser::change(std::uint32_t from, std::uint32_t to) const {
   return sum;
 }
 
-/// Puts the best way to remove `from` into the queue, if there is one: the quadrics choose among its neighbours, and the
-/// measured error says when its turn is.
+/// Puts the best way to remove `from` into the queue, if there is one: the quadrics choose among its neighbours, and
+/// the measured error says when its turn is.
 void Collapser::weigh(std::uint32_t from) {
   ++version_[from];
   target_[from] = kNoIndex;

@@ -59,9 +59,9 @@ void place_on_screen(double head_height, const Skeleton& skeleton, const LodSett
 /// Notes what each coarser level has, and what all of them take.
 void describe_levels(std::span<const DetailLevel> levels, Findings& findings);
 
-/// Leaves levels out that are too fine or too coarse for every size at which the recipe's scene shows the head. One always
-/// stays. The finest that stays simulates every bone and is what errors are measured from: those of the others grow by its
-/// own at most, and are given so.
+/// Leaves levels out that are too fine or too coarse for every size at which the recipe's scene shows the head. One
+/// always stays. The finest that stays simulates every bone and is what errors are measured from: those of the others
+/// grow by its own at most, and are given so.
 void leave_out_levels(const DrawnRecipe& recipe, std::vector<DetailLevel>& levels, Findings& findings);
 
 }  // namespace coif

@@ -50,8 +50,8 @@ class SimplifiedPatches {
   /// Three vertices of the mesh each; after 0 steps those of the source, as they were.
   [[nodiscard]] std::vector<std::uint32_t> triangles(std::size_t patch, std::size_t steps) const;
 
-  /// How many steps each patch takes so that those in `drawn` have `target` triangles together, or as few as there can be:
-  /// everywhere up to the same error, since no patch is seen better than another. Never fewer than `at_least`.
+  /// How many steps each patch takes so that those in `drawn` have `target` triangles together, or as few as there can
+  /// be: everywhere up to the same error, since no patch is seen better than another. Never fewer than `at_least`.
   [[nodiscard]] std::vector<std::size_t> steps_for(std::size_t target, const std::vector<bool>& drawn,
                                                    std::vector<std::size_t> at_least) const;
 
@@ -64,9 +64,9 @@ class SimplifiedPatches {
   std::vector<Patch> patches_;
 };
 
-/// The finest level and coarser ones, until there are as many as wanted or one would save little. Each has, as far as its
-/// error stays below the limit, `ratio` times the triangles of the one before: first patches are simplified, everywhere up
-/// to the same error; where that is not enough patches that hardly show are dropped.
+/// The finest level and coarser ones, until there are as many as wanted or one would save little. Each has, as far as
+/// its error stays below the limit, `ratio` times the triangles of the one before: first patches are simplified,
+/// everywhere up to the same error; where that is not enough patches that hardly show are dropped.
 [[nodiscard]] std::vector<DetailLevel> make_lods(const HairStrips& hair, const HairRig& rig, const FittedHead& head,
                                                  const AlphaTest& alpha, const LodSettings& settings,
                                                  Findings& findings);

@@ -11,10 +11,10 @@ namespace coif {
 /// Positions of one pose, one per vertex, model space, metres.
 using Pose = std::vector<Eigen::Vector3f>;
 
-/// The rest pose, and where bones move, two poses in which every simulated bone is turned against its parent: about X in
-/// one, about Z in the other, so that hair of any direction bends in at least one. What looks alike in all of them
-/// looks alike in motion; at rest alone, a straight tail is as good as two triangles. A bone turns by 20 degrees, or less
-/// where the longest chain would turn by more than 120 in all.
+/// The rest pose, and where bones move, two poses in which every simulated bone is turned against its parent: about X
+/// in one, about Z in the other, so that hair of any direction bends in at least one. What looks alike in all of them
+/// looks alike in motion; at rest alone, a straight tail is as good as two triangles. A bone turns by 20 degrees, or
+/// less where the longest chain would turn by more than 120 in all.
 [[nodiscard]] std::vector<Pose> bent_poses(const HairMesh& mesh, const HairRig& rig);
 
 /// One patch by itself, for simplification: what is at one place is one point, what has one texture coordinate there is
@@ -47,8 +47,8 @@ struct PatchOutline {
   };
   std::vector<Edge> edges;
   std::vector<bool> on_border;  ///< Per point.
-  /// Per point: corners of the outline (so the points and the ends of strips stay), and where more than two triangles or
-  /// several borders meet.
+  /// Per point: corners of the outline (so the points and the ends of strips stay), and where more than two triangles
+  /// or several borders meet.
   std::vector<bool> fixed;
 };
 

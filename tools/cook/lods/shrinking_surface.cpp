@@ -91,8 +91,8 @@ bool ShrinkingSurface::keeps_facing(std::uint32_t from, std::uint32_t to) const 
   return true;
 }
 
-/// Which corner of `to` continues each corner of `from`: the one on the same side of a texture seam, as a dying triangle
-/// shows. False where none shows it.
+/// Which corner of `to` continues each corner of `from`: the one on the same side of a texture seam, as a dying
+/// triangle shows. False where none shows it.
 bool ShrinkingSurface::find_moves(std::uint32_t from, std::uint32_t to) {
   moves_.clear();
   for (std::uint32_t t : triangles_of_[from]) {

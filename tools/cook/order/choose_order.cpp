@@ -32,8 +32,8 @@ constexpr std::size_t kMostWork = 320'000;  ///< Triangles times views of a cell
 constexpr std::size_t kMostTriangles = 250'000;
 constexpr std::size_t kQuickViews = 4, kQuickJudgeViews = 1;
 constexpr std::size_t kQuickLines = 3000;
-/// Lines that the triangles of the views of a cell may be tried against: what limits time and memory where all triangles are
-/// as large as the hair. Of hair that artists made, the most that is known is three quarters of it.
+/// Lines that the triangles of the views of a cell may be tried against: what limits time and memory where all
+/// triangles are as large as the hair. Of hair that artists made, the most that is known is three quarters of it.
 constexpr double kMostTriesOfACell = 9.0e6;
 constexpr std::size_t kFewestLinesOfAView = 200;
 
@@ -121,7 +121,8 @@ class OrderChoice {
   }
 
   [[nodiscard]] float usual_threshold() const { return usual_threshold_; }
-  /// Of the lines of sight that were wanted, how many there are; 1 but for triangles that are nearly as large as the hair.
+  /// Of the lines of sight that were wanted, how many there are; 1 but for triangles that are nearly as large as the
+  /// hair.
   [[nodiscard]] double share_of_lines() const { return share_of_lines_; }
 
  private:
@@ -193,8 +194,8 @@ class OrderChoice {
     alpha_.prepare(first);
   }
 
-  /// Upwards and downwards from the usual one as long as it helps. Lower thresholds hide more of what should shine through,
-  /// and leave less to be sorted and blended: where both are worth the same it is the lower one.
+  /// Upwards and downwards from the usual one as long as it helps. Lower thresholds hide more of what should shine
+  /// through, and leave less to be sorted and blended: where both are worth the same it is the lower one.
   [[nodiscard]] float best_threshold(const FoundOrders& orders) const {
     const Judged usual{usual_threshold_, worth(orders, usual_threshold_)};
     const Judged higher = climb(orders, usual, thresholds_above());

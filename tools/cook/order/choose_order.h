@@ -28,17 +28,17 @@ struct PatchOrder {
 /// distances keep the order of the file.
 [[nodiscard]] PatchOrder sort_patches(const HairStrips& hair, const Eigen::Vector3d& head_center);
 
-/// Puts the patches of every level of detail into the order found for the finest one, and their triangles with them; writes
-/// the orders by direction, and in the material how they are to be drawn. Patches of coarser levels go where those of the
-/// finest with the same place in the file are; in orders of triangles, where these are on average.
+/// Puts the patches of every level of detail into the order found for the finest one, and their triangles with them;
+/// writes the orders by direction, and in the material how they are to be drawn. Patches of coarser levels go where
+/// those of the finest with the same place in the file are; in orders of triangles, where these are on average.
 void apply_orders(const FoundOrders& found, AssetContents& contents);
 
-/// Looks for the orders in which the packed hair is best drawn (search_orders()), at rest and in motion, and writes them, and
-/// the opaque threshold where the recipe leaves it open. What is drawn is never worse, as far as the search can tell, than by
-/// distance from the head, which is kept where nothing is blended. Mips must have their own alpha yet: each threshold is
-/// tried with those that keep_coverage() would make for it with `used`. Before that, cuts triangles of the finest level where they
-/// cross (cook/cuts), as far as "order.cut_budget" allows. Notes what was chosen, with figures. Errors: kBadInput for hair that the
-/// runtime cannot simulate.
+/// Looks for the orders in which the packed hair is best drawn (search_orders()), at rest and in motion, and writes
+/// them, and the opaque threshold where the recipe leaves it open. What is drawn is never worse, as far as the search
+/// can tell, than by distance from the head, which is kept where nothing is blended. Mips must have their own alpha
+/// yet: each threshold is tried with those that keep_coverage() would make for it with `used`. Before that, cuts
+/// triangles of the finest level where they cross (cook/cuts), as far as "order.cut_budget" allows. Notes what was
+/// chosen, with figures. Errors: kBadInput for hair that the runtime cannot simulate.
 tl::expected<OrderFigures, ToolError> choose_order(const DrawnRecipe& recipe, std::span<const Image> used,
                                                    unsigned threads, AssetContents& contents, Findings& findings);
 

@@ -9,8 +9,8 @@
 
 namespace coif {
 
-/// dB that each further layer of a pixel must gain that is blended instead of drawn solid: it is shaded and written once more,
-/// where a solid one hides what is behind it.
+/// dB that each further layer of a pixel must gain that is blended instead of drawn solid: it is shaded and written
+/// once more, where a solid one hides what is behind it.
 inline constexpr double kGainPerLayer = 0.5;
 
 /// `triangles`: of the finest level before.

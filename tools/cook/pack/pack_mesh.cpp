@@ -29,8 +29,8 @@ VertexRecord pack_vertex(const HairStrips& hair, const Eigen::Vector3f& origin, 
   return record;
 }
 
-/// The same triangles in an order that suits the vertex cache. Numbers the vertices afresh: with those of the whole mesh
-/// each patch would cost as much as all of it.
+/// The same triangles in an order that suits the vertex cache. Numbers the vertices afresh: with those of the whole
+/// mesh each patch would cost as much as all of it.
 class CacheOrder {
  public:
   explicit CacheOrder(std::size_t vertices) : number_(vertices, kNoIndex) {}
@@ -55,8 +55,8 @@ class CacheOrder {
   std::vector<std::uint32_t> number_, vertices_;
 };
 
-/// Appends the level's indices, patches in draw order, each patch's triangles ordered for the vertex cache: only inside a
-/// patch, across patches it would destroy the draw order.
+/// Appends the level's indices, patches in draw order, each patch's triangles ordered for the vertex cache: only inside
+/// a patch, across patches it would destroy the draw order.
 void lay_out_level(const DetailLevel& level, const PatchOrder& order, CacheOrder& for_cache,
                    std::vector<std::uint32_t>& indices, AssetContents& contents) {
   LodRecord record{std::uint32_t(contents.patches.size()), 0, level.screen_size, level.error};

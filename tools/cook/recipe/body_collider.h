@@ -9,8 +9,8 @@
 
 namespace coif {
 
-/// A collider on a bone of the body, in the rest pose: a ball, a capsule where it has a tail, a tapered one where the tail has
-/// a radius of its own, or a plane where it has a normal. Model space, metres, Y up.
+/// A collider on a bone of the body, in the rest pose: a ball, a capsule where it has a tail, a tapered one where the
+/// tail has a radius of its own, or a plane where it has a normal. Model space, metres, Y up.
 struct RecipeBodyCollider {
   std::string bone;                             ///< As the file calls it, letters of either case.
   std::optional<std::array<double, 3>> center;  ///< None: where the bone is.

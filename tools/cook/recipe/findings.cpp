@@ -31,8 +31,9 @@ void Findings::acknowledge(std::span<const std::string> codes) {
 
 namespace {
 
-/// Nanoseconds per bone, single core: of a frame (matrices, the head's path), of each part of its step, of a twist's share of
-/// that, and of what the passive model takes on top, scalar, on a 2.1 GHz server core. A yardstick, not a promise: it stays, so that budgets and bytes do.
+/// Nanoseconds per bone, single core: of a frame (matrices, the head's path), of each part of its step, of a twist's
+/// share of that, and of what the passive model takes on top, scalar, on a 2.1 GHz server core. A yardstick, not a
+/// promise: it stays, so that budgets and bytes do.
 constexpr double kFrameCost = 45, kPartCost = 105, kTwistCost = 25, kPassiveCost = 155;
 
 }  // namespace

@@ -39,8 +39,8 @@ struct Findings {
   void append(const Findings& later);
 };
 
-/// Nominal nanoseconds per head and frame of so many simulated bones without twist, with a step in so many parts: a fixed
-/// figure, so that cooking again gives the same bytes.
+/// Nominal nanoseconds per head and frame of so many simulated bones without twist, with a step in so many parts: a
+/// fixed figure, so that cooking again gives the same bytes.
 [[nodiscard]] double nominal_cost(std::size_t bones, std::uint32_t parts);
 /// What the passive model adds to that.
 [[nodiscard]] double nominal_passive_cost(std::size_t bones, std::uint32_t parts);

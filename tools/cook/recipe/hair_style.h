@@ -8,9 +8,9 @@
 
 namespace coif {
 
-/// What hair that is grown looks like: the recipe's section "grow", whose meanings, defaults and ranges stand in grow_keys.cpp. Angles
-/// are degrees about the middle of the head: elevations above it, azimuths 0 at the face and 90 at the model's left. Lengths are
-/// metres on a head of usual size, and grow with the head.
+/// What hair that is grown looks like: the recipe's section "grow", whose meanings, defaults and ranges stand in
+/// grow_keys.cpp. Angles are degrees about the middle of the head: elevations above it, azimuths 0 at the face and 90
+/// at the model's left. Lengths are metres on a head of usual size, and grow with the head.
 struct HairStyle {
   std::string grow_style;  ///< Which built-in style the other keys begin from; "none": the defaults.
   std::uint32_t grow_strands = 0;

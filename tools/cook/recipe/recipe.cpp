@@ -94,7 +94,8 @@ tl::expected<void, std::string> begin_from_style(const json& chosen, Recipe& rec
   return {};
 }
 
-/// `says_all`: with RecipeKey::also, keys that the asset does not depend on, and keys of later versions at their defaults.
+/// `says_all`: with RecipeKey::also, keys that the asset does not depend on, and keys of later versions at their
+/// defaults.
 std::string commented(const Recipe& recipe, bool says_all) {
   std::string text = "{";
   const char* section = "";

@@ -21,15 +21,15 @@
 
 namespace coif {
 
-/// All values of a recipe: what it says of each stage of a cook, which knows its own part alone. Their defaults and ranges stand in
-/// the table of recipe_keys.cpp: start from default_recipe().
+/// All values of a recipe: what it says of each stage of a cook, which knows its own part alone. Their defaults and
+/// ranges stand in the table of recipe_keys.cpp: start from default_recipe().
 struct Recipe : HairStyle, SceneRecipe, SourceRecipe, CardsRecipe, HairRecipe, StripRecipe, RigRecipe, DrawnRecipe {
   std::string look_preset;                         ///< "none", or what the values began from.
   std::vector<std::string> acknowledged_warnings;  ///< Codes of the table of issues.
 };
 
-/// What shows how hair looks and moves, in a fraction of the time: one level of detail, drawn by distance from the head,
-/// small textures stored as they come, no occlusion, cards fitted once.
+/// What shows how hair looks and moves, in a fraction of the time: one level of detail, drawn by distance from the
+/// head, small textures stored as they come, no occlusion, cards fitted once.
 [[nodiscard]] Recipe draft_of(Recipe recipe);
 
 /// Every key at its default.
@@ -43,7 +43,8 @@ struct RecipeBeginning {
 
 /// Reads JSON (with // comments). Unknown keys, wrong types and values out of range are errors that name the key,
 /// the range and, for a misspelt key, the nearest one.
-/// What a preset ("look.preset", recipe_presets()) says holds where no other key does; so does, in "grow", what a built-in style
+/// What a preset ("look.preset", recipe_presets()) says holds where no other key does; so does, in "grow", what a
+/// built-in style
 /// ("grow.style") says.
 tl::expected<Recipe, ToolError> parse_recipe(const std::string& text, const std::string& name,
                                              const RecipeBeginning& beginning = {});

@@ -49,8 +49,8 @@ struct RecipeKey {
   const char* meaning;    ///< What the artist sees, one line.
   const char* also = "";  ///< What more it may be, a clause that follows; no part of canonical_recipe().
 
-  /// The value is the path of a file, a text or, in an object, the member "file", empty for none. Only a recipe on the disk may say
-  /// such a key (view/server), and no output may be that file.
+  /// The value is the path of a file, a text or, in an object, the member "file", empty for none. Only a recipe on the
+  /// disk may say such a key (view/server), and no output may be that file.
   bool names_file = false;
   /// What canonical_recipe() has in place of null, the default: of a key that once could not be null.
   const char* canonical_null = nullptr;

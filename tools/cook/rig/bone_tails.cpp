@@ -78,7 +78,8 @@ std::optional<Eigen::Vector3d> end_of_vertices(const HairMesh& hair, std::uint32
   return start + direction * reach;
 }
 
-/// Its marker, unless that lies far before the end of its hair; the file's spring bones say how long those are that they turn.
+/// Its marker, unless that lies far before the end of its hair; the file's spring bones say how long those are that
+/// they turn.
 std::optional<Eigen::Vector3d> end_of_leaf(const SourceModel& source, const HairMesh& hair, std::uint32_t node,
                                            const Eigen::Vector3d& start, bool is_spring) {
   const std::optional<Eigen::Vector3d> marker = end_marker(source, node);

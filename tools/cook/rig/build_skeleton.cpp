@@ -13,7 +13,8 @@ namespace {
 
 using Children = std::vector<std::vector<std::uint32_t>>;
 
-/// Nodes that only place a rigid mesh: theirs is the modeller's origin, away from the mesh, and nothing could turn about it.
+/// Nodes that only place a rigid mesh: theirs is the modeller's origin, away from the mesh, and nothing could turn
+/// about it.
 std::vector<bool> only_place_meshes(const SourceModel& source) {
   std::vector<bool> only(source.nodes.size(), false);
   for (const SourceMesh& mesh : source.meshes) {

@@ -31,11 +31,11 @@ struct Colliders {
 /// since it would push the modelled pose about; a declared one is left alone. Warns of either.
 [[nodiscard]] Colliders head_colliders(const FittedHead& head, const Skeleton& skeleton, Findings& findings);
 
-/// The shapes on the head that the springs of the skeleton's bones collide with, each bone with its own spring's set and its
-/// joint's hit radius; empty sets and no shapes where no spring of the hair collides with anything there. Shapes that are not on
-/// the head bone or below it are the body's (body_colliders.h); the others move with the nearest rigid bone, since a shape that
-/// swings with the hair has no counterpart. `head_node` may be kNoIndex: nothing is on it. A shape whose radius is 0 is left
-/// out: only its surface could be hit.
+/// The shapes on the head that the springs of the skeleton's bones collide with, each bone with its own spring's set
+/// and its joint's hit radius; empty sets and no shapes where no spring of the hair collides with anything there.
+/// Shapes that are not on the head bone or below it are the body's (body_colliders.h); the others move with the nearest
+/// rigid bone, since a shape that swings with the hair has no counterpart. `head_node` may be kNoIndex: nothing is on
+/// it. A shape whose radius is 0 is left out: only its surface could be hit.
 [[nodiscard]] Colliders spring_colliders(const SourceModel& source, std::uint32_t head_node, const Skeleton& skeleton,
                                          Findings& findings);
 
@@ -55,16 +55,17 @@ struct BoneReach {
 };
 [[nodiscard]] std::vector<BoneReach> reach_of_bones(const Skeleton& skeleton);
 
-/// How deep a particle with this hit radius is in the shape, or out of one that keeps hair in, metres; negative or zero where
-/// it may be.
+/// How deep a particle with this hit radius is in the shape, or out of one that keeps hair in, metres; negative or zero
+/// where it may be.
 [[nodiscard]] double depth_of(const HeadCollider& shape, const Eigen::Vector3d& particle, double radius);
 
 /// Takes out of each bone's set what it cannot touch: a particle is never farther from its chain's first joint than the
 /// bones between are long, and stretch of kStretch on top of that.
 void drop_colliders_out_of_reach(const Skeleton& skeleton, Colliders& colliders);
 
-/// Says how many bones can collide at all, and warns of those that are inside a shape at rest with their hit radius, with
-/// the greatest depth: they will be pushed out of the modelled pose. `what` they collide with and the `cure` are for the words.
+/// Says how many bones can collide at all, and warns of those that are inside a shape at rest with their hit radius,
+/// with the greatest depth: they will be pushed out of the modelled pose. `what` they collide with and the `cure` are
+/// for the words.
 void report_rest_penetration(const Skeleton& skeleton, const Colliders& colliders, const char* what, const char* cure,
                              Findings& findings);
 

@@ -36,8 +36,8 @@ struct LockCurve {
 };
 
 /// The middle of the lock from where it leaves the scalp to its tip, or to where only a few wisps go on, cut into
-/// `recipe.chain_bone_length` or, where that would be more than `most_bones`, into longer equal bones. Joints are outside
-/// of the head, so that its collider does not push the modelled pose.
+/// `recipe.chain_bone_length` or, where that would be more than `most_bones`, into longer equal bones. Joints are
+/// outside of the head, so that its collider does not push the modelled pose.
 [[nodiscard]] LockCurve fit_lock_curve(const HangingHair& hair, const HairLock& lock, const FittedHead& head,
                                        const RigRecipe& recipe, std::size_t most_bones);
 
@@ -48,9 +48,9 @@ struct LockCurve {
                                               std::span<const HairLock> locks, const std::vector<bool>& rigid,
                                               double blend);
 
-/// Bones for hair that has none: groups what hangs free into locks, fits a chain to each from where it leaves the scalp to
-/// its tip, and blends skin weights along and between chains. `rigid` has the head bone, the file's map from nodes to it,
-/// and nothing that moves. Notes what was fitted where.
+/// Bones for hair that has none: groups what hangs free into locks, fits a chain to each from where it leaves the scalp
+/// to its tip, and blends skin weights along and between chains. `rigid` has the head bone, the file's map from nodes
+/// to it, and nothing that moves. Notes what was fitted where.
 [[nodiscard]] HairRig fit_chains(const SourceModel& source, const HairStrips& hair, const FittedHead& head,
                                  const Skeleton& rigid, const RigRecipe& recipe, Findings& findings);
 

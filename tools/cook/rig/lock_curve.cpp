@@ -64,7 +64,8 @@ void smooth(Curve& curve) {
   }
 }
 
-/// Slices are at their mean depth; the curve goes on to the scalp, and half a slice to the tip, along its end directions.
+/// Slices are at their mean depth; the curve goes on to the scalp, and half a slice to the tip, along its end
+/// directions.
 void extend(Curve& curve) {
   const CurvePoint3 first = curve[0], second = curve[1];
   const CurvePoint3 last = curve[curve.size() - 1], before = curve[curve.size() - 2];

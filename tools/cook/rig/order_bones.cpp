@@ -16,8 +16,8 @@ struct OrderedChain {
   std::vector<std::uint32_t> parents;  ///< The chain's shape.
 };
 
-/// The tree that each bone is the root of: its bones, and a number that equal trees share in whatever order their children
-/// are listed.
+/// The tree that each bone is the root of: its bones, and a number that equal trees share in whatever order their
+/// children are listed.
 struct Subtrees {
   std::vector<std::uint32_t> bones;
   std::vector<std::uint32_t> shape;

@@ -47,24 +47,24 @@ struct Skeleton {
 
 /// Splits the file's bones as the thesis does (5.2): the head bone is moved by the host; bones with the head as parent
 /// are scalp bones, rigid; bones below are simulated. Simulated too are a bone alone below the head, which as a scalp
-/// bone would only make the hair stiff, and one that the file's spring bones turn, unless the recipe wants curves. Nodes
-/// that carry no hair are left out, but a last joint below a hair bone says where that bone ends. Warns of hair that
-/// follows the head rigidly. Errors: kBadInput for patterns without a match, kUnsupported above kMaxBones bones.
+/// bone would only make the hair stiff, and one that the file's spring bones turn, unless the recipe wants curves.
+/// Nodes that carry no hair are left out, but a last joint below a hair bone says where that bone ends. Warns of hair
+/// that follows the head rigidly. Errors: kBadInput for patterns without a match, kUnsupported above kMaxBones bones.
 tl::expected<Skeleton, ToolError> build_skeleton(const SourceModel& source, const HairMesh& hair, const HeadBone& head,
                                                  const RigRecipe& recipe, Findings& findings);
 
 /// The head bone, everything rigid to it: what chains are fitted to.
 [[nodiscard]] Skeleton head_alone(const SourceModel& source, const HeadBone& head);
 
-/// Where the bone of `node` ends, model space: at its heaviest hair child; without one at the last joint below it; without
-/// that, or where it lies far before them, where the vertices end that it carries; without those as far again as its parent.
-/// At least 1 mm from `start`. `is_spring`: the file's spring bones turn it, and its marker holds.
+/// Where the bone of `node` ends, model space: at its heaviest hair child; without one at the last joint below it;
+/// without that, or where it lies far before them, where the vertices end that it carries; without those as far again
+/// as its parent. At least 1 mm from `start`. `is_spring`: the file's spring bones turn it, and its marker holds.
 [[nodiscard]] Eigen::Vector3d find_bone_tail(const SourceModel& source, const HairMesh& hair, std::uint32_t node,
                                              std::span<const std::uint32_t> hair_children, const Eigen::Vector3d& start,
                                              const SkeletonBone& parent, bool is_spring = false);
 
-/// True for a last joint that only says where the bone above it, which lies along `above`, ends, though smoothing has given it a
-/// little of the skin: no vertex is mostly its own, and what it shares lies behind it, along that bone.
+/// True for a last joint that only says where the bone above it, which lies along `above`, ends, though smoothing has
+/// given it a little of the skin: no vertex is mostly its own, and what it shares lies behind it, along that bone.
 [[nodiscard]] bool only_marks_an_end(const HairMesh& hair, std::uint32_t node, const Eigen::Vector3d& start,
                                      const Eigen::Vector3d& above);
 
@@ -105,8 +105,8 @@ struct HairRig {
 /// Which patches the recipe holds to the head, one value for each.
 [[nodiscard]] std::vector<bool> held_patches(const HairStrips& hair);
 
-/// The file's bones with the artist's weights, but for patches that are held; the head alone where the recipe wants no chains,
-/// or fitted ones. Errors and warnings are build_skeleton()'s.
+/// The file's bones with the artist's weights, but for patches that are held; the head alone where the recipe wants no
+/// chains, or fitted ones. Errors and warnings are build_skeleton()'s.
 tl::expected<HairRig, ToolError> rig_of_file(const SourceModel& source, const HairStrips& hair, const HeadBone& head,
                                              const RigRecipe& recipe, Findings& findings);
 
@@ -119,7 +119,8 @@ tl::expected<HairRig, ToolError> rig_of_file(const SourceModel& source, const Ha
 [[nodiscard]] std::vector<std::uint32_t> chain_of_patches(const HairStrips& hair, const HairRig& rig,
                                                           std::size_t count);
 
-/// The rig as the asset has it: the head alone for a scene that does not simulate, else with its bones in order_bones().
+/// The rig as the asset has it: the head alone for a scene that does not simulate, else with its bones in
+/// order_bones().
 void settle_rig(const RigRecipe& recipe, HairRig& rig, Findings& findings);
 
 /// What swings a bone in a file with spring bones.
@@ -131,14 +132,15 @@ struct BoneJoint {
 };
 
 /// One per bone of the skeleton, pointing into `source`. VRM turns a joint's own node so that the node's tail, the next
-/// joint, swings; the particle of the bone that the node became is that tail. So a joint's settings, hit radius included,
-/// belong to its own node's bone. Rigid bones and fitted chains, which are not the file's nodes, have none; neither has
-/// the last joint of a spring, which in VRM 1.0 turns nothing.
+/// joint, swings; the particle of the bone that the node became is that tail. So a joint's settings, hit radius
+/// included, belong to its own node's bone. Rigid bones and fitted chains, which are not the file's nodes, have none;
+/// neither has the last joint of a spring, which in VRM 1.0 turns nothing.
 [[nodiscard]] std::vector<BoneJoint> joints_of_bones(const SourceModel& source, const Skeleton& skeleton);
 
-/// Which bones still move on their own where hair shorter than `still_length` (metres) may hang rigidly: those from whose
-/// start it is farther than that to some tip below. So chains lose bones from their tips upwards, short ones all of them,
-/// and what moves at one length moves at every smaller one, as the format asks. All of them at length 0. One value per bone.
+/// Which bones still move on their own where hair shorter than `still_length` (metres) may hang rigidly: those from
+/// whose start it is farther than that to some tip below. So chains lose bones from their tips upwards, short ones all
+/// of them, and what moves at one length moves at every smaller one, as the format asks. All of them at length 0. One
+/// value per bone.
 [[nodiscard]] std::vector<bool> moving_bones(const Skeleton& skeleton, double still_length);
 
 }  // namespace coif

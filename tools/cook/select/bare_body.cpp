@@ -14,8 +14,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A sphere has the roundness 1, heads have 0.3 to 0.9, busts 0.3; strips and sheets of hair are open, tubes and shells of hair
-// below 0.1. The longest edge of an open sheet is 2 and more of the root of its area, that of a head without a neck 1.
+// A sphere has the roundness 1, heads have 0.3 to 0.9, busts 0.3; strips and sheets of hair are open, tubes and shells
+// of hair below 0.1. The longest edge of an open sheet is 2 and more of the root of its area, that of a head without a
+// neck 1.
 constexpr double kLeastRound = 0.2;
 constexpr double kMostOpen = 1.6;
 constexpr double kNearlyWhole = 0.8;     // of the model's surface

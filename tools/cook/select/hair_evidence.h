@@ -11,8 +11,8 @@
 
 namespace coif {
 
-/// True for names of hair in the languages that artists name things in ("hair", "Fringe_L", "pony tail", "kami"), and not
-/// for what is worn in it ("hairband") or only spelt like it ("chair").
+/// True for names of hair in the languages that artists name things in ("hair", "Fringe_L", "pony tail", "kami"), and
+/// not for what is worn in it ("hairband") or only spelt like it ("chair").
 [[nodiscard]] bool is_called_hair(std::string_view name);
 
 /// Worn in hair ("hairband"), and not hair, though the name has the word.
@@ -28,12 +28,12 @@ namespace coif {
 /// True where hands, feet, arms or legs move a good part of some mesh: the model is, or has, a body.
 [[nodiscard]] bool moves_limbs(const SourceModel& source);
 
-/// The head bone as far as names tell: declared by the file, else the node called head with most nodes below it. kNoIndex
-/// without one.
+/// The head bone as far as names tell: declared by the file, else the node called head with most nodes below it.
+/// kNoIndex without one.
 [[nodiscard]] std::uint32_t guess_head_node(const SourceModel& source);
 
-/// Per node, false for what below a head carries something else than hair: eyes, lids, lips, jaw. Where the file has hair
-/// bones, only those, what is above them and what is below them carry hair.
+/// Per node, false for what below a head carries something else than hair: eyes, lids, lips, jaw. Where the file has
+/// hair bones, only those, what is above them and what is below them carry hair.
 [[nodiscard]] std::vector<bool> find_carriers(const SourceModel& source);
 
 /// What is known of one connected piece.

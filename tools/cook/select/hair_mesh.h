@@ -60,8 +60,8 @@ struct PatchSet {
   std::vector<std::uint32_t> patch_of;
   std::uint32_t count = 0;
   std::vector<std::uint32_t> first_number{};  ///< Per patch, see number_of(); empty: each has its own index.
-  /// The last patches are those that only coarser levels of detail draw: for each of them which of the finest it is drawn in the
-  /// place of.
+  /// The last patches are those that only coarser levels of detail draw: for each of them which of the finest it is
+  /// drawn in the place of.
   std::vector<std::uint32_t> stands_for{};
 
   /// What a patch is known by to people: its index before any was left out or cut.
@@ -76,8 +76,8 @@ struct PatchSet {
     first_number.push_back(std::uint32_t(first_number[patch]));
     return count++;
   }
-  /// Cuts patches: `part_of` names for each triangle the part that it goes to, below their number, no part in two patches;
-  /// kNoIndex: its patch stays whole. The first part of each patch keeps its index, the others get new ones.
+  /// Cuts patches: `part_of` names for each triangle the part that it goes to, below their number, no part in two
+  /// patches; kNoIndex: its patch stays whole. The first part of each patch keeps its index, the others get new ones.
   void cut(std::span<const std::uint32_t> part_of) {
     std::vector<std::uint32_t> index(patch_of.size(), kNoIndex);
     std::vector<bool> kept(count, false);

@@ -31,8 +31,8 @@ std::uint32_t lowest_common_node(const SourceModel& source, const NodeWeights& b
   return lowest;
 }
 
-/// The node of a rigid mesh, away from the hair: a file without bones has its origin on the floor, not in the head. Where whole numbers are
-/// undone by it, it stands in a corner or the middle of the hair, wherever the artist had it.
+/// The node of a rigid mesh, away from the hair: a file without bones has its origin on the floor, not in the head.
+/// Where whole numbers are undone by it, it stands in a corner or the middle of the hair, wherever the artist had it.
 bool is_far_mesh_node(const SourceModel& source, const HairMesh& hair, std::uint32_t node) {
   if (node == kNoIndex) return false;
   const bool carries_mesh = std::ranges::any_of(

@@ -35,8 +35,8 @@ using NodeWeights = std::vector<double>;
 
 /// The head bone: the node called `pattern`; without one the head that the file itself declares; without that the node
 /// called head that carries, with all nodes below it, most of the hair's weight; failing that the lowest node above all
-/// of the hair, unless it only is the node of a mesh far from it. Without any its joint is the middle of the hair. Error
-/// (kBadInput): nothing is called `pattern`.
+/// of the hair, unless it only is the node of a mesh far from it. Without any its joint is the middle of the hair.
+/// Error (kBadInput): nothing is called `pattern`.
 tl::expected<HeadBone, ToolError> find_head_bone(const SourceModel& source, const HairMesh& hair,
                                                  const std::string& pattern);
 
@@ -52,8 +52,8 @@ struct FittedHead : HeadEllipsoid {
   bool faces_backwards = false;  ///< Looks along -Z instead of +Z.
 };
 
-/// Whether the model looks along -Z: as the file says (VRM); else where hair hangs on the side of +Z at the height of a face
-/// and hardly any on the other.
+/// Whether the model looks along -Z: as the file says (VRM); else where hair hangs on the side of +Z at the height of a
+/// face and hardly any on the other.
 [[nodiscard]] bool faces_backwards(const SourceModel& source, const HairMesh& hair, const FittedHead& head);
 
 /// What shows a head before the hair around it is looked at.
@@ -64,12 +64,14 @@ struct HeadSign {
 
 [[nodiscard]] HeadSign first_sign_of_head(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone);
 
-/// The hair (not empty) lies on the skull at the top: a sphere through its upper part, made as high and deep as heads are.
+/// The hair (not empty) lies on the skull at the top: a sphere through its upper part, made as high and deep as heads
+/// are.
 [[nodiscard]] HeadEllipsoid ellipsoid_under_top(const HairMesh& hair);
 
-/// As the recipe declares it; else what the vertices outside of the hair's meshes that follow the head bone (not if a quarter
-/// of the hair is deep inside of them, as in a hood), or without such ones the hair's upper part, say of it, moved and resized until the hair agrees (fit_head_room()) and then shrunk until
-/// hardly any hair is inside. Notes where it is and how much hair is inside; warns where that is much.
+/// As the recipe declares it; else what the vertices outside of the hair's meshes that follow the head bone (not if a
+/// quarter of the hair is deep inside of them, as in a hood), or without such ones the hair's upper part, say of it,
+/// moved and resized until the hair agrees (fit_head_room()) and then shrunk until hardly any hair is inside. Notes
+/// where it is and how much hair is inside; warns where that is much.
 [[nodiscard]] FittedHead fit_head(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone,
                                   const HairRecipe& recipe, Findings& findings);
 

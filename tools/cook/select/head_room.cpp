@@ -53,8 +53,8 @@ std::vector<Vector3d> sample_surface(const HairMesh& hair) {
   return samples;
 }
 
-/// Which part of the sphere a direction (not zero) is in: an octahedron's sides laid flat (Cigolle et al. 2014, "A Survey of
-/// Efficient Representations for Independent Unit Vectors").
+/// Which part of the sphere a direction (not zero) is in: an octahedron's sides laid flat (Cigolle et al. 2014, "A
+/// Survey of Efficient Representations for Independent Unit Vectors").
 std::size_t part_of_sphere(Vector3d direction) {
   direction /= direction.cwiseAbs().sum();
   double x = direction.x(), z = direction.z();

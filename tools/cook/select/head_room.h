@@ -30,9 +30,9 @@ struct HeadGuess {
   double size_spread = 0;         ///< Of the logarithm of that size.
 };
 
-/// The head that a guess and the hair agree on best. Seen from the head's middle, the innermost hair lies close to the head all
-/// around; a little of it is sunk in, as roots are, which counts for far more than that some of it hovers; and nowhere does the
-/// head come out through the outermost. Deterministic; bounded work, whatever the mesh.
+/// The head that a guess and the hair agree on best. Seen from the head's middle, the innermost hair lies close to the
+/// head all around; a little of it is sunk in, as roots are, which counts for far more than that some of it hovers; and
+/// nowhere does the head come out through the outermost. Deterministic; bounded work, whatever the mesh.
 [[nodiscard]] HeadEllipsoid fit_head_room(const HairMesh& hair, const HeadGuess& guess);
 
 /// How much of the hair a head has inside it, shares 0..1.

@@ -25,7 +25,8 @@ struct WantedAttributes {
   bool normals = false, uvs = false, colors = false;
 };
 
-/// Appends all vertices of `mesh`; attributes that only some meshes have are filled with zeros and mended later, colours with white.
+/// Appends all vertices of `mesh`; attributes that only some meshes have are filled with zeros and mended later,
+/// colours with white.
 void append_vertices(const SourceMesh& mesh, const WantedAttributes& wanted, HairMesh& out) {
   const std::size_t count = mesh.positions.size();
   out.positions.insert(out.positions.end(), mesh.positions.begin(), mesh.positions.end());

@@ -23,10 +23,11 @@ struct HairChoice {
 };
 
 /// By the recipe's mesh, material and bone names where it has any. Else by the first evidence that finds something:
-/// meshes, materials or textures called hair; connected pieces that hair bones or springs below the head move; pieces of
-/// a transparent material on the head that no lid or brow moves; the whole model, if it is none of a body with limbs. Caps under
-/// that hair and cores inside it are hair as well. Notes why for each mesh that gave hair,
-/// and what of the others was left out. Errors (kBadInput): a pattern that matches nothing, or a character of which nothing is known to be hair, with the names there are.
+/// meshes, materials or textures called hair; connected pieces that hair bones or springs below the head move; pieces
+/// of a transparent material on the head that no lid or brow moves; the whole model, if it is none of a body with
+/// limbs. Caps under that hair and cores inside it are hair as well. Notes why for each mesh that gave hair, and what
+/// of the others was left out. Errors (kBadInput): a pattern that matches nothing, or a character of which nothing is
+/// known to be hair, with the names there are.
 tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const HairRecipe& recipe,
                                                 Findings& findings);
 

@@ -8,8 +8,8 @@
 
 namespace coif {
 
-/// Warns (C115) of two meshes of the hair that lie on each other, one of them with clearly fewer triangles, as levels of detail of one thing
-/// do whatever they are called. `hair`: numbers of the meshes that are hair.
+/// Warns (C115) of two meshes of the hair that lie on each other, one of them with clearly fewer triangles, as levels
+/// of detail of one thing do whatever they are called. `hair`: numbers of the meshes that are hair.
 void warn_of_stacked_meshes(const SourceModel& source, std::span<const std::uint32_t> hair, Findings& findings);
 
 }  // namespace coif

@@ -43,8 +43,8 @@ struct JudgedSize {
 };
 
 /// Compares what the file says (SourceModel::space) with head, body, named joints, hair and strips. The file's word
-/// holds unless what the model shows is clearly against it and clearly for another common unit or axis; what the caller gave
-/// holds always. Without anything known to be hair the body alone is looked at.
+/// holds unless what the model shows is clearly against it and clearly for another common unit or axis; what the caller
+/// gave holds always. Without anything known to be hair the body alone is looked at.
 [[nodiscard]] JudgedSize judge_size(const SourceModel& source, const HairRecipe& recipe);
 
 /// The model with that applied.

@@ -60,7 +60,8 @@ void measure_head(const KnownModel& known, const HairRecipe& recipe, SizeMeasure
                 0.17, (sign.is_mesh ? 1.0 : 0.9) * (fits ? 1.0 : 0.5), true});
 }
 
-/// Grooms without a unit come in the units of whatever head they were grown on: their roots say more than what is usual of units.
+/// Grooms without a unit come in the units of whatever head they were grown on: their roots say more than what is usual
+/// of units.
 void measure_scalp(const KnownModel& known, SizeMeasures& measures) {
   constexpr double kSure = 0.5;
   measures.add({"the radius of the scalp that roots lie on", known.model.scalp_radius, 0.075, 0.12, 1, true, kSure});

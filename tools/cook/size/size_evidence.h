@@ -23,7 +23,8 @@ struct SizeEvidence {
 [[nodiscard]] std::vector<SizeEvidence> measure_model(const KnownModel& known, const HairRecipe& recipe);
 
 /// Logarithm of how likely all lengths are, multiplied with `factor`: 0 where each is a usual one, else less. Between
-/// the lengths of people and those of dolls and giants it falls as a normal distribution of their logarithms, to a floor.
+/// the lengths of people and those of dolls and giants it falls as a normal distribution of their logarithms, to a
+/// floor.
 [[nodiscard]] double size_likelihood(std::span<const SizeEvidence> evidence, double factor);
 
 }  // namespace coif

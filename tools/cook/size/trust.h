@@ -18,10 +18,10 @@ struct UnitPrior {
 };
 
 /// First the file's own unit, or metres where it has none, then those that files are in by mistake: powers of ten of
-/// it, inches and feet. A file's word counts the more the less it could be there by itself: the format's definition, a unit
-/// that somebody chose, the value that every exporter writes, the output of a converter that knows no units. A file without a unit may
-/// be in one of its own, that of the head that its strands grew on: the one that makes their scalp a usual one, to two digits.
-/// `scalp_radius`: of these, as it was imported; 0: not known.
+/// it, inches and feet. A file's word counts the more the less it could be there by itself: the format's definition, a
+/// unit that somebody chose, the value that every exporter writes, the output of a converter that knows no units. A
+/// file without a unit may be in one of its own, that of the head that its strands grew on: the one that makes their
+/// scalp a usual one, to two digits. `scalp_radius`: of these, as it was imported; 0: not known.
 [[nodiscard]] std::vector<UnitPrior> unit_priors(const SourceModel& model, const HairRecipe& recipe,
                                                  double scalp_radius);
 

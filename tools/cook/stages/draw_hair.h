@@ -28,8 +28,8 @@ struct Drawn {
   OrderFigures figures;
 };
 
-/// The fourth stage of a cook: textures, levels of detail, draw orders. Errors: a texture cannot be read, or what a recipe asks of it is
-/// not there.
+/// The fourth stage of a cook: textures, levels of detail, draw orders. Errors: a texture cannot be read, or what a
+/// recipe asks of it is not there.
 tl::expected<Drawn, ToolError> draw_hair(const SourceModel& source, BaseColor color, Strips strips, CookedRig rig,
                                          const DrawnRecipe& recipe, const SceneRecipe& scene,
                                          const CookSettings& settings, CookLog& log);

@@ -25,8 +25,8 @@ struct SourceHair {
   [[nodiscard]] const SourceModel& model(const SourceModel& source) const { return settled ? *settled : source; }
 };
 
-/// The first stage of a cook. Textures are joined here, since that moves texture coordinates and splits vertices, which all that
-/// follows numbers. Errors: those of select_hair() and find_base_color().
+/// The first stage of a cook. Textures are joined here, since that moves texture coordinates and splits vertices, which
+/// all that follows numbers. Errors: those of select_hair() and find_base_color().
 tl::expected<SourceHair, ToolError> find_hair(const SourceModel& source, const HairRecipe& recipe,
                                               const DrawnRecipe& drawn, const CookSettings& settings, CookLog& log);
 

@@ -27,8 +27,8 @@ struct Strips {
   FittedHead head;
 };
 
-/// The second stage of a cook, of hair that was found in `source`. Errors: the recipe's patches or head bone are not there, or no hair
-/// is left.
+/// The second stage of a cook, of hair that was found in `source`. Errors: the recipe's patches or head bone are not
+/// there, or no hair is left.
 tl::expected<Strips, ToolError> find_strips(const SourceModel& source, HairMesh hair, const BaseColor& color,
                                             const HairRecipe& of_head, const StripRecipe& recipe,
                                             const CookSettings& settings, CookLog& log);

@@ -15,13 +15,14 @@ namespace coif {
 /// What moves hair.
 struct CookedRig {
   HairRig rig;
-  /// Bones, chains, colliders, dynamics, limits, links and tuning as the runtime has them. No tuning in a draft, and where nothing moves.
+  /// Bones, chains, colliders, dynamics, limits, links and tuning as the runtime has them. No tuning in a draft, and
+  /// where nothing moves.
   AssetContents contents;
 };
 
-/// The third stage of a cook: bones of the file or fitted ones, what they must not enter, and how they move. Each chain's equation
-/// becomes one that has a solution, and then gets the cheapest way to solve it. Errors: the recipe's bones are not there, or no rate keeps
-/// its budget.
+/// The third stage of a cook: bones of the file or fitted ones, what they must not enter, and how they move. Each
+/// chain's equation becomes one that has a solution, and then gets the cheapest way to solve it. Errors: the recipe's
+/// bones are not there, or no rate keeps its budget.
 tl::expected<CookedRig, ToolError> make_rig(const SourceModel& source, const Strips& strips, const RigRecipe& recipe,
                                             const CookSettings& settings, CookLog& log);
 

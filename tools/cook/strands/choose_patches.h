@@ -33,8 +33,8 @@ struct PatchListing {
 [[nodiscard]] std::vector<PatchListing> list_patches(const SourceModel& source, const HairStrips& hair);
 
 /// Finds out which patches the recipe's overrides select, writes that to `hair` and `listings`, and leaves out what the
-/// recipe does not keep. Errors (kBadInput): an override selects nothing, or nothing is kept. With `only_lists` the first is a
-/// warning, since it is by the list that such a recipe is mended.
+/// recipe does not keep. Errors (kBadInput): an override selects nothing, or nothing is kept. With `only_lists` the
+/// first is a warning, since it is by the list that such a recipe is mended.
 tl::expected<void, ToolError> choose_patches(const SourceModel& source, const StripRecipe& recipe, bool only_lists,
                                              HairStrips& hair, std::vector<PatchListing>& listings, Findings& findings);
 

@@ -37,10 +37,11 @@ struct ExtractedPatches {
 /// Extracts the patches of hair whose places are known and separates them. Notes what they are connected by.
 ExtractedPatches find_patches(HairStrips& hair, Connectivity connectivity, Findings& findings);
 
-/// Cuts patches where their texture turns back: modellers unwrap a strip that runs from ear to ear over the parting, or from the
-/// parting to a band, half by half onto the same strands, so that one of its texture's ends is in the middle. Each half has a
-/// root and a tip of its own, and is sorted by itself. A fold is an edge across the strands on both sides of which the texture
-/// runs the same way. Parts keep their patch's number. Returns how many patches there are more.
+/// Cuts patches where their texture turns back: modellers unwrap a strip that runs from ear to ear over the parting, or
+/// from the parting to a band, half by half onto the same strands, so that one of its texture's ends is in the middle.
+/// Each half has a root and a tip of its own, and is sorted by itself. A fold is an edge across the strands on both
+/// sides of which the texture runs the same way. Parts keep their patch's number. Returns how many patches there are
+/// more.
 std::uint32_t split_folds(HairStrips& hair, Findings& findings);
 
 }  // namespace coif

@@ -16,8 +16,8 @@ struct RootVote {
 };
 
 /// For each patch the belief that its low end is the root, -1 (the high end) .. 1. Its own evidence counts, and what is
-/// believed of the patches beside it, since hair that is combed one way runs one way; of those that show the same part of
-/// the texture, since one picture of strands has one root; and of all, since one artist paints roots on one side.
+/// believed of the patches beside it, since hair that is combed one way runs one way; of those that show the same part
+/// of the texture, since one picture of strands has one root; and of all, since one artist paints roots on one side.
 /// Mean-field iteration on that graph: few rounds carry a belief across a head.
 [[nodiscard]] std::vector<float> settle_beliefs(const HairMesh& mesh, const std::vector<PatchView>& views,
                                                 std::span<const RootVote> votes,

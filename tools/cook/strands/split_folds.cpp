@@ -36,8 +36,8 @@ int turn_of(const HairMesh& mesh, std::uint32_t t) {
   return area > 0 ? 1 : area < 0 ? -1 : 0;
 }
 
-/// Where two parts meet that lie the opposite way round: summed over the edges, how far apart along the strands' axis their ends are,
-/// and how far along it the triangles reach.
+/// Where two parts meet that lie the opposite way round: summed over the edges, how far apart along the strands' axis
+/// their ends are, and how far along it the triangles reach.
 struct Seam {
   float ends_apart = 0, reach = 0;
 
@@ -51,7 +51,8 @@ struct Seam {
       reach += std::abs(at(use.side + 2) - (a + b) / 2);
     }
   }
-  /// It runs across the strands: both parts go on the same way from there. Along them it is a texture used twice side by side.
+  /// It runs across the strands: both parts go on the same way from there. Along them it is a texture used twice side
+  /// by side.
   [[nodiscard]] bool is_fold() const { return ends_apart < kAcrossAxis * reach; }
 };
 

@@ -56,8 +56,8 @@ std::optional<double> parting_of(const HairStrips& hair, const PatchView& patch,
   return head.center.x() + (a.x() + b.x()) / 2;
 }
 
-/// Round the head from one side of a parting to the other, and lowest on the way: the place along the strand where it is. None
-/// for other patches, among them what hangs off the head.
+/// Round the head from one side of a parting to the other, and lowest on the way: the place along the strand where it
+/// is. None for other patches, among them what hangs off the head.
 std::optional<float> meeting_of(const HairStrips& hair, const PatchView& patch, const FittedHead& head) {
   std::array<MeanPlace, kStations> stations;
   for (const std::uint32_t v : patch.vertices) {

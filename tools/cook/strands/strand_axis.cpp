@@ -124,8 +124,8 @@ float length_along(std::span<const Vector3f> line, const Vector3f& p) {
   return result;
 }
 
-/// Ways along sides follow the diagonals of quads. Measured along the line through the middle of what is equally far, the
-/// rows of a strip come out level.
+/// Ways along sides follow the diagonals of quads. Measured along the line through the middle of what is equally far,
+/// the rows of a strip come out level.
 void level_rows(const HairMesh& mesh, const PatchView& patch, std::vector<float>& coordinate) {
   constexpr std::size_t kFewest = 2, kMost = 16, kPerBin = 6;
   constexpr int kRounds = 4;

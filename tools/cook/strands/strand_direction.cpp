@@ -69,9 +69,9 @@ int common_texture_axis(std::span<const PatchStrands> patches) {
   return sum >= 0 ? 1 : 0;
 }
 
-/// Along which texture axis the strands run: the one the patch is longer along, along which the images have lines, whose
-/// ends differ more as roots and tips do, and which the other patches have; -1 where texture coordinates say nothing.
-/// Fills axis and evidence.
+/// Along which texture axis the strands run: the one the patch is longer along, along which the images have lines,
+/// whose ends differ more as roots and tips do, and which the other patches have; -1 where texture coordinates say
+/// nothing. Fills axis and evidence.
 void choose_axis(const HairStrips& hair, const PatchView& view, const Surroundings& around, int common,
                  PatchStrands& patch) {
   const bool textured = patch.preference != 0;

@@ -27,16 +27,17 @@ struct StrandSettings {
                                                       const HairStrips& hair);
 
 /// The direction of the strands on every vertex: along the texture axis that runs down the patch's longer side, or over
-/// the surface from end to end where texture coordinates say nothing. The root is the end that RootEvidence points to, as far
-/// as other patches do not contradict (settle_beliefs()). Patches are separate. Notes how roots were told from tips, and where nothing tells them; warns where strands run as if another axis pointed up.
+/// the surface from end to end where texture coordinates say nothing. The root is the end that RootEvidence points to,
+/// as far as other patches do not contradict (settle_beliefs()). Patches are separate. Notes how roots were told from
+/// tips, and where nothing tells them; warns where strands run as if another axis pointed up.
 [[nodiscard]] StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head,
                                                 const StrandSettings& settings, Findings& findings);
 
-/// Cuts patches whose strands seem to run from one side of the head over its top to the other, and end there as they began: hair grows
-/// at the top, so that each half has a root of its own, which the places of `hair` cannot say. And those that run from one side of a
-/// parting down and round the head to the other: each half grows at the parting and ends where they meet, lowest. Those for which `roots` (as
-/// StrandSettings has it, of each patch) says where it is stay. Returns how many patches there are more; their strands are to
-/// be found anew.
+/// Cuts patches whose strands seem to run from one side of the head over its top to the other, and end there as they
+/// began: hair grows at the top, so that each half has a root of its own, which the places of `hair` cannot say. And
+/// those that run from one side of a parting down and round the head to the other: each half grows at the parting and
+/// ends where they meet, lowest. Those for which `roots` (as StrandSettings has it, of each patch) says where it is
+/// stay. Returns how many patches there are more; their strands are to be found anew.
 std::uint32_t split_partings(HairStrips& hair, const FittedHead& head, std::span<const std::string> roots,
                              Findings& findings);
 
@@ -49,9 +50,9 @@ struct ShellSplit {
   std::uint32_t left = 0;    ///< Patches that are still too wide: no edges run along them.
 };
 
-/// Cuts patches wider than `widest` metres across their strands, and separates the parts. A patch is drawn in one place of
-/// the order, and a cap that reaches round the head has none: its left half is behind where its right half is in front.
-/// Cuts follow edges that run along the strands: quads in a row from root to tip stay together as a ribbon, and
+/// Cuts patches wider than `widest` metres across their strands, and separates the parts. A patch is drawn in one place
+/// of the order, and a cap that reaches round the head has none: its left half is behind where its right half is in
+/// front. Cuts follow edges that run along the strands: quads in a row from root to tip stay together as a ribbon, and
 /// neighbouring ribbons join, the narrowest result first, as far as the width allows. Parts are numbered behind the
 /// existing patches. Notes what was cut.
 ShellSplit split_shells(HairStrips& hair, double widest, Findings& findings);

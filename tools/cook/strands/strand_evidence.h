@@ -11,20 +11,22 @@
 
 namespace coif {
 
-/// A number that grows along the strands of one patch, from one end to the other; which end is the root is not known yet.
+/// A number that grows along the strands of one patch, from one end to the other; which end is the root is not known
+/// yet.
 struct StrandAxis {
   int texture_axis = -1;          ///< 0: U, 1: V, -1: by walking over the surface.
   std::vector<float> coordinate;  ///< Per vertex of the view, 0..1.
 };
 
-/// Direction of growth of U and V over the triangle at `t`: dp/du and dp/dv, metres per texture; zero without an inverse.
+/// Direction of growth of U and V over the triangle at `t`: dp/du and dp/dv, metres per texture; zero without an
+/// inverse.
 [[nodiscard]] std::array<Eigen::Vector3f, 2> texture_axes(const HairMesh& mesh, std::size_t t);
 
 /// Direction in which a coordinate per vertex grows over the triangle at `t`, per metre; zero without area.
 [[nodiscard]] Eigen::Vector3f gradient(const HairMesh& mesh, std::size_t t, std::span<const float> coordinate);
 
-/// How much longer the patch is along V than along U, -1..1; 0 where texture coordinates are of no use: most of the area
-/// is in one spot of the texture, as with palettes.
+/// How much longer the patch is along V than along U, -1..1; 0 where texture coordinates are of no use: most of the
+/// area is in one spot of the texture, as with palettes.
 [[nodiscard]] float texture_preference(const HairMesh& mesh, const PatchView& patch);
 
 /// Of texture_preference(): a patch twice as long along one texture axis has its strands along it.
@@ -57,8 +59,8 @@ struct Neighbour {
                                                                   std::span<const Eigen::Vector3f> tangents,
                                                                   double reach);
 
-/// Where hair is off the head: strands that are combed over the skull to a tail or a bun end beside hair that hangs free,
-/// and those that grow from the skull's skin do not start there.
+/// Where hair is off the head: strands that are combed over the skull to a tail or a bun end beside hair that hangs
+/// free, and those that grow from the skull's skin do not start there.
 class FreeHair {
  public:
   FreeHair(const HairMesh& mesh, const std::vector<PatchView>& views, const FittedHead& head);
@@ -74,8 +76,8 @@ class FreeHair {
   std::map<std::array<std::int64_t, 3>, Amount> cells_;
 };
 
-/// What the two ends of a patch say about which one is the root. Each from -1 (the high end of the coordinate is it) to 1
-/// (the low end), 0 where it says nothing; height up to 1.5 either way.
+/// What the two ends of a patch say about which one is the root. Each from -1 (the high end of the coordinate is it) to
+/// 1 (the low end), 0 where it says nothing; height up to 1.5 either way.
 struct RootEvidence {
   float distance = 0;  ///< Roots are nearer to the head's surface.
   float bones = 0;     ///< Roots follow bones that are nearer to the head bone.

@@ -19,17 +19,18 @@ struct RecipeImage {
   std::filesystem::path path;
 };
 
-/// Reads the image that the recipe's "textures.KEY" names, a path from the recipe's folder. Error (kBadInput): it cannot
-/// be read; the artist asked for it.
-/// As `chosen` says it: with the numbers of its channel in all of red, green and blue, where it names one.
+/// Reads the image that the recipe's "textures.KEY" names, a path from the recipe's folder. Error (kBadInput): it
+/// cannot be read; the artist asked for it. As `chosen` says it: with the numbers of its channel in all of red, green
+/// and blue, where it names one.
 tl::expected<RecipeImage, ToolError> read_recipe_image(const RecipeTexture& chosen, const char* key,
                                                        const CookSettings& settings);
 /// One that the recipe names by its path alone.
 tl::expected<RecipeImage, ToolError> read_recipe_image(const std::string& name, const char* key,
                                                        const CookSettings& settings);
 
-/// The two-channel texture of Algorithm 3, made from a seed: red moves both highlights from strand to strand around 0.5,
-/// green breaks the secondary highlight into sparkles. It repeats in both directions. `along_u`: strands run along U.
+/// The two-channel texture of Algorithm 3, made from a seed: red moves both highlights from strand to strand around
+/// 0.5, green breaks the secondary highlight into sparkles. It repeats in both directions. `along_u`: strands run along
+/// U.
 [[nodiscard]] Image generate_shift_mask(std::uint32_t seed, bool along_u);
 
 /// The same for strands that are known (SourceMaterial::strand_texture): each has its own shift, and its own sparkles.
@@ -52,8 +53,8 @@ struct BakedTextures {
 /// that the recipe asks for. Alpha is averaged as it is: what it loses to the threshold is given back by
 /// keep_coverage(), once the threshold is known. In an atlas shift and mask follow each surface's own coordinates. An
 /// image that the recipe names and that cannot be read is an error. Shift and mask that are the same everywhere are
-/// numbers instead. Relief comes from the source's map of normals (bake_relief()). Without texture coordinates nothing is stored. `hair` has the coordinates that find_base_color
-/// left, and its strands.
+/// numbers instead. Relief comes from the source's map of normals (bake_relief()). Without texture coordinates nothing
+/// is stored. `hair` has the coordinates that find_base_color left, and its strands.
 tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, const HairStrips& hair,
                                                      const DrawnRecipe& recipe, const CookSettings& settings,
                                                      Findings& findings);

@@ -45,8 +45,8 @@ struct WantedMaps {
   bool opacity = true;
 };
 
-/// The looks of the hair's triangles; their images live in `images`. Where the file cannot say (it names no image for any
-/// part of the hair, and is no glTF, which would say so on purpose), an image beside the source may be taken.
+/// The looks of the hair's triangles; their images live in `images`. Where the file cannot say (it names no image for
+/// any part of the hair, and is no glTF, which would say so on purpose), an image beside the source may be taken.
 [[nodiscard]] SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const HairMesh& hair,
                                       const WantedMaps& wanted);
 
@@ -87,9 +87,9 @@ struct BaseColor {
 };
 
 /// Finds the hair's base colour: the recipe's image, else what its materials say. Surfaces with different images or
-/// colours are put together in an atlas, and the texture coordinates of `hair` move into it, which may split vertices; so
-/// this comes before any pass that numbers vertices. Where no atlas can be made the main material is taken for all, with a
-/// warning. Error: an image that the recipe names cannot be read.
+/// colours are put together in an atlas, and the texture coordinates of `hair` move into it, which may split vertices;
+/// so this comes before any pass that numbers vertices. Where no atlas can be made the main material is taken for all,
+/// with a warning. Error: an image that the recipe names cannot be read.
 tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, HairMesh& hair, const DrawnRecipe& recipe,
                                                    const CookSettings& settings, Findings& findings);
 

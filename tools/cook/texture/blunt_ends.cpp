@@ -25,7 +25,8 @@ constexpr std::size_t kRimEdges = 16;  ///< Looked at, at most, per patch.
 constexpr std::size_t kBlock = 64;     ///< Triangles that a ray misses together.
 constexpr int kRowSamples = 8;         ///< Of alpha, along the part of a row in one triangle.
 constexpr float kTiedWithin = 0.3f;    ///< Of the head's radius.
-/// Some ends that are tied into other hair look the same from here: hair that has no more blunt ends than those is fine.
+/// Some ends that are tied into other hair look the same from here: hair that has no more blunt ends than those is
+/// fine.
 constexpr float kWarnShare = 0.15f;
 
 struct RimEdge {

@@ -8,7 +8,8 @@
 
 namespace coif {
 
-/// The triangles that `takes` takes, in pieces that hang together by index; pieces and triangles in the order of the mesh.
+/// The triangles that `takes` takes, in pieces that hang together by index; pieces and triangles in the order of the
+/// mesh.
 [[nodiscard]] std::vector<std::vector<std::size_t>> color_islands(const HairMesh& hair,
                                                                   const std::function<bool(std::size_t)>& takes);
 

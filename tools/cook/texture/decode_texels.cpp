@@ -8,8 +8,8 @@
 
 namespace {
 
-// A few kilobytes of PNG may unpack to gigabytes without an end; the decoder takes a refused block as its end. Twice the
-// largest image, since buffers of unknown size grow by doubling.
+// A few kilobytes of PNG may unpack to gigabytes without an end; the decoder takes a refused block as its end. Twice
+// the largest image, since buffers of unknown size grow by doubling.
 constexpr std::size_t kMaxBlock = std::size_t{2} * 4 * coif::kMaxImageTexels + (1 << 20);
 
 void* allocate_block(std::size_t bytes) { return bytes <= kMaxBlock ? std::malloc(bytes) : nullptr; }

@@ -33,8 +33,8 @@ inline constexpr std::uintmax_t kMaxImageBytes = std::uintmax_t{256} << 20;  ///
 inline constexpr std::uint32_t kMaxImageSide = 16384;
 inline constexpr std::uint64_t kMaxImageTexels = std::uint64_t{1} << 26;  ///< 8192 x 8192.
 
-/// Decodes PNG, JPEG, TGA, BMP or WebP to RGBA. Bytes may be hostile: they are decoded in a process of their own under limits
-/// (decode_texels() says which hold inside). The error is a sentence without the file's name.
+/// Decodes PNG, JPEG, TGA, BMP or WebP to RGBA. Bytes may be hostile: they are decoded in a process of their own under
+/// limits (decode_texels() says which hold inside). The error is a sentence without the file's name.
 tl::expected<Image, std::string> decode_image(std::span<const std::uint8_t> bytes);
 tl::expected<Image, std::string> read_image(const std::filesystem::path& path);
 
@@ -47,7 +47,8 @@ enum class TexelMeaning {
 /// A smaller copy, box-filtered. The image repeats at its borders, as hair textures do.
 [[nodiscard]] Image shrink(const Image& image, std::uint32_t width, std::uint32_t height, TexelMeaning meaning);
 
-/// A larger copy, interpolated between texels; the image repeats at its borders. An image of that size comes back as it is.
+/// A larger copy, interpolated between texels; the image repeats at its borders. An image of that size comes back as it
+/// is.
 [[nodiscard]] Image enlarge(Image image, std::uint32_t width, std::uint32_t height, TexelMeaning meaning);
 
 /// The image, halved until no side is longer than `max_size`.
@@ -67,12 +68,12 @@ struct DetailedImage {
 };
 
 /// An image at the lowest resolution, its sides halved each for itself, at which it still says all: sampled
-/// between texels it is on average no more than a level of 255 from the whole image, and nowhere more than a few. `used`
-/// (one channel, the same size) says which texels count.
+/// between texels it is on average no more than a level of 255 from the whole image, and nowhere more than a few.
+/// `used` (one channel, the same size) says which texels count.
 [[nodiscard]] DetailedImage reduce_to_detail(Image image, const Image& used, TexelMeaning meaning);
 
-/// decode_image() in this process: what a hostile image breaks, it breaks here. Dimensions are read and checked first, and no
-/// single block of memory that decoding asks for is larger than an image within the limits of image.h needs.
+/// decode_image() in this process: what a hostile image breaks, it breaks here. Dimensions are read and checked first,
+/// and no single block of memory that decoding asks for is larger than an image within the limits of image.h needs.
 tl::expected<Image, std::string> decode_texels(std::span<const std::uint8_t> bytes);
 
 }  // namespace coif

@@ -4,8 +4,8 @@
 
 namespace coif {
 
-/// "a KTX2 image, which is not read; make a PNG of it: ...", with the command that does; empty where the bytes begin like no kind
-/// of image that artists have and that is not read.
+/// "a KTX2 image, which is not read; make a PNG of it: ...", with the command that does; empty where the bytes begin
+/// like no kind of image that artists have and that is not read.
 [[nodiscard]] std::string foreign_kind(std::span<const std::uint8_t> bytes);
 
 [[nodiscard]] bool is_webp(std::span<const std::uint8_t> bytes);

@@ -18,8 +18,8 @@ using Eigen::Vector3f;
 
 constexpr int kPixels = 192;  ///< Of the longer side: about two millimetres of a head of hair each.
 constexpr int kFewestPixels = 16;
-/// Pixels that the triangles of one view may be tried against: what limits time and memory where all triangles are as large
-/// as the hair. Of hair that artists made, the most that is known is a quarter of it.
+/// Pixels that the triangles of one view may be tried against: what limits time and memory where all triangles are as
+/// large as the hair. Of hair that artists made, the most that is known is a quarter of it.
 constexpr double kMostTries = 4.0e6;
 
 /// Of the longer side.

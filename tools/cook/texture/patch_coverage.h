@@ -22,12 +22,12 @@ struct AlphaTest {
   [[nodiscard]] bool passes(const Eigen::Vector2f& uv) const;
 };
 
-/// What counts in the hair: texels at least half opaque, or those that the opaque pass draws where it takes more. Keeps a
-/// pointer to the image of `color`.
+/// What counts in the hair: texels at least half opaque, or those that the opaque pass draws where it takes more. Keeps
+/// a pointer to the image of `color`.
 [[nodiscard]] AlphaTest alpha_test(const BaseColor& color, const Transparency& transparency, const DrawnRecipe& recipe);
 
-/// Low pictures of the hair at rest from all around, to tell which patches matter in them: which are seen, and which have
-/// others behind or before them wherever they are.
+/// Low pictures of the hair at rest from all around, to tell which patches matter in them: which are seen, and which
+/// have others behind or before them wherever they are.
 class PatchCoverage {
  public:
   PatchCoverage(const HairStrips& hair, const AlphaTest& alpha, unsigned threads);
@@ -56,13 +56,13 @@ class PatchCoverage {
   std::size_t covered_ = 0;
 };
 
-/// The patches that end as if cut with scissors, ascending: real hair thins out, and what stays opaque over its whole width
-/// up to the last edge shows that it is a polygon. Warns where that is more than a few.
+/// The patches that end as if cut with scissors, ascending: real hair thins out, and what stays opaque over its whole
+/// width up to the last edge shows that it is a polygon. Warns where that is more than a few.
 ///
-/// A patch has a blunt end where it has a free edge at its tips, where it is opaque there over at least half of the width
-/// that it has at its widest, and where no other hair lies over that edge or takes up its strands. So what is modelled to a
-/// point, what fades in alpha, closed shapes and ends tied up in other hair do not count. `opaque` has the threshold from
-/// which on texels are drawn as opaque.
+/// A patch has a blunt end where it has a free edge at its tips, where it is opaque there over at least half of the
+/// width that it has at its widest, and where no other hair lies over that edge or takes up its strands. So what is
+/// modelled to a point, what fades in alpha, closed shapes and ends tied up in other hair do not count. `opaque` has
+/// the threshold from which on texels are drawn as opaque.
 [[nodiscard]] std::vector<std::uint32_t> find_blunt_ends(const HairStrips& hair, const FittedHead& head,
                                                          const AlphaTest& opaque, unsigned threads, Findings& findings);
 

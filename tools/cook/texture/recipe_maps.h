@@ -8,8 +8,8 @@ namespace coif {
 
 struct DrawnRecipe;
 
-/// The maps of one number that the recipe names beside the base colour, one channel each: opacity, and what packed atlases of hair
-/// cards know of strands.
+/// The maps of one number that the recipe names beside the base colour, one channel each: opacity, and what packed
+/// atlases of hair cards know of strands.
 struct RecipeMaps {
   std::optional<Image> opacity, strand_id, root_to_tip;
   std::vector<std::filesystem::path> files;

@@ -45,7 +45,8 @@ class BorderTexels {
     at[1 - border_.axis] = wrapped_texel(along, size[1 - border_.axis]);
     return at[1] * image_.width + at[0];
   }
-  /// The picture breaks off at the border: texels on both sides of it differ by far more than texels before it do, as they are seen.
+  /// The picture breaks off at the border: texels on both sides of it differ by far more than texels before it do, as
+  /// they are seen.
   [[nodiscard]] bool breaks_off() const {
     double across = 0, before = 0;
     for (double along = border_.low; along < border_.high; ++along) {

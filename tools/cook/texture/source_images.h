@@ -24,7 +24,8 @@ namespace coif {
 /// False where a word in the name says that the image is something else than colour: a normal map, a mask, a thumbnail.
 [[nodiscard]] bool names_color(const std::string& stem);
 
-/// True where one of `names`, of three letters or more, is a word of the name, whatever the case: "curly" of "curly_texture".
+/// True where one of `names`, of three letters or more, is a word of the name, whatever the case: "curly" of
+/// "curly_texture".
 [[nodiscard]] bool names_as_word(const std::string& stem, std::span<const std::string> names);
 
 /// True where the name holds "hair" or one of `names`. Letters and digits count alone; names that every program gives
@@ -32,16 +33,16 @@ namespace coif {
 [[nodiscard]] bool names_any(const std::string& stem, std::span<const std::string> names);
 
 /// The image files that belong to a source: in its own folder, and in the folders below it and beside it that artists
-/// customarily use (textures, maps, tex ...). Paths written in a source are those of another machine and may be hostile: nothing
-/// outside of these folders is ever found, not even through a link, but for what lies beside the real source if that is a link,
-/// and in declared roots (folders_of_source()). Unreadable folders count as empty.
+/// customarily use (textures, maps, tex ...). Paths written in a source are those of another machine and may be
+/// hostile: nothing outside of these folders is ever found, not even through a link, but for what lies beside the real
+/// source if that is a link, and in declared roots (folders_of_source()). Unreadable folders count as empty.
 class TextureFolder {
  public:
   explicit TextureFolder(const std::filesystem::path& source, std::span<const std::filesystem::path> roots = {});
 
-  /// The file for a path as it stands in a source: with slashes or backslashes, absolute or relative, percent-encoded or
-  /// not, in letters of either case. Looked for where the path says, if that is below the source's folder, then by its
-  /// last name, then by the last name with the suffix of another image format.
+  /// The file for a path as it stands in a source: with slashes or backslashes, absolute or relative, percent-encoded
+  /// or not, in letters of either case. Looked for where the path says, if that is below the source's folder, then by
+  /// its last name, then by the last name with the suffix of another image format.
   [[nodiscard]] std::optional<std::filesystem::path> find(const std::string& written) const;
 
   /// Where a file that find() does not give because it is a link out of all those folders really lies.
@@ -68,8 +69,8 @@ class TextureFolder {
   std::vector<std::filesystem::path> images_;
 };
 
-/// What a cook asked of the folder beside its source, and what it learned. As long as a folder gives the same answers to the
-/// same questions, what else comes and goes there does not matter.
+/// What a cook asked of the folder beside its source, and what it learned. As long as a folder gives the same answers
+/// to the same questions, what else comes and goes there does not matter.
 struct TextureQuestion {
   enum class Kind {
     kFind,    ///< `words`: one path as written in the source. Answered by the file's short name, by two words where it
@@ -98,7 +99,8 @@ class SourceImages {
   /// The base image of a material; null where it names none or has none that can be read. Valid as long as this object.
   [[nodiscard]] const Image* of(const SourceMaterial& material);
 
-  /// The base image of a material with its opacity texture as alpha; as of() where it has none, or none that can be read.
+  /// The base image of a material with its opacity texture as alpha; as of() where it has none, or none that can be
+  /// read.
   [[nodiscard]] const Image* with_opacity(const SourceMaterial& material);
 
   /// Its normal or bump map; null where it names none or has none that can be read.
@@ -107,9 +109,9 @@ class SourceImages {
   /// What is known of its single strands; null where nothing is.
   [[nodiscard]] const Image* strands_of(const SourceMaterial& material);
 
-  /// For hair whose materials name no image at all: the one file beside the source whose name says that it colours hair or
-  /// something called one of `names`, or the only one that no other material names. Of several the one in whose name one of
-  /// `names` stands as a word; where that leaves several, a warning lists them.
+  /// For hair whose materials name no image at all: the one file beside the source whose name says that it colours hair
+  /// or something called one of `names`, or the only one that no other material names. Of several the one in whose name
+  /// one of `names` stands as a word; where that leaves several, a warning lists them.
   [[nodiscard]] const Image* guess(std::span<const std::string> names);
 
   [[nodiscard]] const Findings& findings() const { return findings_; }

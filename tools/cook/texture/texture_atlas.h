@@ -39,8 +39,9 @@ tl::expected<AtlasLayout, std::string> lay_out_atlas(const HairMesh& hair,
                                                      std::span<const std::uint32_t> surface_of_triangle,
                                                      std::span<const ImageSize> images);
 
-/// The atlas's texels out of one RGBA or other image per tile, all of the same number of channels. Images repeat at their
-/// borders, in gutters too, but for those that are clamped. An image whose size differs from that of the layout is sampled at the nearest texel.
+/// The atlas's texels out of one RGBA or other image per tile, all of the same number of channels. Images repeat at
+/// their borders, in gutters too, but for those that are clamped. An image whose size differs from that of the layout
+/// is sampled at the nearest texel.
 [[nodiscard]] Image draw_atlas(const AtlasLayout& layout, std::span<const Image* const> images);
 
 /// Moves the hair's texture coordinates into the atlas. A vertex that two surfaces share becomes two.
@@ -55,12 +56,13 @@ struct TexelBorder {
   double high = 0;
 };
 
-/// Those borders along edges of the hair's triangles at which the picture of an RGBA image breaks off: cards that fill a part of an
-/// artist's atlas exactly end there, and beyond it lies another part. Those across U first.
+/// Those borders along edges of the hair's triangles at which the picture of an RGBA image breaks off: cards that fill
+/// a part of an artist's atlas exactly end there, and beyond it lies another part. Those across U first.
 [[nodiscard]] std::vector<TexelBorder> borders_where_pictures_end(const HairMesh& hair, const Image& painted);
 
-/// Lets a part of an atlas go on for some texels beyond its borders, up to one that the hair uses: linear filtering mixes half of a texel
-/// in at the very edge, and mips more. After fill_gaps(), with the borders of the image as it was painted.
+/// Lets a part of an atlas go on for some texels beyond its borders, up to one that the hair uses: linear filtering
+/// mixes half of a texel in at the very edge, and mips more. After fill_gaps(), with the borders of the image as it was
+/// painted.
 void repeat_edges(std::span<const TexelBorder> borders, const Image& used, Image& image);
 
 /// Gives texels that nothing shows what is around those that hair shows, so that no filter mixes in a foreign colour:

@@ -8,7 +8,8 @@ namespace coif {
 ///
 /// - Where no triangle crosses a border of the image, coordinates are clamped or folded into it.
 /// - A mirrored image that is crossed is stored with its mirror image beside it.
-/// - A clamped image that is crossed becomes a tile that reaches as far as the coordinates do: `clamped` of a look stays
+/// - A clamped image that is crossed becomes a tile that reaches as far as the coordinates do: `clamped` of a look
+/// stays
 ///   TextureWrap::kClamp then, and it is to be drawn in an atlas. Elsewhere the looks are kRepeat afterwards.
 ///
 /// Coordinates farther out than a tile can be are taken back to it, with a warning.

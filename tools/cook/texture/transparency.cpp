@@ -203,7 +203,8 @@ std::uint32_t wrapped(double coordinate, std::uint32_t size) {
   return std::min(std::uint32_t(coordinate - std::floor(coordinate / size) * size), size - 1);
 }
 
-/// The texel behind the last that a part from `low` to `high` shows: one that ends where a texel begins shows nothing of that texel.
+/// The texel behind the last that a part from `low` to `high` shows: one that ends where a texel begins shows nothing
+/// of that texel.
 double end_of_texels(double low, double high) { return std::max(std::ceil(high), std::floor(low) + 1); }
 
 void mark_row(double low, double high, std::uint32_t y, Image& used) {

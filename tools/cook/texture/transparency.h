@@ -30,12 +30,12 @@ struct OpaqueThreshold {
   std::string reason;       ///< Part of a sentence.
 };
 
-/// From which alpha on texels are drawn as opaque. What the opaque pass draws is sorted exactly by depth, what is blended
-/// is sorted per strip only; but a soft texel drawn as opaque gets a hard edge. The opaque cores of strands are the
-/// histogram's uppermost mode, so the threshold is that mode's foot: as low as it can be without taking soft texels.
-/// Where so few texels are opaque that blending would decide the picture, it goes lower, until a quarter is opaque, but
-/// never below 0.5. It stays below 0.95: filtering takes a little of the alpha even of cores. Texels under `discard`
-/// are never drawn and do not count.
+/// From which alpha on texels are drawn as opaque. What the opaque pass draws is sorted exactly by depth, what is
+/// blended is sorted per strip only; but a soft texel drawn as opaque gets a hard edge. The opaque cores of strands are
+/// the histogram's uppermost mode, so the threshold is that mode's foot: as low as it can be without taking soft
+/// texels. Where so few texels are opaque that blending would decide the picture, it goes lower, until a quarter is
+/// opaque, but never below 0.5. It stays below 0.95: filtering takes a little of the alpha even of cores. Texels under
+/// `discard` are never drawn and do not count.
 [[nodiscard]] OpaqueThreshold choose_opaque_threshold(const AlphaHistogram& histogram, double discard);
 
 /// From which alpha on the hair is drawn, and from which on as opaque: texture times factors, as the renderer compares.
@@ -45,9 +45,9 @@ struct Transparency {
   bool ignores_alpha = false;    ///< The file says opaque; alpha in the image means something else.
 };
 
-/// The recipe's thresholds, else what the file says: an opaque material ignores alpha, a masked one has its cutoff for both
-/// thresholds. Else chosen from the alpha of the texels in `used` (see choose_opaque_threshold). `image` may be null: one
-/// alpha everywhere. Warns of hair without an opaque core, which no drawing order shows well.
+/// The recipe's thresholds, else what the file says: an opaque material ignores alpha, a masked one has its cutoff for
+/// both thresholds. Else chosen from the alpha of the texels in `used` (see choose_opaque_threshold). `image` may be
+/// null: one alpha everywhere. Warns of hair without an opaque core, which no drawing order shows well.
 [[nodiscard]] Transparency choose_transparency(const BaseColor& color, const Image* image, const Image& used,
                                                const DrawnRecipe& recipe, Findings& findings);
 

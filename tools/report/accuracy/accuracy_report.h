@@ -1,8 +1,8 @@
 #pragma once
 
 // What `coif report accuracy` finds: records, measured by measure_accuracy(), and the columns that show them. Every
-// percentage is already times 100. NaN stands for a number that does not exist: a solver that left finite numbers has no
-// error, an asset without head colliders no penetration.
+// percentage is already times 100. NaN stands for a number that does not exist: a solver that left finite numbers has
+// no error, an asset without head colliders no penetration.
 
 #include "report/accuracy/stroke.h"
 #include "report/accuracy/swing.h"
@@ -17,9 +17,9 @@
 
 namespace coif {
 
-/// One solver with one setting, run through one motion at one frame rate. Also of all motions together: then the time is
-/// their mean, the RMS error the root of the mean square (and what it is of the motion, that of both), the others the worst;
-/// what one of them has not is missing.
+/// One solver with one setting, run through one motion at one frame rate. Also of all motions together: then the time
+/// is their mean, the RMS error the root of the mean square (and what it is of the motion, that of both), the others
+/// the worst; what one of them has not is missing.
 struct AccuracyRow {
   std::string motion;
   std::string solver;
@@ -31,7 +31,8 @@ struct AccuracyRow {
   double rms_error_pct = kNoNumber;
   double max_error_pct = kNoNumber;
   double worst_second_pct = kNoNumber;  ///< The RMS error over the worst second.
-  /// RMS distance to where the solver itself comes with ever finer steps (own_model.h). Missing where that is no one motion.
+  /// RMS distance to where the solver itself comes with ever finer steps (own_model.h). Missing where that is no one
+  /// motion.
   double own_error_pct = kNoNumber;
   double model_distance_pct = kNoNumber;  ///< RMS distance of that to the converged solution: no step mends it.
   double of_motion_pct = kNoNumber;       ///< The RMS error in % of how far the tips move from their rest, RMS too.
@@ -41,7 +42,8 @@ struct AccuracyRow {
   double segment_penetration_max_pct = kNoNumber;  ///< The same of whole bones, between their ends too.
   /// No other row of this motion and frame rate is at most as dear and at most as wrong, and better in one of them.
   bool pareto = false;
-  /// The same solver took longer with fewer steps, by more than a twentieth: the machine was disturbed, and the times of both are doubtful.
+  /// The same solver took longer with fewer steps, by more than a twentieth: the machine was disturbed, and the times
+  /// of both are doubtful.
   bool cost_falls = false;
 };
 
@@ -116,8 +118,8 @@ struct OwnReferenceRow {
           {"self_difference_pct", &Row::self_difference_pct, {"self-difference %", against_budget(budget_pct)}}};
 }
 
-/// A motion is one where two computations of it differ by no more, %. Where no budget says what matters, a percent of the
-/// hair's length is about what an eye notices.
+/// A motion is one where two computations of it differ by no more, %. Where no budget says what matters, a percent of
+/// the hair's length is about what an eye notices.
 [[nodiscard]] inline double largest_self_difference(double budget_pct) {
   return std::isfinite(budget_pct) ? budget_pct : 1;
 }
@@ -170,8 +172,8 @@ void mark_fronts(std::span<AccuracyRow> rows);
 /// The frame rate to compare solvers at: 60, or else the measured one next to it. NaN for an empty report.
 [[nodiscard]] double main_frame_rate(const AccuracyReport& report);
 
-/// Every solver and setting at one frame rate over all motions but `still` and `teleport`, in which little happens, unless
-/// there are no others; in the order in which they first occur.
+/// Every solver and setting at one frame rate over all motions but `still` and `teleport`, in which little happens,
+/// unless there are no others; in the order in which they first occur.
 [[nodiscard]] std::vector<AccuracyRow> means_over_motions(const AccuracyReport& report, double fps);
 
 /// The motions that means_over_motions() is of.
@@ -181,7 +183,8 @@ void mark_fronts(std::span<AccuracyRow> rows);
 [[nodiscard]] std::string setting_text(const std::string& solver, std::uint32_t substeps);
 
 /// `coif report accuracy` for other programs: the heading, then rows, spread, reference, own_reference, settle, swings,
-/// stroke, conditioned_share, tells_velocities and chosen, which is null where no setting meets the budget. The keys are those of the columns.
+/// stroke, conditioned_share, tells_velocities and chosen, which is null where no setting meets the budget. The keys
+/// are those of the columns.
 [[nodiscard]] nlohmann::ordered_json accuracy_json(const ReportHeading& heading, const AccuracyReport& report);
 
 /// `coif report accuracy` for a terminal: the summary, and of each solver what is on the Pareto front or least wrong.
@@ -190,10 +193,11 @@ void mark_fronts(std::span<AccuracyRow> rows);
 /// `coif report accuracy` as one HTML document.
 [[nodiscard]] std::string accuracy_page(const ReportHeading& heading, const AccuracyReport& report);
 
-/// What the page of `coif view` shows of the report: a motion at main_frame_rate(), two of the solvers beside each other.
+/// What the page of `coif view` shows of the report: a motion at main_frame_rate(), two of the solvers beside each
+/// other.
 [[nodiscard]] ViewLink accuracy_link(const AccuracyReport& report);
-/// The same of one motion, a link for each frame rate that was measured and that the page has. Empty where it has not the
-/// motion, or where there is no page.
+/// The same of one motion, a link for each frame rate that was measured and that the page has. Empty where it has not
+/// the motion, or where there is no page.
 [[nodiscard]] std::vector<PageLink> motion_links(const ReportHeading& heading, const AccuracyReport& report,
                                                  const std::string& motion);
 

@@ -85,8 +85,8 @@ struct TipError {
 [[nodiscard]] double rms_between(const ReferenceRun& a, const ReferenceRun& b, const FramePoses& frames,
                                  const Rig& rig);
 
-/// Nanoseconds of one step per bone, by the thread's own clock: the least of some rounds through the motion's first frames, on
-/// the calling thread. NaN where a step is refused.
+/// Nanoseconds of one step per bone, by the thread's own clock: the least of some rounds through the motion's first
+/// frames, on the calling thread. NaN where a step is refused.
 [[nodiscard]] double time_steps(SolverAtWork& at_work, const FramePoses& frames);
 
 }  // namespace coif

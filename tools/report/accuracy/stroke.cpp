@@ -18,8 +18,8 @@ using Eigen::Vector3d;
 constexpr std::size_t kMostStrokedBones = 128;
 constexpr double kInHundredths = 100;
 
-/// A hand as a capsule that points at the head and goes round in an upright ellipse through the hair's middle, once in two seconds:
-/// down on one side and up on the other.
+/// A hand as a capsule that points at the head and goes round in an upright ellipse through the hair's middle, once in
+/// two seconds: down on one side and up on the other.
 MovingCollider hand_at(const HairPlace& hair, double seconds) {
   constexpr double kRadius = 0.025, kLength = 0.12, kAside = 0.10, kUp = 0.08;
   const double angle = std::numbers::pi * seconds;

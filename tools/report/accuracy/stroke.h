@@ -12,8 +12,9 @@
 
 namespace coif {
 
-/// `coif` on a character (kCharacterSolver) at one frame rate, a hand stroking the hair of a head that stands still. Errors are
-/// against the same solver told of the same hand at far shorter steps: how much is lost by frames, not by the model.
+/// `coif` on a character (kCharacterSolver) at one frame rate, a hand stroking the hair of a head that stands still.
+/// Errors are against the same solver told of the same hand at far shorter steps: how much is lost by frames, not by
+/// the model.
 struct StrokeRow {
   double fps = 0;
   std::uint32_t substeps = 1;        ///< Of each frame.
@@ -45,8 +46,8 @@ struct StrokeSettings {
   double reference_steps_per_second = 3840;
 };
 
-/// A row for each frame rate and number of sub-steps, of the chains that at most 128 bones of the asset make up. `asset` has
-/// simulated bones.
+/// A row for each frame rate and number of sub-steps, of the chains that at most 128 bones of the asset make up.
+/// `asset` has simulated bones.
 [[nodiscard]] std::vector<StrokeRow> measure_stroke(const Asset& asset, const StrokeSettings& settings);
 
 }  // namespace coif

@@ -27,8 +27,8 @@ struct Swing {
 /// steadily. `rest`: where it hangs. Units are the caller's.
 [[nodiscard]] Swing swing_of(std::span<const Eigen::Vector3d> tips, const Eigen::Vector3d& rest, double dt);
 
-/// One chain after the motion `charge`, from 0 to 8 m/s in 0.3 s, as the asset asks for at 60 frames a second, and as Algorithm 1
-/// has it with the artist's resistance.
+/// One chain after the motion `charge`, from 0 to 8 m/s in 0.3 s, as the asset asks for at 60 frames a second, and as
+/// Algorithm 1 has it with the artist's resistance.
 struct SwingRow {
   std::string chain;
   double length_mm = kNoNumber;
@@ -55,8 +55,8 @@ struct SwingRow {
           {"apart_pct", &Row::apart_pct, {"apart %"}, {"apart %", 9, "{:.0f}"}}};
 }
 
-/// Where a tip is in its motion, seen from the head: metres by which it is behind where it began, or before that, as the head
-/// goes.
+/// Where a tip is in its motion, seen from the head: metres by which it is behind where it began, or before that, as
+/// the head goes.
 struct SwingPath {
   std::string chain;
   double seconds_per_frame = 0;  ///< The first frame ends after one.

@@ -14,17 +14,17 @@
 
 namespace coif {
 
-// What cards are compared with: the plain ways to make them, each as good as it can be. They get the same texels, the same
-// width of strands and the same drawing of textures.
+// What cards are compared with: the plain ways to make them, each as good as it can be. They get the same texels, the
+// same width of strands and the same drawing of textures.
 
-/// Which strands belong together by their whole shape, `count` clusters or as many as there are different strands, each ascending
-/// and not empty: k-means (Lloyd 1982) from seeds by k-means++ (Arthur and Vassilvitskii 2007) on the points of even strands. Of
-/// very many strands a sample finds the middles. Repeats for equal input, whatever `threads` is.
+/// Which strands belong together by their whole shape, `count` clusters or as many as there are different strands, each
+/// ascending and not empty: k-means (Lloyd 1982) from seeds by k-means++ (Arthur and Vassilvitskii 2007) on the points
+/// of even strands. Of very many strands a sample finds the middles. Repeats for equal input, whatever `threads` is.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> cluster_strands(const EvenStrands& strands, std::size_t count,
                                                                       unsigned threads);
 
-/// A straight ribbon in the plane that fits strands best (their first two principal axes), along the first of these: the rectangle
-/// that holds their points. Its first end is the one that most roots are nearer to.
+/// A straight ribbon in the plane that fits strands best (their first two principal axes), along the first of these:
+/// the rectangle that holds their points. Its first end is the one that most roots are nearer to.
 [[nodiscard]] Ribbon flat_ribbon_of(const Groom& groom, const EvenStrands& strands,
                                     std::span<const std::uint32_t> members);
 
@@ -41,8 +41,8 @@ struct EvenCards {
   double seconds = 0;        ///< Wall time that these took, without the search for the best number.
 };
 
-/// Baseline "even": wisps as make_cards() finds them, their strips cut evenly into as many segments as come nearest to the strands,
-/// by the mean coverage IoU from some of the views. kOverBudget as texture_cards().
+/// Baseline "even": wisps as make_cards() finds them, their strips cut evenly into as many segments as come nearest to
+/// the strands, by the mean coverage IoU from some of the views. kOverBudget as texture_cards().
 [[nodiscard]] tl::expected<EvenCards, ToolError> make_even_cards(const Groom& groom, const GroomShape& shape,
                                                                  const CardsBudget& budget, const GroomViews& views,
                                                                  unsigned threads);

@@ -17,7 +17,8 @@ namespace coif {
 /// By a light at the eye, and darker the farther behind.
 [[nodiscard]] Picture hair_tile(const HairPicture& hair, const PictureFrame& frame);
 
-/// What is seen less what is wanted: red where a surface is too bright, or is and should not be; blue where it is missing.
+/// What is seen less what is wanted: red where a surface is too bright, or is and should not be; blue where it is
+/// missing.
 [[nodiscard]] Picture difference_tile(const HairPicture& wanted, const HairPicture& seen);
 
 /// Its triangles without their texture, solid, each outlined.

@@ -2,8 +2,8 @@
 
 // What `coif report cards` finds: records, measured by measure_cards(), and the columns that show them.
 //
-// Cards and strands are drawn alike, from directions all around, and compared: coverage by intersection over union, what the
-// pixels send to an eye that holds the light by PSNR, over the pixels that either covers.
+// Cards and strands are drawn alike, from directions all around, and compared: coverage by intersection over union,
+// what the pixels send to an eye that holds the light by PSNR, over the pixels that either covers.
 
 #include "report/page/report_columns.h"
 
@@ -139,8 +139,8 @@ struct CardsReport {
   std::vector<CardsSheet> sheets;  ///< For the page; empty where none were asked for.
 };
 
-/// `coif report cards` for other programs: the heading, then what the strands are, and `rows`, `summary`, `asset` and `left_out`
-/// with the keys of their columns.
+/// `coif report cards` for other programs: the heading, then what the strands are, and `rows`, `summary`, `asset` and
+/// `left_out` with the keys of their columns.
 [[nodiscard]] nlohmann::ordered_json cards_json(const ReportHeading& heading, const CardsReport& report);
 
 /// `coif report cards` for a terminal: each set of cards over all directions, and the summary.

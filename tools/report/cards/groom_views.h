@@ -23,8 +23,8 @@ struct SurfaceCost {
 /// At one sample a pixel.
 [[nodiscard]] SurfaceCost cost_of(const CardSurface& surface, const PictureFrame& frame);
 
-/// All of one scale, as frame_along() has them, of `size` pixels each way. `turn`: from the groom's axes to those that the directions
-/// are in, Y up.
+/// All of one scale, as frame_along() has them, of `size` pixels each way. `turn`: from the groom's axes to those that
+/// the directions are in, Y up.
 [[nodiscard]] std::vector<PictureFrame> frames_around(const Groom& groom, const Eigen::Matrix3f& turn,
                                                       std::span<const Eigen::Vector3f> directions, std::uint32_t size);
 

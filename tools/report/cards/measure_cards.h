@@ -29,9 +29,9 @@ struct CardsSettings {
   float caps = 0.04f;                         ///< CardsBudget::caps.
 };
 
-/// Makes cards of `groom` for each budget, coif's own and the baselines, and compares all of them and the asset, which was cooked
-/// from that groom, with the strands. `groom_hash`: XXH64 of its file. Errors: kUsage for settings out of range; kBadInput for an asset
-/// without a mesh or from other strands; kOverBudget where no cards can be made at all.
+/// Makes cards of `groom` for each budget, coif's own and the baselines, and compares all of them and the asset, which
+/// was cooked from that groom, with the strands. `groom_hash`: XXH64 of its file. Errors: kUsage for settings out of
+/// range; kBadInput for an asset without a mesh or from other strands; kOverBudget where no cards can be made at all.
 tl::expected<CardsReport, ToolError> measure_cards(const Asset& asset, const Groom& groom, std::uint64_t groom_hash,
                                                    const CardsSettings& settings, const ReportProgress& progress);
 

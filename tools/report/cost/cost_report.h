@@ -1,7 +1,7 @@
 #pragma once
 
-// What `coif report cost` finds: records, measured by measure_cost(), and the columns that show them. Times are medians;
-// the spread beside each is the width of the middle half of its samples, in % of the median.
+// What `coif report cost` finds: records, measured by measure_cost(), and the columns that show them. Times are
+// medians; the spread beside each is the width of the middle half of its samples, in % of the median.
 
 #include "report/cost/drawing_cost.h"
 #include "report/page/report_columns.h"
@@ -180,7 +180,8 @@ struct CostReport {
 /// What one head costs and what a crowd does, in a few sentences.
 [[nodiscard]] std::string cost_summary(const CostReport& report);
 
-/// Which crowds of `what`, as in CostLeftOut, were not measured, and why the first of them was not; empty where all were.
+/// Which crowds of `what`, as in CostLeftOut, were not measured, and why the first of them was not; empty where all
+/// were.
 [[nodiscard]] std::string left_out_text(const CostReport& report, const std::string& what);
 
 /// Where the times on the device itself come from, or why there are none.

@@ -1,8 +1,8 @@
 #pragma once
 
 // What `coif report cost` finds about drawing: records, measured by measure_drawing(), and the columns that show them.
-// Times are medians of wall time until the device has finished; the spread beside each is the width of the middle half of
-// its samples, in % of the median.
+// Times are medians of wall time until the device has finished; the spread beside each is the width of the middle half
+// of its samples, in % of the median.
 
 #include "report/page/report_columns.h"
 
@@ -163,8 +163,8 @@ struct ThesisTableRow {
 struct ThesisTableRatio {
   std::uint32_t heads = 0;
   double transparency_on_off = 1;  ///< Time of both ways with / time of both without.
-  /// Time of both simulated ways / what is left of the same frames without their stepping: two drawings of the same thing
-  /// differ by more than most crowds take to step.
+  /// Time of both simulated ways / what is left of the same frames without their stepping: two drawings of the same
+  /// thing differ by more than most crowds take to step.
   double simulation_on_off = 1;
   std::optional<double> published_transparency{};  ///< From whole frames per second, so some percent off.
   std::optional<double> published_simulation{};

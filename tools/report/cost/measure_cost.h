@@ -111,8 +111,8 @@ class CrowdLineUp {
   /// Takes only the handing over of the poses.
   tl::expected<void, ToolError> add_poses(const Asset& asset, const CrowdSettings& settings);
 
-  /// Why a crowd of this size is not worth adding: it would take more than its share of the time, judged by `second_per_head`
-  /// of a smaller one, or of the memory. Empty where it is.
+  /// Why a crowd of this size is not worth adding: it would take more than its share of the time, judged by
+  /// `second_per_head` of a smaller one, or of the memory. Empty where it is.
   [[nodiscard]] std::string objection(const Asset& asset, const CrowdSettings& settings, double seconds_per_head) const;
 
   /// Of one frame of all that were added, in their order.
@@ -138,8 +138,8 @@ struct CostSettings {
 };
 
 /// Times the runtime, on the calling thread, as a game would call it, beside what the asset takes in memory and in the
-/// file. Everything but CostReport::rendering; hair that is rigid has only its bytes. Errors: kUsage for settings out of
-/// range or an unknown solver, kUnsupported where the memory cannot be had.
+/// file. Everything but CostReport::rendering; hair that is rigid has only its bytes. Errors: kUsage for settings out
+/// of range or an unknown solver, kUnsupported where the memory cannot be had.
 tl::expected<CostReport, ToolError> measure_cost(const Asset& asset, const CostSettings& settings,
                                                  const ReportProgress& progress);
 

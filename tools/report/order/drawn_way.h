@@ -68,8 +68,8 @@ void set_faces(AssetContents& contents, bool together);
 
 /// Units that a game sorts in every frame, one per triangle: each triangle for itself.
 [[nodiscard]] std::vector<std::uint32_t> each_triangle(const AssetContents& finest);
-/// What a game draws that sorts units in every frame: the unit whose triangles' mean is furthest from `eye` (head space,
-/// metres) first, each unit's triangles in stored order. `positions` of all vertices, in the pose.
+/// What a game draws that sorts units in every frame: the unit whose triangles' mean is furthest from `eye` (head
+/// space, metres) first, each unit's triangles in stored order. `positions` of all vertices, in the pose.
 [[nodiscard]] AssetContents sorted_by_unit(AssetContents finest, std::span<const std::uint32_t> unit_of_triangle,
                                            std::span<const Eigen::Vector3f> positions, const Eigen::Vector3f& eye);
 
@@ -79,12 +79,14 @@ void set_faces(AssetContents& contents, bool together);
                                                      std::span<const Eigen::Vector3f> positions,
                                                      const Eigen::Vector3f& eye);
 
-/// "rest", the settled hair, and for hair that moves "turn", "charge" and "tumble", each at three moments: the head at its
-/// fastest, the hair at its furthest, on its way back. Cooked orders are made for moments of the first two, not for the last. Moved by `solver`. Errors: those of simulate_pose().
+/// "rest", the settled hair, and for hair that moves "turn", "charge" and "tumble", each at three moments: the head at
+/// its fastest, the hair at its furthest, on its way back. Cooked orders are made for moments of the first two, not for
+/// the last. Moved by `solver`. Errors: those of simulate_pose().
 tl::expected<std::vector<OrderPose>, ToolError> make_order_poses(const Asset& asset, const Solver& solver);
 
-/// Directions to look from, each for the same share of the sphere, neighbours in the list far apart: a spherical Fibonacci
-/// lattice (Gonzalez 2010, "Measurement of areas on a sphere using Fibonacci and latitude-longitude lattices").
+/// Directions to look from, each for the same share of the sphere, neighbours in the list far apart: a spherical
+/// Fibonacci lattice (Gonzalez 2010, "Measurement of areas on a sphere using Fibonacci and latitude-longitude
+/// lattices").
 [[nodiscard]] std::vector<ViewAngle> spread_directions(std::uint32_t count);
 
 /// What is compared of one asset.
@@ -98,11 +100,12 @@ struct OrderWays {
   std::vector<OrderLeftOut> left_out;
 };
 
-/// Of the renderer that takes exact pictures: four times what it takes by itself, for pictures of a thousand pixels each way.
+/// Of the renderer that takes exact pictures: four times what it takes by itself, for pictures of a thousand pixels
+/// each way.
 inline constexpr std::uint32_t kListBytes = 256u << 20;
 
-/// The reference: none but texels of full alpha are solid, and none but those that no 8-bit picture shows are left out. Hair
-/// that is cut by a mask stays as it is: there its alpha only says where the edge is.
+/// The reference: none but texels of full alpha are solid, and none but those that no 8-bit picture shows are left out.
+/// Hair that is cut by a mask stays as it is: there its alpha only says where the edge is.
 [[nodiscard]] MaterialRecord with_true_alphas(MaterialRecord material);
 
 /// Uploads the asset once per order. Errors: those of OrderPictures.

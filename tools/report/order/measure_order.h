@@ -41,8 +41,8 @@ struct PictureError {
 /// The error over many views.
 [[nodiscard]] OrderError sum_up(std::span<const PictureError> views);
 
-/// What changes from one frame to the next in excess of the exact frames' change: per pixel that hair covers in either of
-/// the exact frames, the larger part of |change| - |exact change| or 0, squared, mean over the channels.
+/// What changes from one frame to the next in excess of the exact frames' change: per pixel that hair covers in either
+/// of the exact frames, the larger part of |change| - |exact change| or 0, squared, mean over the channels.
 [[nodiscard]] PictureError excess_change(std::span<const std::uint8_t> exact_before,
                                          std::span<const std::uint8_t> exact_after,
                                          std::span<const std::uint8_t> before, std::span<const std::uint8_t> after);
@@ -73,8 +73,8 @@ class PictureComparer {
                                                                  std::span<const ViewAngle> views,
                                                                  const std::function<void(std::size_t view)>& progress);
 
-  /// One per way: RMS of what a pixel changes in excess of the exact one, over `frames` frames by a degree each around the
-  /// pose's first moment, half as wide and high.
+  /// One per way: RMS of what a pixel changes in excess of the exact one, over `frames` frames by a degree each around
+  /// the pose's first moment, half as wide and high.
   tl::expected<std::vector<double>, ToolError> on_orbit(std::span<const DrawnWay> ways, const OrderPose& pose,
                                                         std::uint32_t frames,
                                                         const std::function<void(std::uint32_t frame)>& progress);
@@ -92,26 +92,27 @@ class PictureComparer {
   std::uint32_t width_, height_;
 };
 
-/// Milliseconds of a frame of each way, one head, all ways in turns for about `seconds`. Triangles that are sorted in every
-/// frame, of `indices`, are not handed to the device.
+/// Milliseconds of a frame of each way, one head, all ways in turns for about `seconds`. Triangles that are sorted in
+/// every frame, of `indices`, are not handed to the device.
 [[nodiscard]] std::vector<double> measure_order_times(OrderPictures& pictures, const PictureComparer& comparer,
                                                       std::span<const DrawnWay> ways, const PosedHair& hair,
                                                       std::span<const std::uint32_t> indices, double seconds);
 
-/// Nanoseconds of the processor that it takes to choose or to make one head's order, seen from one side after the other, all
-/// ways in turns for about `seconds`; nothing for a way with one order for all sides.
+/// Nanoseconds of the processor that it takes to choose or to make one head's order, seen from one side after the
+/// other, all ways in turns for about `seconds`; nothing for a way with one order for all sides.
 [[nodiscard]] std::vector<std::optional<double>> measure_sorting(const OrderPictures& pictures,
                                                                  const PictureComparer& comparer, const OrderWays& ways,
                                                                  const PosedHair& hair, double seconds);
 
-/// How much of the hair is left where `asset`, which `pictures` has as `model` with all its levels, is drawn as in a game
-/// at 512, 256, ... 16 pixels, mean over some views around it. Errors: those of OrderPictures.
+/// How much of the hair is left where `asset`, which `pictures` has as `model` with all its levels, is drawn as in a
+/// game at 512, 256, ... 16 pixels, mean over some views around it. Errors: those of OrderPictures.
 tl::expected<std::vector<DistanceRow>, ToolError> measure_distances(const Asset& asset, OrderPictures& pictures,
                                                                     std::size_t model, const DrawnWay& exact,
                                                                     const PosedHair& hair);
 
-/// How far exact pictures are from each other over a few views: the same taken again, and taken layer by layer instead of by
-/// lists of texels. Makes and frees OpenGL contexts of its own: none may be current. Errors: those of OrderPictures.
+/// How far exact pictures are from each other over a few views: the same taken again, and taken layer by layer instead
+/// of by lists of texels. Makes and frees OpenGL contexts of its own: none may be current. Errors: those of
+/// OrderPictures.
 tl::expected<std::vector<SelfDifferenceRow>, ToolError> measure_exactness(const Asset& asset, const PosedHair& hair,
                                                                           std::uint32_t width, std::uint32_t height);
 
@@ -126,10 +127,10 @@ struct OrderSettings {
   bool modes = true;                        ///< Also compares other ways to draw, thresholds and distances, at rest.
 };
 
-/// Draws the finest level in every order and pose and from every view with the runtime's renderer, and compares each picture
-/// with the exact one. The camera is the studio's, with perspective as in a game, and the directions are not those of
-/// the cells for which the cooker chose. Errors: kUsage for settings out of range, kBadInput for an asset without a mesh,
-/// kUnsupported where nothing can be drawn.
+/// Draws the finest level in every order and pose and from every view with the runtime's renderer, and compares each
+/// picture with the exact one. The camera is the studio's, with perspective as in a game, and the directions are not
+/// those of the cells for which the cooker chose. Errors: kUsage for settings out of range, kBadInput for an asset
+/// without a mesh, kUnsupported where nothing can be drawn.
 tl::expected<OrderReport, ToolError> measure_order(const Asset& asset, const OrderSettings& settings,
                                                    const ReportProgress& progress);
 

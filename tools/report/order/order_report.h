@@ -2,9 +2,9 @@
 
 // What `coif report order` finds: records, measured by measure_order(), and the columns that show them.
 //
-// A picture's error is its difference from the exact one, in which every pixel's layers are sorted by depth and every alpha
-// counts as it is: over the pixels that hair covers there, in sRGB-encoded values of 0..1, as a screen shows them. 8-bit
-// pictures that are equal have kEqualDb.
+// A picture's error is its difference from the exact one, in which every pixel's layers are sorted by depth and every
+// alpha counts as it is: over the pixels that hair covers there, in sRGB-encoded values of 0..1, as a screen shows
+// them. 8-bit pictures that are equal have kEqualDb.
 
 #include "report/page/report_columns.h"
 
@@ -71,7 +71,8 @@ struct OrderRow {
   std::string pose;   ///< rest or a motion.
   bool faces_together = false;
   OrderError error;
-  /// RMS over an orbit by single degrees of what a pixel changes from frame to frame beyond what it changes in exact pictures.
+  /// RMS over an orbit by single degrees of what a pixel changes from frame to frame beyond what it changes in exact
+  /// pictures.
   std::optional<double> popping{};
   double ms_per_frame = 0;  ///< Wall time until the device has finished; `triangles`: sorting included, upload not.
   /// Nanoseconds of one processor to choose the head's order, or to make it. Nothing: there is one for all sides.

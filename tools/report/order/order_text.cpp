@@ -43,8 +43,8 @@ const OrderRow* find_row(const OrderReport& report, const std::string& order, co
   return row == report.rows.end() ? nullptr : &*row;
 }
 
-/// The asset's own order in a pose: by view where it has one for each direction, else the stored one; null where it was not
-/// measured.
+/// The asset's own order in a pose: by view where it has one for each direction, else the stored one; null where it was
+/// not measured.
 const OrderRow* own_order(const OrderReport& report, const std::string& pose) {
   const OrderRow* by_view = find_row(report, "view", pose);
   return by_view != nullptr ? by_view : find_row(report, "best", pose);

@@ -33,7 +33,8 @@ struct PlotMarker {
   std::string label;
 };
 
-/// A diagram as data. Points that an axis cannot show (not finite, or not above zero on a logarithmic one) are left out.
+/// A diagram as data. Points that an axis cannot show (not finite, or not above zero on a logarithmic one) are left
+/// out.
 struct Plot {
   std::string title{};
   std::string x_label{};

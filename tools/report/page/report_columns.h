@@ -1,6 +1,7 @@
 #pragma once
 
-// One list of columns says how the records of a report look in all its forms: JSON, tables of a page, a terminal's lines.
+// One list of columns says how the records of a report look in all its forms: JSON, tables of a page, a terminal's
+// lines.
 
 #include "base/json.h"
 #include "report/page/html_page.h"
@@ -88,7 +89,8 @@ struct ReportColumn {
 /// A column of records of that type.
 template <typename Record>
 struct ColumnOf : ReportColumn {
-  /// `of`: a member of the record, or a function of it; to text, a Cell, bool, an unsigned number or one that may be missing.
+  /// `of`: a member of the record, or a function of it; to text, a Cell, bool, an unsigned number or one that may be
+  /// missing.
   template <typename Of>
   ColumnOf(const char* json_key, Of of, PageColumn on_page = {}, TextColumn in_text = {}) {
     using Value = std::remove_cvref_t<std::invoke_result_t<Of, const Record&>>;
@@ -106,7 +108,8 @@ struct ColumnOf : ReportColumn {
 using ColumnList = std::vector<ReportColumn>;
 using RecordList = std::vector<const void*>;
 
-/// A list of columns that knows what they are of. Only its making and the steps through records are compiled for each type.
+/// A list of columns that knows what they are of. Only its making and the steps through records are compiled for each
+/// type.
 template <typename Record>
 class Columns {
  public:

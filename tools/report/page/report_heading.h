@@ -50,8 +50,8 @@ struct ReportHeading {
 /// The keys that every report begins with.
 [[nodiscard]] nlohmann::ordered_json heading_json(const ReportHeading& heading);
 
-/// A page that begins with them, with the sentences that a hurried reader should see, and with a link to the page of `coif view`, where
-/// there is one, which it opens with the settings of `shown`.
+/// A page that begins with them, with the sentences that a hurried reader should see, and with a link to the page of
+/// `coif view`, where there is one, which it opens with the settings of `shown`.
 [[nodiscard]] HtmlPage report_page(const std::string& title, const ReportHeading& heading, std::string_view summary,
                                    const ViewLink& shown = {});
 

@@ -18,15 +18,15 @@ struct VisibilityVertex {
   float light = 1;  ///< Share that comes so far, 0..1.
 };
 
-/// How much light comes how far along a line: 1 before the first vertex, which has 1, and the last one's behind it. The surface
-/// transmittance of thesis section 4.2.1, which for cards is all of it. A fragment takes its light half way to the next one
-/// behind it, at most `reach` metres behind itself, so that it does not shade itself. Up to `solid`, behind which there is no hair
-/// to shade.
+/// How much light comes how far along a line: 1 before the first vertex, which has 1, and the last one's behind it. The
+/// surface transmittance of thesis section 4.2.1, which for cards is all of it. A fragment takes its light half way to
+/// the next one behind it, at most `reach` metres behind itself, so that it does not shade itself. Up to `solid`,
+/// behind which there is no hair to shade.
 [[nodiscard]] std::vector<VisibilityVertex> visibility_of(std::span<const Fragment> line, float solid, float reach);
 
-/// Fewer vertices whose function is nowhere more than `bound` away, and falls as it did: in one walk along the line, which
-/// keeps the slopes that stay within the bound of all vertices since the last one kept (Lokovic and Veach, "Deep shadow maps",
-/// SIGGRAPH 2000, section 3.2).
+/// Fewer vertices whose function is nowhere more than `bound` away, and falls as it did: in one walk along the line,
+/// which keeps the slopes that stay within the bound of all vertices since the last one kept (Lokovic and Veach, "Deep
+/// shadow maps", SIGGRAPH 2000, section 3.2).
 [[nodiscard]] std::vector<VisibilityVertex> compress_visibility(std::span<const VisibilityVertex> exact, float bound);
 
 [[nodiscard]] float light_at(std::span<const VisibilityVertex> visibility, float depth);

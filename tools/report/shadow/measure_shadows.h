@@ -26,13 +26,14 @@ struct ShadowPoint {
   bool is_head = false;
 };
 
-/// Where lines from the light meet hair, up to the head, and where they meet the head. What lies before a point on its line is
-/// known exactly, so no point needs a margin to its own card. `seen`: from the light, `hair` with its vertices at `positions`.
+/// Where lines from the light meet hair, up to the head, and where they meet the head. What lies before a point on its
+/// line is known exactly, so no point needs a margin to its own card. `seen`: from the light, `hair` with its vertices
+/// at `positions`.
 [[nodiscard]] std::vector<ShadowPoint> shadow_points(const FragmentView& seen, const HairSurface& hair,
                                                      std::span<const Eigen::Vector3f> positions);
 
-/// Whether the exact reference agrees with itself: its light at a point, and on the same surface a little aside. No map whose
-/// texels are wider than that can be nearer to the reference than the two are to each other.
+/// Whether the exact reference agrees with itself: its light at a point, and on the same surface a little aside. No map
+/// whose texels are wider than that can be nearer to the reference than the two are to each other.
 class TruthAgreement {
  public:
   /// `aside`: as `seen`, its lines moved (ViewGrid::aside).
@@ -47,8 +48,8 @@ class TruthAgreement {
   double points_ = 0, met_ = 0, squares_ = 0;
 };
 
-/// Asks a shadow how much light reaches points, as a host's own shader would: by HairShadow::code(). The context must be
-/// current in every call; its objects are freed with it.
+/// Asks a shadow how much light reaches points, as a host's own shader would: by HairShadow::code(). The context must
+/// be current in every call; its objects are freed with it.
 class ShadowProbe {
  public:
   /// Error (kUnsupported): the driver refuses the shader. `shadow` must be created and outlive this object.
@@ -67,7 +68,8 @@ class ShadowProbe {
 /// `light`: one per point, what a technique says. Over the points of the head, or of the hair.
 [[nodiscard]] ShadowError shadow_error(std::span<const ShadowPoint> points, std::span<const float> light, bool of_head);
 
-/// Each technique over its rows, which count alike: the root of the mean of squared errors, the mean of biases. Bytes are 0.
+/// Each technique over its rows, which count alike: the root of the mean of squared errors, the mean of biases. Bytes
+/// are 0.
 [[nodiscard]] std::vector<ShadowTotal> shadow_totals(std::span<const ShadowRow> rows);
 
 struct ShadowSettings {
@@ -75,9 +77,9 @@ struct ShadowSettings {
   double spacing = 0.002;                            ///< Metres between lines of the reference, 0.0005..0.02.
 };
 
-/// Draws the map of each technique under some lights and in some poses, asks it how much light reaches points of hair and
-/// head, and compares with what is exact. Errors: kUsage for settings out of range, kBadInput for an asset without a mesh,
-/// kUnsupported where nothing can be drawn.
+/// Draws the map of each technique under some lights and in some poses, asks it how much light reaches points of hair
+/// and head, and compares with what is exact. Errors: kUsage for settings out of range, kBadInput for an asset without
+/// a mesh, kUnsupported where nothing can be drawn.
 tl::expected<ShadowReport, ToolError> measure_shadows(const Asset& asset, const ShadowSettings& settings,
                                                       const ReportProgress& progress);
 

@@ -47,8 +47,8 @@ template <typename Row>
 
 /// One technique under one light in one pose.
 struct ShadowRow {
-  /// As the command line calls it; "deep-shadow-cpu": deep shadow maps made and asked on the processor, compressed to a bound;
-  /// "none": all light reaches everything.
+  /// As the command line calls it; "deep-shadow-cpu": deep shadow maps made and asked on the processor, compressed to a
+  /// bound; "none": all light reaches everything.
   std::string technique;
   std::uint32_t layers = 0;  ///< 0: it has none.
   std::uint32_t size = 0;    ///< Texels of the map each way.
@@ -118,7 +118,8 @@ struct ShadowTotal {
   return columns;
 }
 
-/// A direction that light comes from, in degrees as of a camera: yaw 0 is before the face, positive to the model's left.
+/// A direction that light comes from, in degrees as of a camera: yaw 0 is before the face, positive to the model's
+/// left.
 struct ShadowLight {
   std::string name;
   double yaw_degrees = 0, pitch_degrees = 0;
@@ -142,8 +143,8 @@ struct ShadowReport {
   std::vector<ShadowTotal> totals;  ///< In the order in which they first occur in `rows`.
 };
 
-/// `coif report shadows` for other programs: the heading, then `device`, `spacing` (metres between the lines of the exact
-/// reference), `hair_points`, `head_points`, and `lights`, `rows` and `totals` with the keys of their columns.
+/// `coif report shadows` for other programs: the heading, then `device`, `spacing` (metres between the lines of the
+/// exact reference), `hair_points`, `head_points`, and `lights`, `rows` and `totals` with the keys of their columns.
 [[nodiscard]] nlohmann::ordered_json shadow_json(const ReportHeading& heading, const ShadowReport& report);
 
 /// `coif report shadows` for a terminal: each technique over all lights and poses, and the summary.

@@ -8,9 +8,9 @@ namespace coif {
 
 /// Point masses on springs, integrated explicitly: thesis 5.2 "Initial attempt", after Rosenblum, Carlson and
 /// Tripp, "Simulating the Structure and Dynamics of Human Hair", 1991. Forces change velocities, the new velocities
-/// change positions (symplectic Euler). Springs hold the segments (segment_springs()), the model's stiffness and damping
-/// hold the pose. Unstable where dt exceeds about two over the root of the stiffest chain's spring sum: that is its
-/// place in history.
+/// change positions (symplectic Euler). Springs hold the segments (segment_springs()), the model's stiffness and
+/// damping hold the pose. Unstable where dt exceeds about two over the root of the stiffest chain's spring sum: that is
+/// its place in history.
 class MassSpringSolver : public PosedSolver {
  public:
   MassSpringSolver(const Rig& rig, const SolverScene& scene);
@@ -28,10 +28,11 @@ class MassSpringSolver : public PosedSolver {
   std::vector<double> springs_;
 };
 
-/// The same with what the thesis (3.1, Figure 5) calls angular springs, the hinges of Rosenblum et al.: where two segments meet, a spring
-/// and a damper per radian turn the lower one to its default direction and the upper one the other way, so that bones feel
-/// what hangs from them. A hinge is as strong as what it swings: a bone and all that hangs from it, stretched out as at rest, swing
-/// by its stiffness (1/s^2) and damping (1/s), which is how the passive model reads these numbers too.
+/// The same with what the thesis (3.1, Figure 5) calls angular springs, the hinges of Rosenblum et al.: where two
+/// segments meet, a spring and a damper per radian turn the lower one to its default direction and the upper one the
+/// other way, so that bones feel what hangs from them. A hinge is as strong as what it swings: a bone and all that
+/// hangs from it, stretched out as at rest, swing by its stiffness (1/s^2) and damping (1/s), which is how the passive
+/// model reads these numbers too.
 class AngularSpringSolver final : public MassSpringSolver {
  public:
   AngularSpringSolver(const Rig& rig, const SolverScene& scene);
@@ -47,8 +48,8 @@ class AngularSpringSolver final : public MassSpringSolver {
 };
 
 /// The thesis's second attempt (5.2 "Replacing the springs"): nothing moves a particle but its velocity. Errors of
-/// length and collision are foreseen at the end of the step and become impulses of error / dt, half for the particle and
-/// half for its parent; the pose is a velocity of constant size (constant_pull()) towards the default position.
+/// length and collision are foreseen at the end of the step and become impulses of error / dt, half for the particle
+/// and half for its parent; the pose is a velocity of constant size (constant_pull()) towards the default position.
 class ImpulseSolver final : public ParticleSolver {
  public:
   /// `iterations`: passes over lengths and collisions, the thesis has one.
@@ -68,10 +69,11 @@ class ImpulseSolver final : public ParticleSolver {
   std::vector<Eigen::Vector3d> before_;
 };
 
-/// The thesis's third attempt (5.2 "Adjusting positions and velocities separately"): velocities move the particles, then
-/// positions are put right directly, and velocities are adjusted to match. The thesis calls it "not always obvious how";
-/// here a segment that was put right loses the speed at which its ends part or meet, half from each, and a particle that
-/// was put out of the head loses its speed into it. The pose is still the second attempt's constant_pull().
+/// The thesis's third attempt (5.2 "Adjusting positions and velocities separately"): velocities move the particles,
+/// then positions are put right directly, and velocities are adjusted to match. The thesis calls it "not always obvious
+/// how"; here a segment that was put right loses the speed at which its ends part or meet, half from each, and a
+/// particle that was put out of the head loses its speed into it. The pose is still the second attempt's
+/// constant_pull().
 class SeparateSolver final : public ParticleSolver {
  public:
   /// `iterations`: passes over lengths and collisions, the thesis has one.
@@ -86,14 +88,14 @@ class SeparateSolver final : public ParticleSolver {
 };
 
 /// Rigid sticks with two angles each, and one equation of motion for either angle by itself: thesis 3.2, the
-/// one-dimensional projective equations of Anjyo, Usami and Kurihara, "A Simple Method for Extracting the Natural Beauty
-/// of Hair", 1992. From root to tip, each stick is a pendulum on a start that moves as given, so lengths are exact and
-/// children do not pull their parents. The pose is a spring per radian and a damper per angle.
+/// one-dimensional projective equations of Anjyo, Usami and Kurihara, "A Simple Method for Extracting the Natural
+/// Beauty of Hair", 1992. From root to tip, each stick is a pendulum on a start that moves as given, so lengths are
+/// exact and children do not pull their parents. The pose is a spring per radian and a damper per angle.
 ///
 /// The angles are measured around a pole across the default direction (zenith 90 degrees, azimuth 0 in the pose), not
-/// around the vertical: hair hangs down, where the azimuth of the paper has no meaning. The terms by which the two angles
-/// act on each other are left out, as the paper does. Springs and dampers are taken at the end of the step, gravity,
-/// drag and the start's motion as they are.
+/// around the vertical: hair hangs down, where the azimuth of the paper has no meaning. The terms by which the two
+/// angles act on each other are left out, as the paper does. Springs and dampers are taken at the end of the step,
+/// gravity, drag and the start's motion as they are.
 class ProjectiveSolver final : public PosedSolver {
  public:
   using PosedSolver::PosedSolver;
@@ -135,12 +137,11 @@ class ImplicitSolver final : public PosedSolver {
   std::vector<Eigen::Vector3d> changes_;  ///< Of velocity, m/s.
 };
 
-/// Dynamic follow-the-leader: Mueller, Kim and Chentanez, "Fast Simulation of Inextensible Hair and Fur", 2012. One pass
-/// from root to tip puts each particle at its length behind its parent, which never moves for the child; the velocity
-/// that this one-sidedness steals is given back in part, by the correction of the next particle (the mean of them where
-/// a strand forks). The paper
-/// has no pose: stiffness and damping act as a force taken at the end of the step (PosedSolver::pull()), so that what is
-/// measured is the method and not an explicit spring.
+/// Dynamic follow-the-leader: Mueller, Kim and Chentanez, "Fast Simulation of Inextensible Hair and Fur", 2012. One
+/// pass from root to tip puts each particle at its length behind its parent, which never moves for the child; the
+/// velocity that this one-sidedness steals is given back in part, by the correction of the next particle (the mean of
+/// them where a strand forks). The paper has no pose: stiffness and damping act as a force taken at the end of the step
+/// (PosedSolver::pull()), so that what is measured is the method and not an explicit spring.
 class FollowLeaderSolver final : public PosedSolver {
  public:
   FollowLeaderSolver(const Rig& rig, const SolverScene& scene);
@@ -192,8 +193,8 @@ class TridiagonalSolver final : public ParticleSolver {
 /// Extended position-based dynamics, one iteration per step, meant for sub-steps: Macklin, Storey, Lu, Terdiman,
 /// Chentanez, Jeschke and Mueller, "Small Steps in Physics Simulation", 2019. Segments have compliance 0 and move
 /// particle and parent by half each. The pose is a constraint on the particle's way off its default position with
-/// compliance 1 / stiffness and the Rayleigh damping of Macklin, Mueller and Chentanez, "XPBD", 2016; multiplied through
-/// by the stiffness, so that bones without any need no special case.
+/// compliance 1 / stiffness and the Rayleigh damping of Macklin, Mueller and Chentanez, "XPBD", 2016; multiplied
+/// through by the stiffness, so that bones without any need no special case.
 class XpbdSolver final : public PosedSolver {
  public:
   using PosedSolver::PosedSolver;

@@ -35,8 +35,9 @@ struct ListedSolver {
 /// per step and the thesis's own attempts as a constant pull; all others the model's stiffness and damping.
 [[nodiscard]] std::span<const ListedSolver> historical_solvers();
 
-/// `solver` run `count` times per step, each time for an equal share of it. The head moves as the runtime has it move between poses,
-/// on a cubic; where it jumps, `solver` is run once and sees the jump. With a count of 1 (or less) it is `solver` itself.
+/// `solver` run `count` times per step, each time for an equal share of it. The head moves as the runtime has it move
+/// between poses, on a cubic; where it jumps, `solver` is run once and sees the jump. With a count of 1 (or less) it is
+/// `solver` itself.
 [[nodiscard]] std::unique_ptr<ChainSolver> in_sub_steps(std::unique_ptr<ChainSolver> solver, int count);
 
 /// A solver that reports measure: one of the runtime's, or one of historical_solvers().
@@ -63,7 +64,8 @@ struct MeasuredSolver {
 /// Null for an unknown name.
 [[nodiscard]] const MeasuredSolver* find_measured_solver(std::string_view name);
 
-/// Where `names` is empty, all of them that move chains by the model that they are meant for. Error (kUsage): an unknown name.
+/// Where `names` is empty, all of them that move chains by the model that they are meant for. Error (kUsage): an
+/// unknown name.
 [[nodiscard]] tl::expected<std::vector<const MeasuredSolver*>, ToolError> chosen_solvers(
     const std::vector<std::string>& names);
 

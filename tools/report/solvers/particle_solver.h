@@ -39,7 +39,8 @@ class ParticleSolver : public ChainSolver {
 
   void reset(const HeadPose& head) final;
   /// Refuses what is not finite, steps that are not above zero, and to begin without reset().
-  /// A head that jumps is taken as the runtime takes it; as these methods know no better, the hair starts again from rest.
+  /// A head that jumps is taken as the runtime takes it; as these methods know no better, the hair starts again from
+  /// rest.
   [[nodiscard]] bool step(const HeadPose& head, double dt) final;
   [[nodiscard]] std::span<const Eigen::Vector3d> bone_ends() const final { return ends_; }
 
@@ -65,8 +66,8 @@ class ParticleSolver : public ChainSolver {
   /// frame, the frame turned by the shortest arc from there to where the bone points now. Unit, one per bone.
   [[nodiscard]] std::vector<Eigen::Vector3d> default_directions(const ParticleStep& step, bool leaning = false) const;
 
-  /// Where the pose pulls to when only RigBone::parent_share of it turns with the parent and the rest with the head: the
-  /// mean of both directions, which is shorter than unit where they disagree.
+  /// Where the pose pulls to when only RigBone::parent_share of it turns with the parent and the rest with the head:
+  /// the mean of both directions, which is shorter than unit where they disagree.
   [[nodiscard]] std::vector<Eigen::Vector3d> shared_directions(const ParticleStep& step) const;
 
   std::vector<Eigen::Vector3d> positions_;
@@ -90,7 +91,8 @@ class PosedSolver : public ParticleSolver {
  protected:
   using ParticleSolver::ParticleSolver;
 
-  /// Default directions (with parent_share) at where the particles are now, and how fast they turn: the way since the last call.
+  /// Default directions (with parent_share) at where the particles are now, and how fast they turn: the way since the
+  /// last call.
   void renew_default_pose(const ParticleStep& step);
 
   [[nodiscard]] const Eigen::Vector3d& default_direction(std::size_t i) const { return directions_[i]; }
@@ -139,8 +141,8 @@ inline constexpr double kSpringStretch = 0.01;
 /// follow.
 [[nodiscard]] std::vector<double> segment_springs(const Rig& rig);
 
-/// `position` (metres from the head, world axes) moved to where bone `i` keeps its hit radius from every collider it may
-/// touch, one collider after another, the short way. Shapes and limits are the runtime's
+/// `position` (metres from the head, world axes) moved to where bone `i` keeps its hit radius from every collider it
+/// may touch, one collider after another, the short way. Shapes and limits are the runtime's
 /// (runtime/sim/lanes/solids-inl.h), in double precision: on overlapping colliders the last has its way, and an
 /// ellipsoid is left along the radius of the space where it is a unit sphere.
 [[nodiscard]] Eigen::Vector3d clear_of_colliders(const Rig& rig, std::size_t i, const Eigen::Quaterniond& head_rotation,

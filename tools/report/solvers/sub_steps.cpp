@@ -19,8 +19,9 @@ Vector3d hermite(const Vector3d& to, const Vector3d& slope, const Vector3d& end_
   return (3 * s2 - 2 * s3) * to + (s3 - 2 * s2 + share) * slope + (s3 - s2) * end_slope;
 }
 
-/// The way of a head between poses as the runtime makes it (runtime/docs/MODEL.md, "The step", 1): a cubic whose slopes are those of
-/// the parabola through three poses. So that sub-steps of others do not stumble over corners that those of the runtime are spared.
+/// The way of a head between poses as the runtime makes it (runtime/docs/MODEL.md, "The step", 1): a cubic whose slopes
+/// are those of the parabola through three poses. So that sub-steps of others do not stumble over corners that those of
+/// the runtime are spared.
 class SmoothWay {
  public:
   void begin(const HeadPose& head) {

@@ -8,8 +8,8 @@
 
 namespace coif {
 
-/// Heads that are turned within 0.8 s and then held: their up axes point to the corners, edges and faces of a cube, 26 attitudes. Hair
-/// of such a head comes to rest, and stays there.
+/// Heads that are turned within 0.8 s and then held: their up axes point to the corners, edges and faces of a cube, 26
+/// attitudes. Hair of such a head comes to rest, and stays there.
 struct HeldHeads {
   std::uint32_t substeps = 0;                      ///< Of each frame; 0: as many as the asset was tuned for.
   double frame_rate = 60;                          ///< Hz.
@@ -18,8 +18,8 @@ struct HeldHeads {
   float stiffness = 1, damping = 1, friction = 1;  ///< Factors, as DynamicsScale.
 };
 
-/// Seconds after which hair of a held head is at rest: the longest that hair of artists' files takes, rounded up. It is tied hair, which is little
-/// damped, that slides off a place where it was nearly balanced.
+/// Seconds after which hair of a held head is at rest: the longest that hair of artists' files takes, rounded up. It is
+/// tied hair, which is little damped, that slides off a place where it was nearly balanced.
 inline constexpr double kSettlingTime = 13;
 /// Slower is at rest, m/s.
 inline constexpr double kAtRest = 0.02;
@@ -40,8 +40,9 @@ struct HeldHeadsFinding {
 /// "held, 4 parts at 144 fps, no colliders".
 [[nodiscard]] std::string name_of(const HeldHeads& held);
 
-/// Every way to run them that is looked at: 1, 2, 4, 8 parts and as tuned, at 30, 60 and 144 frames a second, with colliders where
-/// the asset has some, and without. Those that come last are left out where all would take more than `most_bone_steps`.
+/// Every way to run them that is looked at: 1, 2, 4, 8 parts and as tuned, at 30, 60 and 144 frames a second, with
+/// colliders where the asset has some, and without. Those that come last are left out where all would take more than
+/// `most_bone_steps`.
 [[nodiscard]] std::vector<HeldHeads> ways_to_hold(const Asset& asset, std::uint64_t most_bone_steps);
 
 }  // namespace coif

@@ -66,11 +66,11 @@ struct Stress {
   std::optional<StressRig> rig;  ///< Empty: the asset's own hair.
   SolverScene scene;
   StressedHead head;
-  /// What moves near the hair, world; `hair` is where that is in head space. Such cases are for `coif` alone, on a character
-  /// (kCharacterSolver): what others do knows no such colliders. They are gone while hair settles.
+  /// What moves near the hair, world; `hair` is where that is in head space. Such cases are for `coif` alone, on a
+  /// character (kCharacterSolver): what others do knows no such colliders. They are gone while hair settles.
   std::function<std::vector<MovingCollider>(const HairPlace& hair, double seconds)> colliders;
-  /// How the asset's own body moves; such cases are for assets that have colliders on one, and for `coif` alone. It stays where it came
-  /// to while hair settles.
+  /// How the asset's own body moves; such cases are for assets that have colliders on one, and for `coif` alone. It
+  /// stays where it came to while hair settles.
   BodyMotion body;
   /// Step lengths, repeated; seconds. Entries that are no lengths (0, negative, not a number) take no time.
   std::vector<double> dt{1.0 / 60};
@@ -101,7 +101,8 @@ class StressSubject {
   /// False for a solver that knows nothing of what the case is about: it has no row.
   [[nodiscard]] bool is_for(const MeasuredSolver& solver) const;
 
-  /// Runs one solver that it is for, with the least effort that it is measured with, through the case, from its rest pose. What the outcomes mean:
+  /// Runs one solver that it is for, with the least effort that it is measured with, through the case, from its rest
+  /// pose. What the outcomes mean:
   /// - nan: a bone's end was not finite after some step.
   /// - diverged: a bone's end was further from the bone's start than ten of its lengths; or faster, ten steps in a row,
   ///   than a hundred times what gravity, the head and the pull to the pose can make it; or a step that was refused

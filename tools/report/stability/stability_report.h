@@ -57,7 +57,8 @@ struct StabilityRow {
   double limit_max_rad = kNoNumber;         ///< Furthest of a bone beyond its limit (LimitRecord), radians.
   double link_stretch_max_pct = kNoNumber;  ///< By how much linked particles parted, % of their distance at rest.
   double max_speed = kNoNumber;             ///< Of a bone's tail in head space, m/s.
-  /// The same in the last half second of eight with the head at rest; of heads that are held, all of the time after kSettlingTime.
+  /// The same in the last half second of eight with the head at rest; of heads that are held, all of the time after
+  /// kSettlingTime.
   double rest_speed = kNoNumber;
   /// RMS distance of the tips to the settled pose after the stress has ended, in % of the chain's length.
   double settle_error_pct = kNoNumber;

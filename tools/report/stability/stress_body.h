@@ -15,12 +15,12 @@
 
 namespace coif {
 
-/// How what hangs from a bone of the body has moved since rest, world, of a head that rests at the origin; `joint`: where the bone starts
-/// at rest.
+/// How what hangs from a bone of the body has moved since rest, world, of a head that rests at the origin; `joint`:
+/// where the bone starts at rest.
 using BodyMotion = std::function<Eigen::Isometry3d(const Eigen::Vector3d& joint, double seconds)>;
 
-/// The body that an asset's hair keeps out of, moved under stress: what a host is to say of it, and where that puts its colliders by
-/// formulas of the lab's own.
+/// The body that an asset's hair keeps out of, moved under stress: what a host is to say of it, and where that puts its
+/// colliders by formulas of the lab's own.
 class StressBody {
  public:
   StressBody(const Asset& asset, const RigSample& sample);

@@ -57,8 +57,8 @@ void AssetMotion::find_places(const Asset& asset) {
   for (std::size_t i = 0; i < bones_.size(); ++i) bones_[i].place /= farthest[bone_records_[i].chain];
 }
 
-/// By the resistance that goes with the stiffness of its bending length, which nothing else comes to. Of two presets of one
-/// bending length it is the one whose friction, of loose or of tied hair, is nearer.
+/// By the resistance that goes with the stiffness of its bending length, which nothing else comes to. Of two presets of
+/// one bending length it is the one whose friction, of loose or of tied hair, is nearer.
 void AssetMotion::find_preset(std::size_t i) {
   Bone& bone = bones_[i];
   double nearest = 0;

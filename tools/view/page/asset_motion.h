@@ -1,7 +1,7 @@
 #pragma once
 
-// How an asset's hair moves, as recipes say it, and what becomes of it when somebody says something else: what the cook would make of
-// the same recipe, as far as the asset tells, by the cook's own formulas.
+// How an asset's hair moves, as recipes say it, and what becomes of it when somebody says something else: what the cook
+// would make of the same recipe, as far as the asset tells, by the cook's own formulas.
 
 #include "cook/dynamics/bone_motion.h"
 #include "cook/recipe/hair_preset.h"
@@ -43,17 +43,19 @@ class AssetMotion {
   /// That moves all of it; null: resistances or springs do, or several.
   [[nodiscard]] const HairPreset* preset() const { return preset_; }
 
-  /// One for each bone of the asset, rigid ones included; its own to the bit where nothing is said. Neither chooses models, sub-steps or
-  /// twist anew nor looks whether chains have one motion: what the cook changed for that is kept.
+  /// One for each bone of the asset, rigid ones included; its own to the bit where nothing is said. Neither chooses
+  /// models, sub-steps or twist anew nor looks whether chains have one motion: what the cook changed for that is kept.
   [[nodiscard]] std::vector<DynamicsRecord> tuned(const MotionTuning& tuning) const;
   /// SkeletonRecord::air_lag.
   [[nodiscard]] float air_lag(const MotionTuning& tuning) const;
 
-  /// The "dynamics" of a recipe that cooks to that, as a JSON object: what was changed, and what a cook would else choose anew beside it.
+  /// The "dynamics" of a recipe that cooks to that, as a JSON object: what was changed, and what a cook would else
+  /// choose anew beside it.
   /// "{}" where nothing is said.
   [[nodiscard]] std::string recipe(const MotionTuning& tuning) const;
 
-  /// For the page: {"moves", "preset", "springs", "conditioned": bool, "resistance", "damping_ratio": {"points", "bones": [[place, value]]}}.
+  /// For the page: {"moves", "preset", "springs", "conditioned": bool, "resistance", "damping_ratio": {"points",
+  /// "bones": [[place, value]]}}.
   [[nodiscard]] std::string json() const;
 
  private:

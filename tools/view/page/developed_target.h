@@ -8,16 +8,16 @@
 
 namespace coif {
 
-/// Where the page draws light, and how that becomes the canvas's pixels: as develop() does it for pictures. With no more than
-/// 8 bits a channel where the browser cannot draw into half floats.
+/// Where the page draws light, and how that becomes the canvas's pixels: as develop() does it for pictures. With no
+/// more than 8 bits a channel where the browser cannot draw into half floats.
 class DevelopedTarget {
  public:
   /// kUnsupported where the driver refuses the shader.
   static tl::expected<DevelopedTarget, ToolError> create();
   void destroy();
 
-  /// Pixels of the canvas; `finer` samples of each, each way, which the driver makes `covered` samples of: 0, 4. What has the size
-  /// already stays. False where there is no memory for it.
+  /// Pixels of the canvas; `finer` samples of each, each way, which the driver makes `covered` samples of: 0, 4. What
+  /// has the size already stays. False where there is no memory for it.
   [[nodiscard]] bool resize(std::uint32_t width, std::uint32_t height, std::uint32_t finer, std::uint32_t covered);
 
   void bind() const;

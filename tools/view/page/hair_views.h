@@ -1,5 +1,6 @@
 #pragma once
-// What of the hair the page shows beside itself: its patches, its layers, its order, and what the colours of these mean.
+// What of the hair the page shows beside itself: its patches, its layers, its order, and what the colours of these
+// mean.
 
 #include <coif/asset.h>
 

@@ -6,7 +6,8 @@
 
 namespace coif {
 
-/// A head under the visitor's mouse: follows it, and springs back when it is let go. World axes, metres, radians, seconds.
+/// A head under the visitor's mouse: follows it, and springs back when it is let go. World axes, metres, radians,
+/// seconds.
 class HeldHead {
  public:
   void grab() { held_ = true; }

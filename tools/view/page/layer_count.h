@@ -21,7 +21,8 @@ class LayerCount {
   LayerCount(const LayerCount&) = delete;
   LayerCount& operator=(const LayerCount&) = delete;
 
-  /// Binds the target, empty, with a depth buffer, in pixels. What has the size already stays. False where there is no memory for it.
+  /// Binds the target, empty, with a depth buffer, in pixels. What has the size already stays. False where there is no
+  /// memory for it.
   [[nodiscard]] bool begin(std::uint32_t width, std::uint32_t height);
 
   /// Over what is in the bound framebuffer of that size, where there is a layer at least.

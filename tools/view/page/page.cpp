@@ -1,5 +1,5 @@
-// What the page's scripts call. One asset, one canvas, one view of it or several. Functions that may fail return null or a
-// sentence that lives until the next call.
+// What the page's scripts call. One asset, one canvas, one view of it or several. Functions that may fail return null
+// or a sentence that lives until the next call.
 
 #include "motion/clip_bytes.h"
 #include "view/page/hair_views.h"
@@ -88,8 +88,8 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_open() {
   return show(std::move(*session));
 }
 
-/// The same for another cook of what is shown, which goes on where it was. The settings become what the asset says; the script
-/// lays over them what stays.
+/// The same for another cook of what is shown, which goes on where it was. The settings become what the asset says; the
+/// script lays over them what stays.
 EMSCRIPTEN_KEEPALIVE const char* coif_view_replace() {
   auto session = coif::ViewSession::open(std::exchange(page().incoming, {}));
   if (!session) return say(session.error().message);
@@ -146,7 +146,8 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_motion() {
   return page().session ? say(page().session->motion().json()) : say("{}");
 }
 
-/// So many points, place and value by turns, in place of the asset's own resistances (`which` 0) or damping ratios (1); 0 points: its own.
+/// So many points, place and value by turns, in place of the asset's own resistances (`which` 0) or damping ratios (1);
+/// 0 points: its own.
 EMSCRIPTEN_KEEPALIVE void coif_view_curve(int which, const double* numbers, int points) {
   if (!page().session) return;
   std::vector<coif::CurvePoint> curve;

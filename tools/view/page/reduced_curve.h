@@ -8,8 +8,9 @@
 
 namespace coif {
 
-/// A curve from 0 to 1 of few points through many `values`, in any order: bones of one place count by their mean. Up to `most` points, 2 or
-/// more, fewer where those are as near as nobody sees, where values are seen by their `power`. Values are >= 0. Empty for none.
+/// A curve from 0 to 1 of few points through many `values`, in any order: bones of one place count by their mean. Up to
+/// `most` points, 2 or more, fewer where those are as near as nobody sees, where values are seen by their `power`.
+/// Values are >= 0. Empty for none.
 [[nodiscard]] std::vector<CurvePoint> reduced_curve(std::span<const CurvePoint> values, double power, std::size_t most);
 
 }  // namespace coif

@@ -14,7 +14,8 @@ namespace coif {
 /// One head's hair and the memory that it lives in.
 class SimulatedHead {
  public:
-  /// The asset must outlive this object. In gusts the solver coif gives way to kCharacterSolver, which is the same beside that.
+  /// The asset must outlive this object. In gusts the solver coif gives way to kCharacterSolver, which is the same
+  /// beside that.
   Status create(const Asset& asset, const Solver& solver, bool in_gusts);
 
   /// At this pose, as it hangs there after two seconds: what `coif render` shows of a head at rest.

@@ -19,15 +19,15 @@ struct TriangleCorner {
   std::uint8_t color[4];  ///< sRGB, the whole triangle's; the last is not used.
 };
 
-/// Triangles of an asset, each with corners of its own, which is what one colour for each takes: WebGL 2 does not tell a shader
-/// which triangle it draws. Takes its memory once.
+/// Triangles of an asset, each with corners of its own, which is what one colour for each takes: WebGL 2 does not tell
+/// a shader which triangle it draws. Takes its memory once.
 class TriangleCorners {
  public:
   /// The asset must outlive this object and have a mesh.
   explicit TriangleCorners(const Asset& asset);
 
-  /// Of the head's level, in the order in which HairRenderer draws it: `order` is VisibleCrowd::Group's. Valid until the next
-  /// call; empty where the palette is not the asset's.
+  /// Of the head's level, in the order in which HairRenderer draws it: `order` is VisibleCrowd::Group's. Valid until
+  /// the next call; empty where the palette is not the asset's.
   [[nodiscard]] std::span<const TriangleCorner> of(HairView view, const HairInstance& head, std::uint32_t order);
 
   /// That of() ever gives.

@@ -20,8 +20,8 @@ struct TrianglePass {
   bool counts = false;  ///< Adds LayerCount::kStep to each channel in place of colours, whatever is in front.
 };
 
-/// Draws the triangles of heads in plain colours, without light, over the depth that is there. Beside HairRenderer, with objects
-/// of its own: what games link knows nothing of it.
+/// Draws the triangles of heads in plain colours, without light, over the depth that is there. Beside HairRenderer,
+/// with objects of its own: what games link knows nothing of it.
 class TriangleView {
  public:
   /// The asset must outlive this object. kUnsupported where the driver refuses the shader.
@@ -30,7 +30,8 @@ class TriangleView {
   TriangleView(const TriangleView&) = delete;
   TriangleView& operator=(const TriangleView&) = delete;
 
-  /// Into the bound framebuffer, heads in the order given, each in HairRenderer's order. Leaves depth test, blending and culling off.
+  /// Into the bound framebuffer, heads in the order given, each in HairRenderer's order. Leaves depth test, blending
+  /// and culling off.
   void draw(const Camera& camera, std::span<const HairInstance> heads, const TrianglePass& pass);
 
  private:

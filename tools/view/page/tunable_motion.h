@@ -23,13 +23,14 @@ class TunableMotion {
 
   /// The asset is another cook of the one that `before` tuned: recipes tell the changes of both.
   void go_on(const TunableMotion& before);
-  /// After go_on(). Either what is set now is what the asset was cooked with, by a recipe that says so; or it was cooked without
-  /// any changes, and those are told from how it came.
+  /// After go_on(). Either what is set now is what the asset was cooked with, by a recipe that says so; or it was
+  /// cooked without any changes, and those are told from how it came.
   void accept(const ViewSettings& settings, bool recipe_says_it);
 
   /// What is set is in the asset's memory already.
   [[nodiscard]] bool is_applied(const ViewSettings& settings) const;
-  /// Writes it there: into an asset whose memory is the caller's own, and which is the one whose motion this was made of, or its copy.
+  /// Writes it there: into an asset whose memory is the caller's own, and which is the one whose motion this was made
+  /// of, or its copy.
   void apply(const ViewSettings& settings, const Asset& asset);
   /// What was written last is not what the asset came with.
   [[nodiscard]] bool is_tuned() const { return written_ != MotionTuning{}; }

@@ -7,8 +7,8 @@
 
 namespace coif {
 
-/// The page's choice of a motion: the built-in ones by their numbers, those of head_looks(), and "clip" where the page has one.
-/// Separated by '|'.
+/// The page's choice of a motion: the built-in ones by their numbers, those of head_looks(), and "clip" where the page
+/// has one. Separated by '|'.
 [[nodiscard]] std::string motion_words(bool has_clip);
 
 /// Whether the choice's number is that of the clip.

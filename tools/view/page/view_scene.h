@@ -25,7 +25,8 @@ namespace coif {
 /// One asset in one WebGL context: all that the GPU holds of the page.
 class ViewScene {
  public:
-  /// The asset must outlive this object. kUnsupported where the browser refuses something, kBadInput for an asset without a mesh.
+  /// The asset must outlive this object. kUnsupported where the browser refuses something, kBadInput for an asset
+  /// without a mesh.
   static tl::expected<std::unique_ptr<ViewScene>, ToolError> create(const Asset& asset);
   ~ViewScene();
   ViewScene(const ViewScene&) = delete;

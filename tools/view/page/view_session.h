@@ -61,10 +61,11 @@ class ViewSession {
   [[nodiscard]] ViewSettings& settings() { return settings_; }
   [[nodiscard]] const ViewNumbers& numbers() const { return numbers_; }
 
-  /// One more motion after motion_words(false), which begins again where it ends; keys as path_of() wants them, or none.
+  /// One more motion after motion_words(false), which begins again where it ends; keys as path_of() wants them, or
+  /// none.
   void set_clip(std::vector<ClipKey> keys) { clip_ = std::move(keys); }
-  /// Another view of the same asset, which has its own settings, heads and time. What the GPU holds is of all of them, and drawn
-  /// with by one after the other. Its heads are made when it is first drawn.
+  /// Another view of the same asset, which has its own settings, heads and time. What the GPU holds is of all of them,
+  /// and drawn with by one after the other. Its heads are made when it is first drawn.
   [[nodiscard]] std::unique_ptr<ViewSession> another() const;
 
   /// Makes what the GPU holds: after open(), and when the browser has given a lost context back.
@@ -82,8 +83,8 @@ class ViewSession {
   /// The next frame() draws, though nothing has changed: the canvas was another view's.
   void redraw() { shown_.samples = -1; }
 
-  /// Another asset takes the place of the one that `before` shows: what is set stays, time goes on, and the heads are where they
-  /// were, with hair that hangs.
+  /// Another asset takes the place of the one that `before` shows: what is set stays, time goes on, and the heads are
+  /// where they were, with hair that hangs.
   tl::expected<void, ToolError> go_on(const ViewSession& before);
 
   [[nodiscard]] TunableMotion& motion() { return motion_; }
@@ -103,7 +104,8 @@ class ViewSession {
   };
 
   explicit ViewSession(std::shared_ptr<Shared> shared);
-  /// Writes what is tuned into a copy of the asset, which the heads have from then on: other views have the asset as it came.
+  /// Writes what is tuned into a copy of the asset, which the heads have from then on: other views have the asset as it
+  /// came.
   tl::expected<void, ToolError> tune();
   [[nodiscard]] const Asset& simulated_asset() const { return tuned_ ? tuned_->asset : asset_; }
   tl::expected<void, ToolError> choose_heads();

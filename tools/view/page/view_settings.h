@@ -12,8 +12,8 @@
 
 namespace coif {
 
-/// All that a visitor of the page can set. Floats without gaps, so that the page's scripts see one array; a choice is the number of
-/// its word. A control_table() row tells what each is called, its range, and the recipe's key for it.
+/// All that a visitor of the page can set. Floats without gaps, so that the page's scripts see one array; a choice is
+/// the number of its word. A control_table() row tells what each is called, its range, and the recipe's key for it.
 struct ViewSettings {
   float yaw = 30, pitch = 5;  ///< Degrees, as `coif render --view` takes them.
   float zoom = 1;             ///< 1: all is seen, as `coif render` frames it; 2: twice as large.
@@ -66,9 +66,9 @@ void set_look(const MaterialRecord& material, ViewSettings& settings);
 [[nodiscard]] const Solver& solver_of(float choice);
 [[nodiscard]] Component component_of(const ViewSettings& settings);
 
-/// The rows of the control table as JSON, for the page: [{"name", "group", "label", "hint", "unit", "kind": "number" | "choice" | "switch" |
-/// "color", "at", "count", "low", "high", "step", "words", "recipe", "recipe_words"}]. `at`: of the array, in floats.
-/// `has_clip`: "clip" is the last of the motions.
+/// The rows of the control table as JSON, for the page: [{"name", "group", "label", "hint", "unit", "kind": "number" |
+/// "choice" | "switch" | "color", "at", "count", "low", "high", "step", "words", "recipe", "recipe_words"}]. `at`: of
+/// the array, in floats. `has_clip`: "clip" is the last of the motions.
 [[nodiscard]] std::string controls_json(const Asset& asset, bool has_clip = false);
 
 }  // namespace coif

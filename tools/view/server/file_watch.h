@@ -13,8 +13,8 @@ class FileWatch {
  public:
   using Time = std::filesystem::file_time_type;
 
-  /// From now on these and no others. A file that was watched keeps what is known of it; a new one counts as changed where it
-  /// was written after `since`, when somebody began to read it.
+  /// From now on these and no others. A file that was watched keeps what is known of it; a new one counts as changed
+  /// where it was written after `since`, when somebody began to read it.
   void watch(std::span<const std::filesystem::path> files, Time since);
 
   /// Those that differ from what they were at the last call.

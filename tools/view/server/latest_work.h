@@ -9,15 +9,15 @@
 
 namespace coif {
 
-/// Does a piece of work again whenever somebody asks, on a thread of its own: one at a time, and the last one that was asked
-/// for. Whoever asks makes what is being done obsolete, and what waits is never more than one piece.
+/// Does a piece of work again whenever somebody asks, on a thread of its own: one at a time, and the last one that was
+/// asked for. Whoever asks makes what is being done obsolete, and what waits is never more than one piece.
 class LatestWork {
  public:
   /// `obsolete` becomes true while the work is done, where somebody asked anew; it should then return soon.
   using Work = std::function<void(std::uint64_t number, const std::atomic<bool>& obsolete)>;
 
-  /// `interrupt` is called, under a lock, each time that work in progress becomes obsolete: for work that cannot look at the
-  /// flag all the time. May be empty.
+  /// `interrupt` is called, under a lock, each time that work in progress becomes obsolete: for work that cannot look
+  /// at the flag all the time. May be empty.
   LatestWork(Work work, std::function<void()> interrupt);
   /// Makes obsolete what is being done, and waits for its end.
   ~LatestWork();

@@ -40,19 +40,21 @@ struct LiveCooking {
   std::function<void(const std::string& problem)> failed;
 };
 
-/// What is cooked: a source, its recipe's file, and what the page changed of that. Calls from any thread but where it says
-/// otherwise.
+/// What is cooked: a source, its recipe's file, and what the page changed of that. Calls from any thread but where it
+/// says otherwise.
 class LiveCook {
  public:
-  /// `recipe`: none where it lies beside the source, if it is there (SOURCE's name with .recipe.json). `state` outlives this
-  /// object and gets what becomes of each cook.
+  /// `recipe`: none where it lies beside the source, if it is there (SOURCE's name with .recipe.json). `state` outlives
+  /// this object and gets what becomes of each cook.
   LiveCook(LiveCooking cooking, std::filesystem::path source, std::optional<std::filesystem::path> recipe,
            LiveState& state);
 
-  /// Another source takes the place of this one, with the defaults for a recipe, or the one that was named. `name` is for people.
+  /// Another source takes the place of this one, with the defaults for a recipe, or the one that was named. `name` is
+  /// for people.
   void take_source(std::filesystem::path source, std::string name);
 
-  /// From now on these changes, and no others. Errors: those of read_changes() and live_recipe(), and nothing is changed.
+  /// From now on these changes, and no others. Errors: those of read_changes() and live_recipe(), and nothing is
+  /// changed.
   tl::expected<void, ToolError> change(std::string_view changes);
 
   /// Files that were read and were written since; what must be read anew is. On one thread.

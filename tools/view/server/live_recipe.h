@@ -18,12 +18,13 @@ struct LiveRecipe {
   nlohmann::json file;  ///< The file alone; an empty object without one.
 };
 
-/// What the page sent: recipe keys and their values, null for "not as the file says". Errors (kBadInput): no JSON object, or it
-/// names a file, which a recipe on the disk alone may. That the keys are some, and their values in range, live_recipe() finds.
+/// What the page sent: recipe keys and their values, null for "not as the file says". Errors (kBadInput): no JSON
+/// object, or it names a file, which a recipe on the disk alone may. That the keys are some, and their values in range,
+/// live_recipe() finds.
 [[nodiscard]] tl::expected<nlohmann::json, ToolError> read_changes(std::string_view text);
 
-/// Reads the file, none where its path is empty, merges the changes into it (RFC 7396) and judges the result as a recipe's file
-/// is. Errors: those of read_recipe() for the file; of parse_recipe() for the changes.
+/// Reads the file, none where its path is empty, merges the changes into it (RFC 7396) and judges the result as a
+/// recipe's file is. Errors: those of read_recipe() for the file; of parse_recipe() for the changes.
 [[nodiscard]] tl::expected<LiveRecipe, ToolError> live_recipe(const std::filesystem::path& file,
                                                               const nlohmann::json& changes);
 

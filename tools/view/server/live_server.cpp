@@ -57,7 +57,8 @@ void answer(Response& response, const tl::expected<std::uint64_t, ToolError>& as
   answer(response, 400, {{"problem", asked.error().message}});
 }
 
-/// Bytes of known number are sent as they are; what is set as text would be compressed, which takes longer than sending it.
+/// Bytes of known number are sent as they are; what is set as text would be compressed, which takes longer than sending
+/// it.
 void send(Response& response, const char* type, std::shared_ptr<const void> owner, const char* bytes,
           std::size_t count) {
   response.set_content_provider(

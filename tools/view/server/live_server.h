@@ -13,7 +13,8 @@
 
 namespace coif {
 
-/// What requests ask for. Called on threads of connections, several at once. They return the number of the cook that is asked for.
+/// What requests ask for. Called on threads of connections, several at once. They return the number of the cook that is
+/// asked for.
 struct LiveRequests {
   std::function<tl::expected<std::uint64_t, ToolError>(std::string_view changes)> change;
   /// `suffix` is the importer's, such as ".glb"; `name` is what the model is called, for people.
@@ -34,10 +35,12 @@ struct LiveServerSettings {
 ///   GET  keys                 the table of a recipe's keys: recipe_keys_json()
 ///   POST recipe               a JSON object of what differs from the recipe's file -> 202 {"request": number}
 ///   POST model?format=glb&name=bob.glb   a model's bytes; the name is for people -> 202 {"request": number}
-/// and nothing else; no path of a file comes from a request. What is refused for what it says gets 400 and {"problem": sentence}.
+/// and nothing else; no path of a file comes from a request. What is refused for what it says gets 400 and {"problem":
+/// sentence}.
 class LiveServer {
  public:
-  /// Listens when this returns. `state` outlives the server. Errors: kFileAccess (the port is taken), kBadInput (no page).
+  /// Listens when this returns. `state` outlives the server. Errors: kFileAccess (the port is taken), kBadInput (no
+  /// page).
   static tl::expected<std::unique_ptr<LiveServer>, ToolError> start(LiveServerSettings settings, LiveState& state,
                                                                     LiveRequests requests);
   /// Ends all connections; closes `state`, for which they may wait.

@@ -50,9 +50,9 @@ class LiveState {
     std::string json;          ///< In one line; empty where nothing came in time.
     bool is_closed = false;
   };
-  /// The state as soon as it differs from the one of this number; 0: at once. {"revision", "request", "cooking", "problem",
-  /// "name", "quality", "seconds", "warnings", "recipe_file", "changes"}: the first is the asset's, the second that of the last
-  /// cook that ended; a problem is a sentence, or "".
+  /// The state as soon as it differs from the one of this number; 0: at once. {"revision", "request", "cooking",
+  /// "problem", "name", "quality", "seconds", "warnings", "recipe_file", "changes"}: the first is the asset's, the
+  /// second that of the last cook that ended; a problem is a sentence, or "".
   [[nodiscard]] News wait(std::uint64_t seen, std::chrono::milliseconds longest);
 
  private:

@@ -25,8 +25,8 @@ struct LiveViewSettings {
   LiveServerSettings server;
 };
 
-/// A page that shows a source, and goes on showing it while source, recipe and sliders change. Works on threads of its own until
-/// it is destroyed, and leaves no file and no process behind, however this process ends.
+/// A page that shows a source, and goes on showing it while source, recipe and sliders change. Works on threads of its
+/// own until it is destroyed, and leaves no file and no process behind, however this process ends.
 class LiveView {
  public:
   /// The first cook has begun when this returns, not ended. Forks: call before starting threads. Errors: those of

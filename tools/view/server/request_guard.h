@@ -17,8 +17,9 @@ struct RequestOrigin {
   std::optional<std::string> origin;  ///< None where the header is absent; empty where there are several.
 };
 
-/// Whom a server on the loopback address answers: requests that know the token and come from its own page. Other pages of the
-/// same browser, other users of the machine, and names that somebody else's DNS turns into this address are refused.
+/// Whom a server on the loopback address answers: requests that know the token and come from its own page. Other pages
+/// of the same browser, other users of the machine, and names that somebody else's DNS turns into this address are
+/// refused.
 class RequestGuard {
  public:
   RequestGuard(std::uint16_t port, std::string token);

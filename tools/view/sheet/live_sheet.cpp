@@ -75,7 +75,8 @@ ViewSettings tile_settings(const Asset& asset, const Gallery& gallery, const Pic
   return s;
 }
 
-/// How much smaller hair has to be than at rest so that its motion stays in the picture, whose middle stays that of hair at rest.
+/// How much smaller hair has to be than at rest so that its motion stays in the picture, whose middle stays that of
+/// hair at rest.
 tl::expected<float, ToolError> zoom_of_motion(const Asset& asset, const PictureSettings& picture) {
   const auto moving = frame_picture(asset, picture);
   if (!moving) return tl::unexpected(moving.error());

@@ -41,7 +41,8 @@ struct LiveSheet {
   std::size_t pictures_left_out = 0;  ///< That no tile shows.
 };
 
-/// One tile for each picture, but one for all moments of a motion, framed so that all of it is seen. Errors: those of frame_picture().
+/// One tile for each picture, but one for all moments of a motion, framed so that all of it is seen. Errors: those of
+/// frame_picture().
 [[nodiscard]] tl::expected<LiveSheet, ToolError> live_sheet(const Asset& asset, std::span<const Gallery> galleries);
 
 /// Of one tile, in pixels of the page.
@@ -49,9 +50,9 @@ struct TileSize {
   std::uint32_t width = 0, height = 0;
 };
 
-/// As JSON that may stand between the tags of a script: {"width", "height", "note", "galleries": [{"title", "tiles": [{"caption",
-/// "settings": {name: number, word or three numbers}, "moments": [{"caption", "seconds"}]}]}]}. `settings` has what differs from
-/// the asset's own, by the names of controls_json().
+/// As JSON that may stand between the tags of a script: {"width", "height", "note", "galleries": [{"title", "tiles":
+/// [{"caption", "settings": {name: number, word or three numbers}, "moments": [{"caption", "seconds"}]}]}]}. `settings`
+/// has what differs from the asset's own, by the names of controls_json().
 [[nodiscard]] std::string sheet_json(const Asset& asset, const LiveSheet& sheet, TileSize size);
 
 }  // namespace coif

@@ -1,7 +1,7 @@
 #ifndef COIF_C_AIR_H
 #define COIF_C_AIR_H
-/* The air around heads, blows, dynamics that heads choose from, and time for a scene to begin; a part of coif.h, which is what hosts
- * include. The rules are those of the methods of coif::Hair of that name (coif/hair.h, coif/air.h). */
+/* The air around heads, blows, dynamics that heads choose from, and time for a scene to begin; a part of coif.h, which
+ * is what hosts include. The rules are those of the methods of coif::Hair of that name (coif/hair.h, coif/air.h). */
 
 #include <coif/c/types.h>
 

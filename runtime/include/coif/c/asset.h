@@ -1,10 +1,10 @@
 #ifndef COIF_C_ASSET_H
 #define COIF_C_ASSET_H
-/* A cooked asset, read in place; a part of coif.h, which is what hosts include. What everything means is in coif/asset.h and
- * formats/SPECIFICATION.md; here is how to get at it without C++.
+/* A cooked asset, read in place; a part of coif.h, which is what hosts include. What everything means is in
+ * coif/asset.h and formats/SPECIFICATION.md; here is how to get at it without C++.
  *
- * Lists are pointers into the asset's own bytes, which must stay where they are; *count may be a null pointer. Of an asset
- * that is not open, or null, and of a chunk that an asset does not have, lists are null with a count of 0. */
+ * Lists are pointers into the asset's own bytes, which must stay where they are; *count may be a null pointer. Of an
+ * asset that is not open, or null, and of a chunk that an asset does not have, lists are null with a count of 0. */
 
 #include <coif/c/types.h>
 
@@ -16,13 +16,14 @@ extern "C" {
 #define COIF_MAX_LODS 8
 #define COIF_VIEW_CELLS 96
 
-/* A view of an asset: plain data that may be copied, refers to the asset's bytes and has nothing to be destroyed. All zero
- * bytes are a view that is not open. */
+/* A view of an asset: plain data that may be copied, refers to the asset's bytes and has nothing to be destroyed. All
+ * zero bytes are a view that is not open. */
 typedef struct coif_asset {
   uint64_t inside[128];
 } coif_asset;
 
-/* Head space has its origin at the head bone's joint in the rest pose and the model's axes: right-handed, +Y up, metres. */
+/* Head space has its origin at the head bone's joint in the rest pose and the model's axes: right-handed, +Y up,
+ * metres. */
 typedef struct coif_skeleton {
   uint32_t bone_count, simulated_count, chain_count;
   uint32_t flags;      /* COIF_FACES_BACKWARDS */
@@ -36,8 +37,8 @@ typedef struct coif_skeleton {
 
 typedef enum coif_bone_kind { COIF_BONE_HEAD = 0, COIF_BONE_SCALP = 1, COIF_BONE_SIMULATED = 2 } coif_bone_kind;
 
-/* Parents come first: the head, then what is rigid with it, then what is simulated, chain by chain. At rest all bones have
- * the axes of head space. */
+/* Parents come first: the head, then what is rigid with it, then what is simulated, chain by chain. At rest all bones
+ * have the axes of head space. */
 typedef struct coif_bone {
   uint32_t parent;         /* COIF_NONE: bone 0 */
   uint32_t kind;           /* coif_bone_kind */
@@ -166,11 +167,11 @@ typedef struct coif_texture {
 } coif_texture;
 
 /* Opens `size` bytes at a multiple of 64: proves once that every later access is in range. COIF_ASSET_LACKS_DATA:
- * it is refused, the view is not open, and the reason is written to `why` (null: not wanted), ended by a zero byte, cut at
- * `capacity`. COIF_BAD_ARGUMENT: `asset` is null. */
+ * it is refused, the view is not open, and the reason is written to `why` (null: not wanted), ended by a zero byte, cut
+ * at `capacity`. COIF_BAD_ARGUMENT: `asset` is null. */
 coif_status coif_asset_open(coif_asset* asset, const void* bytes, size_t size, char* why, size_t capacity);
-/* Compares vertices, indices and texels with their hashes, which opening does not: 0.1 ms per MB, on any thread. 1: they are
- * what was cooked. 0: `why` as above. */
+/* Compares vertices, indices and texels with their hashes, which opening does not: 0.1 ms per MB, on any thread. 1:
+ * they are what was cooked. 0: `why` as above. */
 int coif_asset_verify_draw_data(const coif_asset* asset, char* why, size_t capacity);
 /* Both at once, for a host that keeps no view. 1: sound. 0: `why` as above. */
 int coif_check_asset(const void* asset, size_t bytes, char* why, size_t capacity);
@@ -203,11 +204,11 @@ const uint32_t* coif_asset_lod_indices(const coif_asset* asset, uint32_t lod, ui
 const coif_lod* coif_asset_stored_lods(const coif_asset* asset, uint32_t* count); /* None where there is one level. */
 /* In how many levels, from the finest on, each bone is simulated. */
 const uint8_t* coif_asset_lod_bones(const coif_asset* asset, uint32_t* count);
-/* Share of the viewport's height that `height` metres cover at `distance` metres, under a vertical field of view of `fov`
- * radians. */
+/* Share of the viewport's height that `height` metres cover at `distance` metres, under a vertical field of view of
+ * `fov` radians. */
 float coif_screen_share(float height, float distance, float fov);
-/* The level to draw for a head that covers such a share, and has been drawn as `current`: coif/lod.h. `hysteresis` 0.1 suits
- * most games, 0 chooses afresh. */
+/* The level to draw for a head that covers such a share, and has been drawn as `current`: coif/lod.h. `hysteresis` 0.1
+ * suits most games, 0 chooses afresh. */
 uint32_t coif_asset_choose_lod(const coif_asset* asset, float share, uint32_t current, float hysteresis);
 
 const coif_material* coif_asset_material(const coif_asset* asset); /* Null where absent. */
@@ -215,8 +216,8 @@ const coif_texture* coif_asset_textures(const coif_asset* asset, uint32_t* count
 const coif_texture* coif_asset_reliefs(const coif_asset* asset, uint32_t* count); /* Normal and strand maps. */
 /* Of both lists; null where the asset has no texture of this role. */
 const coif_texture* coif_asset_texture(const coif_asset* asset, uint32_t role);
-/* Texels of one mip, the first row first, and how many bytes they are (null: not wanted). Null for a texture that is not
- * of this asset's own lists, and for a mip that it does not have. */
+/* Texels of one mip, the first row first, and how many bytes they are (null: not wanted). Null for a texture that is
+ * not of this asset's own lists, and for a mip that it does not have. */
 const void* coif_asset_texels(const coif_asset* asset, const coif_texture* texture, uint32_t mip, size_t* bytes);
 
 #ifdef __cplusplus

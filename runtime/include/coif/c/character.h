@@ -1,8 +1,8 @@
 #ifndef COIF_C_CHARACTER_H
 #define COIF_C_CHARACTER_H
-/* What a character that wears hair brings along, and the air around it; a part of coif.h, which is what hosts include. The rules
- * are those of the methods of coif::Hair of that name (coif/hair.h, coif/character.h, coif/air.h). Structs are filled with
- * their defaults by the function beside them. */
+/* What a character that wears hair brings along, and the air around it; a part of coif.h, which is what hosts include.
+ * The rules are those of the methods of coif::Hair of that name (coif/hair.h, coif/character.h, coif/air.h). Structs
+ * are filled with their defaults by the function beside them. */
 
 #include <coif/c/asset.h>
 #include <coif/c/types.h>
@@ -36,16 +36,16 @@ typedef struct coif_body_pose {
   coif_quat rotation;
 } coif_body_pose;
 
-/* These need COIF_SOLVER_CHARACTER and the named member of coif_hair_desc, else COIF_NOT_ASKED. COIF_BAD_ARGUMENT for a null list that
- * has a count. */
+/* These need COIF_SOLVER_CHARACTER and the named member of coif_hair_desc, else COIF_NOT_ASKED. COIF_BAD_ARGUMENT for a
+ * null list that has a count. */
 
 /* At most coif_hair_desc.moving_colliders; none are never too many. */
 coif_status coif_hair_set_colliders(coif_hair* hair, uint32_t instance, const coif_moving_collider* colliders,
                                     uint32_t count);
 /* ... coif_hair_desc.follows_body; one pose for each body bone of the asset, in their order. */
 coif_status coif_hair_set_body(coif_hair* hair, uint32_t instance, const coif_body_pose* bones, uint32_t count);
-/* ... coif_hair_desc.follows_poses; a rotation for each bone, a weight for each chain or one for all. None of either: the
- * rest pose again. */
+/* ... coif_hair_desc.follows_poses; a rotation for each bone, a weight for each chain or one for all. None of either:
+ * the rest pose again. */
 coif_status coif_hair_set_pose(coif_hair* hair, uint32_t instance, const coif_quat* rotations, uint32_t rotation_count,
                                const float* weights, uint32_t weight_count);
 

@@ -1,8 +1,8 @@
 #ifndef COIF_C_DRAWING_H
 #define COIF_C_DRAWING_H
-/* What a renderer of hair computes before it calls its graphics interface, whichever that is; a part of coif.h, which is what
- * hosts include. Rules and reasons are in coif/drawing.h, what to draw with it in shaders/README.md, and a renderer that
- * stands on nothing else in runtime/examples/draw_in_c. */
+/* What a renderer of hair computes before it calls its graphics interface, whichever that is; a part of coif.h, which
+ * is what hosts include. Rules and reasons are in coif/drawing.h, what to draw with it in shaders/README.md, and a
+ * renderer that stands on nothing else in runtime/examples/draw_in_c. */
 
 #include <coif/c/asset.h>
 
@@ -50,18 +50,20 @@ coif_status coif_drawn_hair_of(const coif_asset* asset, coif_drawn_hair* hair);
  * COIF_SIZE_MISMATCH. `hair` is of this asset, else COIF_BAD_ARGUMENT. */
 coif_status coif_write_draw_orders(const coif_asset* asset, const coif_drawn_hair* hair, void* out, size_t bytes);
 
-/* Which order suits a head that is seen from there: `direction` is from the head to the eye in head space, of any length. 0,
- * the stored order, where there is no other. */
+/* Which order suits a head that is seen from there: `direction` is from the head to the eye in head space, of any
+ * length. 0, the stored order, where there is no other. */
 uint32_t coif_choose_order(const coif_drawn_hair* hair, const float direction[3]);
-/* The cell, below COIF_VIEW_CELLS, that a direction lies in, and a cell's middle. A cell that does not exist has none. */
+/* The cell, below COIF_VIEW_CELLS, that a direction lies in, and a cell's middle. A cell that does not exist has none.
+ */
 uint32_t coif_view_cell(const float direction[3]);
 coif_status coif_view_cell_direction(uint32_t cell, float direction[3]);
-/* As the asset stores them: triangles by their number, order after order, without the stored one; the order of each cell. */
+/* As the asset stores them: triangles by their number, order after order, without the stored one; the order of each
+ * cell. */
 const uint32_t* coif_asset_orders(const coif_asset* asset, uint32_t* count);
 const uint8_t* coif_asset_order_views(const coif_asset* asset, uint32_t* count);
 
-/* 1: something of this head may be in view, and *order (null: not wanted) is how it is to be drawn. 0: nothing is, or an
- * argument is null or a pose is bad. `eye`: world, metres. `clip_from_view` as coif_draw_block has it. */
+/* 1: something of this head may be in view, and *order (null: not wanted) is how it is to be drawn. 0: nothing is, or
+ * an argument is null or a pose is bad. `eye`: world, metres. `clip_from_view` as coif_draw_block has it. */
 int coif_is_in_view(const coif_drawn_hair* hair, const coif_head_pose* head, const coif_vec3* eye,
                     const float clip_from_view[16], uint32_t* order);
 
@@ -95,7 +97,8 @@ typedef struct coif_draw_view {
   uint32_t framebuffer_is_srgb; /* 1: the target encodes sRGB itself, or is linear. 0: the shader encodes. */
 } coif_draw_view;
 
-/* The uniform block DrawBlock of the shaders, std140, byte for byte. View space: the world's axes, its origin at the eye. */
+/* The uniform block DrawBlock of the shaders, std140, byte for byte. View space: the world's axes, its origin at the
+ * eye. */
 typedef struct coif_draw_block {
   float clip_from_view[16];
   float base_color[4], ambient[4], primary[4], secondary[4], shift[4], component[4], fiber[4], strands[4];
@@ -124,9 +127,9 @@ coif_status coif_write_head(const coif_drawn_hair* hair, const coif_matrix_layou
                             const coif_mat34* palette, uint32_t palette_count, const coif_vec3* eye, void* out,
                             size_t bytes);
 
-/* Bones sorted in each frame, instead of the orders that the asset has: for hair that moves far from how it was modelled. Any
- * number of heads of one asset may share one, in one thread at a time; coif/triangle_order.h has the rules. Lives in memory
- * that the caller gave. */
+/* Bones sorted in each frame, instead of the orders that the asset has: for hair that moves far from how it was
+ * modelled. Any number of heads of one asset may share one, in one thread at a time; coif/triangle_order.h has the
+ * rules. Lives in memory that the caller gave. */
 typedef struct coif_bone_order coif_bone_order;
 
 /* Bytes that coif_bone_order_create() needs, at a multiple of 64; 0 for an asset without mesh, bones or skin. */
@@ -143,7 +146,8 @@ typedef struct coif_skinned_vertex {
   coif_vec3 position, normal, tangent;
 } coif_skinned_vertex;
 
-/* Skinning on the processor: vertices `first` to `first + count` of the asset. coif/skinning.h has costs and statuses. */
+/* Skinning on the processor: vertices `first` to `first + count` of the asset. coif/skinning.h has costs and statuses.
+ */
 coif_status coif_skin_vertices(const coif_asset* asset, const coif_mat34* palette, uint32_t palette_count,
                                uint32_t first, coif_skinned_vertex* out, uint32_t count);
 

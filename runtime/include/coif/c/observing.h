@@ -1,7 +1,8 @@
 #ifndef COIF_C_OBSERVING_H
 #define COIF_C_OBSERVING_H
-/* Where hair is and what it does, for hosts with renderers and skeletons of their own; a part of coif.h, which is what hosts
- * include. The rules are those of coif/bounds.h, coif/bone_transforms.h, coif/last_frame.h and coif/debug_lines.h. */
+/* Where hair is and what it does, for hosts with renderers and skeletons of their own; a part of coif.h, which is what
+ * hosts include. The rules are those of coif/bounds.h, coif/bone_transforms.h, coif/last_frame.h and
+ * coif/debug_lines.h. */
 
 #include <coif/c/asset.h>
 #include <coif/c/character.h>
