@@ -11,7 +11,7 @@
 #     blender   what is read of FBX, OBJ and COLLADA is what Blender reads of it
 #     variants  reader and simulation, by other compilers and flags, in 32 bits and for ARM, give the same bits; or one of them by
 #             its preset: fma, avx2, native, clang, x86-32, arm64
-#     calm    hair of heads that are held comes to rest, in every way to run each of the artists' files; an hour
+#     calm    hair of heads that are held comes to rest, in every way to run each of the artists' files; ten minutes
 #     agree   coif cook and coif validate find the same in every shared file; an hour
 #     debug   the program, compiled for a debugger, cooks the bytes that the one for release cooks
 #     all     all of these

@@ -3,7 +3,7 @@
 
   artists_files.py drawn|all COIF COIF_HOLD_HEADS HAIR SAMPLES
 
-drawn: two ways to run each asset; all: every way, which takes an hour. HAIR may be absent: then the samples are all there is.
+drawn: two ways to run each asset; all: every way, which takes ten minutes. HAIR may be absent: then the samples are all there is.
 """
 
 import pathlib

@@ -16,10 +16,11 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// How near a bone is to a collider, in head space.
+/// How near a bone is to a collider, in head space. Where the step leads the start into the collider, the start is not
+/// deep in it for that: a bone that lies on it would meet it no more. `start_before` is where the step found it.
 template <class D>
-COIF_RARE void find_gap(D d, const PlacedCollider& collider, const V3<D>& start, const V3<D>& direction, V<D> length,
-                        V<D> hit_radius, Deepest<D>& at) {
+COIF_RARE void find_gap(D d, const PlacedCollider& collider, const V3<D>& start_before, const V3<D>& start,
+                        const V3<D>& direction, V<D> length, V<D> hit_radius, Deepest<D>& at) {
   if (collider.keeps_inside || collider.shape == ColliderShape::kPlane) {
     at.along = length;
     const V3<D> end = sub(d, add_scaled(d, start, direction, length), same(d, collider.center));
@@ -36,7 +37,8 @@ COIF_RARE void find_gap(D d, const PlacedCollider& collider, const V3<D>& start,
     at.gap = hn::Sub(hn::Max(hn::Sub(radius, hit_radius), hn::Zero(d)), distance);
     return;
   }
-  const Solid<D> solid(d, collider, start, length, hit_radius);
+  Solid<D> solid(d, collider, start, length, hit_radius);
+  solid.start_as_deep_as(Solid<D>(d, collider, start_before, length, hit_radius));
   solid.find_deepest(solid.into(direction), at);
   const V3<D> normal = solid.out_of(at.normal);
   copy(d, normal, at.normal);
@@ -67,7 +69,7 @@ COIF_RARE void meet_within(D d, const PlacedCollider& collider, const MeetingBon
                            const Deepest<D>& now, hn::Mask<D> asked, Meeting<D>& meeting) {
   const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
   Deepest<D> before;
-  find_gap(d, collider, bone.start[0], bone.direction[0], bone.length, bone.hit_radius, before);
+  find_gap(d, collider, bone.start[0], bone.start[0], bone.direction[0], bone.length, bone.hit_radius, before);
   const auto share0 = hn::Div(before.along, bone.length), share1 = hn::Div(now.along, bone.length);
   const V3<D> velocity = add_scaled(d, bone.velocity[0], sub(d, bone.velocity[1], bone.velocity[0]), share0);
   const auto gap = hn::Max(before.gap, zero), speed = dot(d, before.normal, velocity);
@@ -96,6 +98,12 @@ COIF_RARE void meet_within(D d, const PlacedCollider& collider, const MeetingBon
   keep(hn::IfThenElseZero(leaves, hn::Mul(gain, left)), meeting.leave);
 }
 
+/// Where the bone started before the step, world axes, seen from the head.
+template <class D>
+HWY_INLINE V3<D> start_before(D d, const RowStep& row, std::size_t lane, const M3<D>& turn, const Carrier<D>& from) {
+  return sub(d, rotate(d, turn, from.position), sub(d, from.way, load(d, row.move->way, lane)));
+}
+
 /// How the bone goes through the step. `before`: its direction then; the last two: of its start and end, before the
 /// step.
 template <class D>
@@ -108,7 +116,7 @@ HWY_INLINE MeetingBone<D> meeting_bone(D d, const RowStep& row, std::size_t lane
   MeetingBone<D> meeting;
   meeting.length = load(d, row.constants[bone].length, lane);
   meeting.hit_radius = load(d, row.constants[bone].hit_radius, lane);
-  const V3<D> start = sub(d, rotate(d, turn, from.position), sub(d, from.way, load(d, move.way, lane)));
+  const V3<D> start = start_before(d, row, lane, turn, from);
   const V3<D> end = add_scaled(d, start, before, meeting.length);
   const auto against = [&](const V3<D>& of_place, const V3<D>& place) {
     return rotate_back(d, turn_before, sub(d, sub(d, of_place, velocity), cross(d, turning, place)));
@@ -143,7 +151,7 @@ HWY_INLINE bool find_meeting(D d, const RowStep& row, std::size_t lane, std::siz
       meeting.share = meeting.leave = meeting.when = zero;
     }
     Deepest<D> now;
-    find_gap(d, colliders[i], way.start[1], way.direction[1], way.length, way.hit_radius, now);
+    find_gap(d, colliders[i], way.start[0], way.start[1], way.direction[1], way.length, way.hit_radius, now);
     meet_within(d, colliders[i], way, dt, now, here, meeting);
   }
   return !hn::AllFalse(d, hn::Gt(meeting.lift, zero));

@@ -30,6 +30,8 @@ COIF_RARE hn::Mask<D> PassiveChain<D>::find_lying() {
     if (any_rigid(i)) asked = hn::AndNot(rigid_lanes(i), asked);
     if (hn::AllFalse(d_, asked)) continue;
     const V3<D> direction = rotate_back(d_, turn_, bone.direction);
+    const V3<D> began = rotate_back(d_, load(d_, row_.move->from_head_before, lane_),
+                                    start_before(d_, row_, lane_, turn_, carrier_of(i)));
     const BoneLanes& constants = row_.constants[i];
     const auto length = load(d_, constants.length, lane_), hit_radius = load(d_, constants.hit_radius, lane_);
     for (std::uint32_t set = row_.bones[i].colliders; set != 0; set &= set - 1) {
@@ -37,7 +39,7 @@ COIF_RARE hn::Mask<D> PassiveChain<D>::find_lying() {
       const auto here = hn::And(asked, lanes_with(d_, constants, lane_, c));
       if (hn::AllFalse(d_, here)) continue;
       Deepest<D> now;
-      find_gap(d_, (*row_.colliders)[c], start, direction, length, hit_radius, now);
+      find_gap(d_, (*row_.colliders)[c], began, start, direction, length, hit_radius, now);
       const auto deeper = hn::And(here, hn::Gt(hn::Neg(now.gap), bone.touch.lift));
       bone.touch.set(d_, deeper, rotate(d_, turn_, now.normal), hn::Div(now.along, length), hn::Neg(now.gap));
     }

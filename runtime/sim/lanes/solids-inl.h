@@ -74,6 +74,9 @@ class Solid {
 
   COIF_RARE void find_deepest(const V3<D>& direction, Deepest<D>& at) const;
 
+  /// A bone that starts deep in the collider, as `before` says, comes out at its end or not at all.
+  HWY_INLINE void start_as_deep_as(const Solid& before) { is_deep_ = before.is_deep_; }
+
  private:
   [[nodiscard]] bool is_ellipsoid() const { return collider_.shape == ColliderShape::kEllipsoid; }
   /// Only what moves may be a box.
