@@ -8,6 +8,8 @@ import shutil
 import sys
 from pathlib import Path
 
+import jsonschema
+
 from cook_strands import RECIPE, Bench, obj, strands, tfx
 
 
@@ -32,8 +34,14 @@ def figures_are_complete(found):
     return asset
 
 
+def keeps_to_its_schema(found):
+    schema = json.loads(Path(__file__).parents[2].joinpath("tools/report/reports.schema.json").read_text())
+    faults = [error.message for error in jsonschema.Draft202012Validator(schema).iter_errors(found)]
+    assert not faults and found["report"] == "cards", faults
+
+
 def page_has_pictures(page):
-    assert page.count("data:image/png;base64,") == 4 and page.count("<svg") == 4
+    assert page.count('"png":"iVBOR') == 4 and page.count('{"chart":') + page.count('"chart": {') == 4
     for words in ("From the front.", "From the back.", "What did the cook keep?", "RMS error"):
         assert words in page, words
 
@@ -50,7 +58,9 @@ def main(program, folder):
     done = bench.coif("cook", "a.tfx", "-o", "a.coif", "--draft")
     assert done.returncode == 0, done.stderr
 
-    asset = figures_are_complete(report(bench, "--source", "a.tfx", "--budgets", "300", "-o", "out.html"))
+    found = report(bench, "--source", "a.tfx", "--budgets", "300", "-o", "out.html")
+    keeps_to_its_schema(found)
+    asset = figures_are_complete(found)
     page_has_pictures((folder / "out.html").read_text())
     # The same strands in another file are the same hair.
     other = report(bench, "--source", "b.obj", "--recipe", "a.recipe.json", "--budgets", "100")

@@ -12,7 +12,7 @@ from pathlib import Path
 
 def libraries(packages):
     group = re.search(r"^\[program\]$(.*?)^\[", packages, re.MULTILINE | re.DOTALL)
-    return re.findall(r"^[a-z]\S*-dev$", group[1] if group else "", re.MULTILINE)
+    return re.findall(r"^(?:[a-z]\S*-dev|libjs-\S+)$", group[1] if group else "", re.MULTILINE)
 
 
 def faults(packages, notices, spdx):

@@ -1,10 +1,13 @@
 #include "report/accuracy/accuracy_report.h"
 #include "report/made_up_report.h"
+#include "report/page/report_page.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <regex>
+#include <set>
 
 namespace coif::accuracy_page_test {
 
@@ -14,13 +17,6 @@ const AccuracyRow& mean_of(const std::vector<AccuracyRow>& means, const std::str
   }
   ADD_FAILURE() << "no " << solver;
   return means.front();
-}
-
-const PlotSeries* series_of(const Plot& plot, const std::string& name) {
-  for (const PlotSeries& series : plot.series) {
-    if (series.name == name) return &series;
-  }
-  return nullptr;
 }
 
 TEST(AccuracyMeans, AreOverMotionsAtTheRateNextToSixty) {
@@ -94,32 +90,23 @@ TEST(AccuracyMeans, OneFailureIsNotAveragedAway) {
   EXPECT_FALSE(mean_of(means, "coif", 1).pareto);
 }
 
-TEST(AccuracyPlots, RingAndJoinTheFront) {
-  const Plot plot = work_precision_figure(made_up_accuracy()).plot;
-  const PlotSeries* const front = series_of(plot, "Pareto front");
-  ASSERT_NE(front, nullptr);
-  ASSERT_EQ(front->points.size(), 3u);
-  EXPECT_EQ(front->points[0].x, 25);
-  EXPECT_EQ(front->points[2].x, 120);
-  EXPECT_EQ(series_of(plot, "coif")->marked.size(), 2u);
-  EXPECT_EQ(series_of(plot, "thesis")->marked.size(), 1u);
-  EXPECT_EQ(series_of(plot, "slow")->points.size(), 2u);
+TEST(AccuracyJson, MeansSayWhatIsOnTheFront) {
+  const auto json = accuracy_json(made_up_heading(), made_up_accuracy());
+  EXPECT_EQ(json["main_fps"], 60);
+  Keys front;
+  for (const auto& mean : json["means"]) {
+    if (mean["pareto"] == true) front.push_back(mean["setting"]);
+  }
+  EXPECT_EQ(front, (Keys{"coif", "coif x4", "thesis"}));
 }
 
-TEST(AccuracyPlots, OverFrameRatesUseFewestSubsteps) {
-  const AccuracyReport report = made_up_accuracy();
-  const Plot plot = frame_rate_figure(report, "turn").plot;
-  const PlotSeries* const series = series_of(plot, "coif");
-  ASSERT_NE(series, nullptr);
-  ASSERT_EQ(series->points.size(), 3u);
-  EXPECT_EQ(series->points[0].x, 30);
-  EXPECT_DOUBLE_EQ(series->points[0].y, 2);
-  EXPECT_EQ(plot.x_ticks, (std::vector<double>{30, 60, 120}));
-  const Plot stretch = stretch_figure(report).plot;
-  EXPECT_DOUBLE_EQ(series_of(stretch, "thesis")->points[0].y, 120);
+TEST(AccuracyJson, TellsWhichRowsHaveTheFewestSteps) {
+  const auto json = accuracy_json(made_up_heading(), made_up_accuracy());
+  for (const auto& row : json["rows"]) EXPECT_EQ(row["fewest_steps"], row["substeps"] == 1) << row;
+  for (const auto& mean : json["means"]) EXPECT_EQ(mean["fewest_steps"], mean["substeps"] == 1) << mean;
 }
 
-TEST(AccuracyPlots, ShowTheRuntimeAndTheBestOthersOnly) {
+TEST(AccuracyJson, ShowsTheRuntimeAndTheBestOthersFirst) {
   AccuracyReport report = made_up_accuracy();
   for (const char* name : {"worst", "better", "best"}) {
     AccuracyRow row = report.rows[0];
@@ -128,18 +115,22 @@ TEST(AccuracyPlots, ShowTheRuntimeAndTheBestOthersOnly) {
     row.rms_error_pct = std::string(name) == "best" ? 0.1 : std::string(name) == "better" ? 0.2 : 99;
     report.rows.push_back(row);
   }
-  std::vector<std::string> names;
-  for (const PlotSeries& series : frame_rate_figure(report, "nod").plot.series) names.push_back(series.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"coif", "thesis", "best", "better"}));
+  std::set<std::string> shown;
+  const auto json = accuracy_json(made_up_heading(), report);
+  for (const auto& row : json["rows"]) {
+    if (row["shown_first"] == true) shown.insert(row["solver"]);
+  }
+  EXPECT_EQ(shown, (std::set<std::string>{"coif", "thesis", "best", "better"}));
 }
 
-TEST(AccuracyPlots, PointsOffTheScaleAreLeftOutAndSaidSo) {
+TEST(AccuracyJson, TheSwingIsInMillimetresForTwoSecondsAndAHalf) {
   AccuracyReport report = made_up_accuracy();
-  EXPECT_EQ(stretch_figure(report).caption.find("left out"), std::string::npos);
-  report.rows[0].stretch_max_pct = 1.0e9;
-  const Figure figure = stretch_figure(report);
-  EXPECT_NE(figure.caption.find("above 1000 % are left out"), std::string::npos);
-  EXPECT_EQ(series_of(figure.plot, "coif")->points.size(), 2u);
+  report.swings.longest = {"fringe", 1.0, {0.5, -0.25, kNoNumber, 1}, {0.5, 0.25, 0, 1}};
+  const auto json = accuracy_json(made_up_heading(), report);
+  EXPECT_EQ(json["swing_chain"], "fringe");
+  ASSERT_EQ(json["swing_path"].size(), 3u);
+  EXPECT_EQ(json["swing_path"][1].dump(), R"({"seconds":2.0,"behind_mm":-250.0,"artist_behind_mm":250.0})");
+  EXPECT_TRUE(json["swing_path"][2]["behind_mm"].is_null());
 }
 
 TEST(AccuracySummary, NamesTheChoiceAndItsPrice) {
@@ -166,46 +157,20 @@ TEST(AccuracySummary, WarnsOfAReferenceThatDoesNotKnowItself) {
   }
 }
 
-TEST(AccuracyPage, HasAllPartsAndUniqueIds) {
-  const std::string page = accuracy_page(made_up_heading(), made_up_accuracy());
-  EXPECT_NE(page.find("bob &lt;b&gt;.coif"), std::string::npos);
-  EXPECT_EQ(page.find("<b>"), std::string::npos);
-  EXPECT_EQ(count_of(page, "<figure>"), 5u)
-      << "work and precision, the same by its own model, one for each motion, one of the stretch";
-  EXPECT_GT(expect_unique_ids(page), 8u);
-}
-
-TEST(AccuracyPage, EmptyReportIsShown) {
-  const std::string page = accuracy_page({}, {});
-  EXPECT_NE(page.find("no data"), std::string::npos);
+TEST(AccuracyPage, AnEmptyReportSaysSo) {
+  const std::string page = page_html(accuracy_json({}, {}), coif_accuracy_page);
   EXPECT_NE(page.find("No setting was chosen"), std::string::npos);
 }
 
-TEST(AccuracyTables, ShowADashForWhatDoesNotExist) {
-  AccuracyReport report;
-  report.rows.resize(1);
-  report.spread.push_back({"nod", "coif"});
-  report.reference.resize(1);
-  report.settle.resize(1);
-  report.rows[0].fps = 60;
-  for (const Table& table :
-       {settings_table(report), spread_table(report), page_table(reference_columns(2), report.reference),
-        page_table(settle_columns(2), report.settle), page_table(accuracy_columns(2), report.rows)}) {
-    ASSERT_EQ(table.rows.size(), 1u);
-    EXPECT_EQ(table.rows[0].size(), table.columns.size());
-    std::size_t dashes = 0;
-    for (const Cell& cell : table.rows[0]) dashes += cell.text == "-";
-    EXPECT_GE(dashes, 1u) << table.columns.back().title;
-  }
-}
-
 TEST(AccuracyTables, ColorsCompareWithTheBudget) {
-  const Table table = settings_table(made_up_accuracy());
-  // coif 1 %, 0.25 %; thesis 30 %, 7.5 %; slow 2 %, 0.5 %, against 2 %.
-  const CellLook looks[] = {CellLook::kGood,    CellLook::kGood, CellLook::kBad,
-                            CellLook::kWarning, CellLook::kGood, CellLook::kGood};
-  ASSERT_EQ(table.rows.size(), std::size(looks));
-  for (std::size_t i = 0; i < std::size(looks); ++i) EXPECT_EQ(table.rows[i][4].look, looks[i]) << i;
+  const auto columns = accuracy_json(made_up_heading(), made_up_accuracy())["columns"];
+  for (const char* list : {"rows", "means"}) {
+    const auto error = std::ranges::find_if(columns[list], [](const auto& c) { return c["key"] == "rms_error_pct"; });
+    ASSERT_NE(error, columns[list].end());
+    EXPECT_EQ((*error)["looks"].dump(),
+              R"([{"most":2.0,"look":"good"},{"most":20.0,"look":"warning"},{"look":"bad"}])");
+  }
+  EXPECT_TRUE(against_budget(kNoNumber).looks.is_null()) << "without a budget nothing is coloured";
 }
 
 TEST(AccuracyText, ShowsTheFrontAndTheBestOfEachSolver) {

@@ -1,6 +1,7 @@
 #include "base/text.h"
 #include "report/cost/cost_report.h"
 #include "report/made_up_report.h"
+#include "report/page/report_page.h"
 
 #include <gtest/gtest.h>
 
@@ -21,14 +22,15 @@ TEST(CostJson, HasTheDocumentedKeysAndTypes) {
   const ordered_json json = cost_json(made_up_heading(), made_up_cost());
   EXPECT_EQ(json["asset"], "bob <b>.coif");
   EXPECT_EQ(json["instruction_set"], "AVX9");
-  EXPECT_EQ(keys_of(json["simulation"][0]), (Keys{"heads", "solver", "substeps", "us_per_frame", "ns_per_bone_frame",
-                                                  "spread_pct", "bytes", "bytes_per_head"}));
-  EXPECT_EQ(keys_of(json["features"][0]),
-            (Keys{"feature", "description", "heads", "us_per_frame", "ns_per_bone_frame", "spread_pct", "change_pct"}));
+  EXPECT_EQ(keys_of(json["simulation"][0]),
+            (Keys{"heads", "solver", "substeps", "us_per_frame", "us_per_head", "ns_per_bone_frame", "spread_pct",
+                  "bytes", "bytes_per_head", "heads_in_1_ms", "usual_steps", "usual_heads"}));
+  EXPECT_EQ(keys_of(json["features"][0]), (Keys{"feature", "description", "heads", "us_per_frame", "us_per_head",
+                                                "ns_per_bone_frame", "spread_pct", "change_pct"}));
   EXPECT_EQ(keys_of(json["left_out"][0]), (Keys{"heads", "what", "why"}));
   EXPECT_EQ(keys_of(json["memory"]), (Keys{"bytes_per_head", "bytes_shared"}));
-  EXPECT_EQ(keys_of(json["file"]), (Keys{"bytes", "chunks", "framing_bytes"}));
-  EXPECT_EQ(keys_of(json["file"]["chunks"][0]), (Keys{"id", "what", "bytes", "use"}));
+  EXPECT_EQ(keys_of(json["file"]), (Keys{"bytes", "chunks", "framing_bytes", "drawing_bytes", "other_bytes"}));
+  EXPECT_EQ(keys_of(json["file"]["chunks"][0]), (Keys{"id", "what", "bytes", "share_pct", "use"}));
   EXPECT_TRUE(json["simulation"][0]["heads"].is_number_unsigned());
   EXPECT_EQ(json["file"]["chunks"][1]["use"], "drawing");
   EXPECT_TRUE(json["rendering_note"].is_null());
@@ -73,38 +75,38 @@ TEST(CostRows, UnitsNeedFewDigits) {
   EXPECT_EQ(bytes_text(1.5e6), "1.50 MB");
 }
 
-TEST(CostPlots, ScalingIsDoublyLogarithmic) {
-  const Plot time = crowd_time_figure(made_up_cost()).plot;
-  EXPECT_TRUE(time.log_x && time.log_y);
-  ASSERT_EQ(time.series.size(), 2u);
-  ASSERT_EQ(time.series[0].points.size(), 3u);
-  EXPECT_EQ(time.series[0].points[2].x, 100);
-  EXPECT_EQ(time.series[0].points[2].y, 200);
-}
-
-TEST(CostPlots, SubstepsAreOfOneHead) {
-  const Plot plot = substeps_figure(made_up_cost()).plot;
-  EXPECT_EQ(plot.series[1].points[2].x, 4);
-  EXPECT_EQ(plot.series[1].points[2].y, 4);
-  const Plot bone = bone_time_figure(made_up_cost()).plot;
-  EXPECT_EQ(bone.series[0].points[0].y, 200);
-}
-
-TEST(CostTables, RowsHaveAsManyCellsAsThereAreColumns) {
-  const CostReport report = made_up_cost();
-  for (const Table& table :
-       {page_table(simulation_columns(), report.simulation), page_table(memory_columns(), report.simulation),
-        page_table(feature_columns(), report.features), page_table(chunk_columns(1000), report.asset.chunks)}) {
-    EXPECT_FALSE(table.rows.empty());
-    for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size()) << table.columns[0].title;
+TEST(CostJson, RowsSayWhichComparisonTheyBelongTo) {
+  const ordered_json rows = cost_json(made_up_heading(), made_up_cost())["simulation"];
+  std::vector<int> scaling, substeps;
+  for (const auto& row : rows) {
+    if (row["solver"] != "coif") continue;
+    if (row["usual_steps"] == true) scaling.push_back(row["heads"]);
+    if (row["usual_heads"] == true) substeps.push_back(row["substeps"]);
   }
+  EXPECT_EQ(scaling, (std::vector<int>{1, 10, 100}));
+  EXPECT_EQ(substeps, (std::vector<int>{1, 2, 4}));
+  EXPECT_EQ(rows[2]["us_per_head"], 2);
+  EXPECT_EQ(rows[2]["heads_in_1_ms"], 500);
 }
 
-TEST(CostTables, UnsteadyTimesStandOut) {
-  const Table table = page_table(feature_columns(), made_up_cost().features);
-  EXPECT_EQ(table.rows[0][3].look, CellLook::kPlain);
-  EXPECT_EQ(table.rows[1][3].look, CellLook::kWarning);
-  EXPECT_EQ(table.rows[1][5].text, "-25 %");
+TEST(CostJson, PartsAddUpToTheFile) {
+  const ordered_json json = cost_json(made_up_heading(), made_up_cost());
+  ASSERT_EQ(json["file_parts"].size(), 4u) << "two chunks, what is between them, the whole";
+  EXPECT_EQ(json["file_parts"][0]["share_pct"], 48);
+  EXPECT_EQ(json["file_parts"][3]["bytes"], 1000);
+  EXPECT_EQ(json["file_parts"][3]["use"], "") << "a sum is for nothing";
+  EXPECT_EQ(json["file"]["drawing_bytes"], 400);
+  EXPECT_EQ(json["file"]["other_bytes"], 600);
+  EXPECT_EQ(json["memory_of_crowds"].size(), 3u);
+}
+
+TEST(CostJson, UnsteadyTimesStandOut) {
+  const ordered_json columns = cost_json(made_up_heading(), made_up_cost())["columns"];
+  for (const char* list : {"simulation", "features", "rendering", "distances", "table_1"}) {
+    const auto spread = std::ranges::find_if(columns[list], [](const auto& c) { return c["key"] == "spread_pct"; });
+    ASSERT_NE(spread, columns[list].end()) << list;
+    EXPECT_EQ((*spread)["looks"], half_spread().looks) << list;
+  }
 }
 
 TEST(CostSummary, SaysWhatOneHeadAndACrowdCost) {
@@ -129,20 +131,19 @@ TEST(CostSummary, RigidHairCostsNothing) {
   EXPECT_EQ(cost_summary(rigid_report()), "The hair is rigid: simulating it costs nothing.");
 }
 
-TEST(CostPage, HasAllParts) {
-  const std::string page = cost_page(made_up_heading(), made_up_cost());
-  for (const char* part : {"bob &lt;b&gt;.coif", "not with those of another machine", "AVX9", "no-colliders",
-                           "made-up device", "Not measured: drawing of 100, 1000 heads", "texels"}) {
-    EXPECT_NE(page.find(part), std::string::npos) << part;
-  }
-  EXPECT_EQ(count_of(page, "<figure>"), 5u);
+TEST(CostJson, NotesNameWhatWasLeftOut) {
+  const ordered_json notes = cost_json(made_up_heading(), made_up_cost())["notes"];
+  ASSERT_EQ(notes["left_out"].size(), 1u);
+  EXPECT_EQ(notes["left_out"][0]["about"], "drawing");
+  EXPECT_EQ(notes["left_out"][0]["text"], left_out_text(made_up_cost(), kDrawnCrowd));
 }
 
 TEST(CostPage, RigidHairWithoutADeviceStillHasItsBytes) {
-  const std::string page = cost_page(made_up_heading(), rigid_report());
-  EXPECT_NE(page.find("Nothing was drawn: no device."), std::string::npos);
-  EXPECT_NE(page.find("texels"), std::string::npos);
-  EXPECT_EQ(page.find("<figure>"), std::string::npos);
+  const ordered_json json = cost_json(made_up_heading(), rigid_report());
+  EXPECT_EQ(json["rendering_note"], "no device");
+  EXPECT_EQ(json["file_parts"][1]["what"], "texels");
+  EXPECT_TRUE(json["memory_of_crowds"].empty());
+  EXPECT_NE(page_html(json, coif_cost_page).find("Nothing was drawn: {rendering_note}."), std::string::npos);
 }
 
 TEST(CostText, HasALineForEveryRow) {
@@ -158,15 +159,15 @@ CostReport report_with_thesis_table() {
   return report;
 }
 
-bool has_column(const Table& table, const std::string& title) {
-  return std::ranges::find(table.columns, title, &Column::title) != table.columns.end();
+bool has_column(const ordered_json& columns, const std::string& title) {
+  return std::ranges::any_of(columns, [&title](const auto& column) { return column["title"] == title; });
 }
 
 TEST(DrawingJson, HasTheDocumentedKeysAndTypes) {
   const ordered_json json = cost_json(made_up_heading(), report_with_thesis_table());
   EXPECT_EQ(keys_of(json["rendering"][0]),
             (Keys{"heads", "transparency", "samples", "lod", "simulation", "strand_terms", "triangles", "ms_per_frame",
-                  "spread_pct", "gpu_ms_per_frame", "device"}));
+                  "spread_pct", "gpu_ms_per_frame", "device", "ms_per_head"}));
   EXPECT_TRUE(json["rendering"][0]["simulation"].is_boolean());
   EXPECT_TRUE(json["rendering"][0]["transparency"].is_string());
   EXPECT_EQ(json["rendering"][8]["device"], "made-up device");
@@ -237,82 +238,41 @@ TEST(ThesisTable, ACrowdWithAWayMissingHasNoRatio) {
   EXPECT_EQ(ratios[0].heads, 7u);
 }
 
-template <typename Row>
-void expect_full_rows(const Columns<Row>& columns, const std::vector<Row>& records) {
-  const Table table = page_table(columns, records);
-  EXPECT_FALSE(table.rows.empty());
-  for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size()) << table.columns[0].title;
+TEST(DrawingJson, TheDeviceHasAColumnWhereItTellsItsTime) {
+  const ordered_json columns = cost_json(made_up_heading(), report_with_thesis_table())["columns"];
+  EXPECT_EQ(columns["rendering"].back()["title"], "on the device");
+  EXPECT_EQ(columns["rendering"].back()["missing"], "not measured");
+  EXPECT_FALSE(has_column(columns["table_1"], "on the device"));
 }
 
-TEST(DrawingTables, RowsHaveAsManyCellsAsThereAreColumns) {
-  const RenderingCost rendering = report_with_thesis_table().rendering;
-  const auto& thesis = rendering.thesis_table;
-  expect_full_rows(rendering_columns("", rendering.rows), rendering.rows);
-  expect_full_rows(cost_distance_columns(rendering.distances), rendering.distances);
-  expect_full_rows(thesis_columns("", thesis.rows), thesis.rows);
-  expect_full_rows(ratio_columns(), ratios_of(thesis));
+TEST(DrawingJson, WhatWasPublishedStandsBeside) {
+  const ordered_json json = cost_json(made_up_heading(), report_with_thesis_table());
+  ASSERT_EQ(json["table_1_published"].size(), 4u);
+  EXPECT_EQ(json["table_1_published"][3]["transparent_fps"], 7);
+  EXPECT_EQ(json["table_1_published"][3]["opaque_fps"], 8);
+  EXPECT_EQ(json["table_1_setup"]["thesis_device"], kThesisTableDevice);
+  EXPECT_EQ(json["table_1_setup"]["width"], 64);
 }
 
-TEST(DrawingTables, TheDeviceHasAColumnWhereItTellsItsTime) {
-  const auto rows = made_up_cost().rendering.rows;
-  const Table table = page_table(rendering_columns("", rows), rows);
-  EXPECT_TRUE(has_column(table, "on the device"));
-  EXPECT_EQ(table.rows[0].back().text, "not measured");
-  EXPECT_EQ(table.rows[8].back().text, "125 us");
-  const auto thesis = made_up_thesis_table().rows;
-  EXPECT_FALSE(has_column(page_table(thesis_columns("", thesis), thesis), "on the device"));
-}
-
-TEST(DrawingPlots, DrawingIsDoublyLogarithmic) {
-  const Plot plot = drawing_figure(made_up_cost()).plot;
-  EXPECT_TRUE(plot.log_x && plot.log_y);
-  ASSERT_EQ(plot.series.size(), 4u);
-  for (const PlotSeries& series : plot.series) EXPECT_EQ(series.points.size(), 2u) << series.name;
-}
-
-TEST(DrawingPlots, ThesisStandsBesideWhatWasMeasured) {
-  const Plot plot = thesis_table_figure(made_up_thesis_table()).plot;
-  ASSERT_EQ(plot.series.size(), 4u);
-  EXPECT_EQ(plot.series[0].points.size(), 2u);
-  ASSERT_EQ(plot.series[2].points.size(), 4u);
-  EXPECT_EQ(plot.series[2].points[3].y, 7);
-  EXPECT_EQ(plot.series[3].points[3].y, 8);
-}
-
-TEST(DrawingPlots, DistancesShowBothLevels) {
-  const Plot plot = distances_figure(made_up_cost().rendering).plot;
-  ASSERT_EQ(plot.series.size(), 2u);
-  EXPECT_EQ(plot.series[0].points[1].y, 4);
-  EXPECT_EQ(plot.series[1].points[1].y, 1);
-  EXPECT_EQ(plot.series[1].points[1].x, 20);
-}
-
-TEST(DrawingPage, NamesTheThesisTablesDeviceAndWhatWasMeasuredHere) {
-  const std::string page = cost_page(made_up_heading(), report_with_thesis_table());
-  for (const char* part : {"Table 1 of the thesis", kThesisTableDevice, "Here: made-up device, 64 x 48",
-                           "thesis: frames a second", "What does distance spare?"}) {
-    EXPECT_NE(page.find(part), std::string::npos) << part;
-  }
-}
-
-TEST(DrawingPage, SaysThatTheDeviceDoesNotTellItsTime) {
+TEST(DrawingJson, SaysThatTheDeviceDoesNotTellItsTime) {
   CostReport report = made_up_cost();
   report.rendering.rows.pop_back();
   report.rendering.device = "llvmpipe (made up)";
-  const std::string page = cost_page(made_up_heading(), report);
-  EXPECT_NE(page.find("Time on the device itself: not measured"), std::string::npos);
-  EXPECT_NE(page.find("draws on the processor, not on a graphics card"), std::string::npos);
-  EXPECT_EQ(page.find("Table 1 of the thesis"), std::string::npos) << "nobody asked for it";
+  const ordered_json json = cost_json(made_up_heading(), report), notes = json["notes"];
+  EXPECT_NE(notes["device_time"].get<std::string>().find("itself: not measured"), std::string::npos);
+  EXPECT_NE(notes["device"].get<std::string>().find("not on a graphics card"), std::string::npos);
+  EXPECT_TRUE(json["table_1_setup"].is_null()) << "nobody asked for it";
 }
 
-TEST(DrawingPage, SaysWhichCrowdsAreMissing) {
+TEST(DrawingJson, SaysWhichCrowdsAreMissing) {
   CostReport report = made_up_cost();
   report.left_out.push_back({200, kThesisTable, "one frame takes a minute"});
   report.left_out.push_back({512, kDistances, "one frame takes an hour"});
-  const std::string page = cost_page(made_up_heading(), report);
-  EXPECT_NE(page.find("Not measured: Table 1 of 200 heads; one frame takes a minute."), std::string::npos);
-  EXPECT_NE(page.find("Not measured: distance of 512 heads; one frame takes an hour. More --time takes in more."),
-            std::string::npos);
+  const ordered_json notes = cost_json(made_up_heading(), report)["notes"]["left_out"];
+  ASSERT_EQ(notes.size(), 3u);
+  EXPECT_EQ(notes[1]["text"],
+            "Not measured: distance of 512 heads; one frame takes an hour. More --time takes in more.");
+  EXPECT_EQ(notes[2]["text"], "Not measured: Table 1 of 200 heads; one frame takes a minute.");
 }
 
 TEST(DrawingSummary, SaysWhatTransparencyAndSimulationCost) {

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <regex>
-#include <set>
 
 namespace coif {
 
@@ -18,37 +16,6 @@ std::size_t count_of(const std::string& text, const std::string& word) {
   std::size_t count = 0;
   for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
   return count;
-}
-
-void expect_well_formed(const std::string& xml) {
-  const std::regex part("<(/?)([a-z]+)((?: [A-Za-z:-]+=\"[^\"<>]*\")*) ?(/?)>|[^<>&]+|&(?:amp|lt|gt|quot|#39);");
-  std::vector<std::string> open;
-  std::size_t read = 0;
-  for (std::sregex_iterator it(xml.begin(), xml.end(), part, std::regex_constants::match_continuous), end; it != end;
-       ++it) {
-    read += std::size_t(it->length());
-    const std::string name = (*it)[2];
-    if (name.empty() || (*it)[4] == "/") continue;
-    if ((*it)[1].length() == 0) {
-      open.push_back(name);
-    } else {
-      ASSERT_TRUE(!open.empty() && open.back() == name) << name;
-      open.pop_back();
-    }
-  }
-  EXPECT_EQ(read, xml.size()) << xml.substr(read, 200);
-  EXPECT_TRUE(open.empty());
-}
-
-std::size_t expect_unique_ids(const std::string& document) {
-  std::set<std::string> ids;
-  std::size_t definitions = 0;
-  const std::regex id("<[a-z]+ [^>]*\\bid=['\"]([^'\"]*)['\"]");
-  for (std::sregex_iterator it(document.begin(), document.end(), id), end; it != end; ++it, ++definitions) {
-    ids.insert((*it)[1]);
-  }
-  EXPECT_EQ(ids.size(), definitions);
-  return definitions;
 }
 
 namespace {

@@ -15,12 +15,6 @@ using Keys = std::vector<std::string>;
 /// How often a word is in a text.
 [[nodiscard]] std::size_t count_of(const std::string& text, const std::string& word);
 
-/// Every tag of the XML closes the one that was opened last, and quotes and ampersands stand where they may.
-void expect_well_formed(const std::string& xml);
-
-/// All ids that a document defines are different; returns how many there are.
-std::size_t expect_unique_ids(const std::string& document);
-
 [[nodiscard]] ReportHeading made_up_heading();
 
 /// Three solvers, two motions, three frame rates, 1 and 4 sub-steps, without a NaN. The solvers' errors and costs are

@@ -88,20 +88,13 @@ TEST_F(CardsReports, HaveEachSetOfCardsFromEachDirection) {
   }
 }
 
-TEST_F(CardsReports, HavePagesWithPlotsAndPictures) {
+TEST_F(CardsReports, HaveTheirPictures) {
   ASSERT_EQ(report_->sheets.size(), 4u) << "three sides and the textures";
-  EXPECT_EQ(count_of(cards_page(made_up_heading(), *report_), "data:image/png"), 4u);
-  CardsReport plain = *report_;
-  plain.sheets.clear();  // what follows reads every letter
-  const std::string page = cards_page(made_up_heading(), plain);
-  EXPECT_EQ(count_of(page, "<svg"), 4u);
-  EXPECT_EQ(count_of(page, "data:image/png"), 0u);
-  (void)expect_unique_ids(page);
-  for (const CardsAxis axis : {CardsAxis::kTriangles, CardsAxis::kSeconds}) {
-    const Plot plot = cards_error_figure(plain, axis).plot;
-    ASSERT_EQ(plot.series.size(), axis == CardsAxis::kTriangles ? 4u : 3u) << "the asset was not made here";
-    for (const PlotSeries& series : plot.series) EXPECT_FALSE(series.points.empty()) << series.name;
-    expect_well_formed(draw(plot));
+  const nlohmann::ordered_json json = cards_json(made_up_heading(), *report_);
+  ASSERT_EQ(json["sheets"].size(), 4u);
+  for (const auto& sheet : json["sheets"]) {
+    EXPECT_TRUE(sheet["png"].get<std::string>().starts_with("iVBORw0KGgo")) << "the PNG signature";
+    EXPECT_NE(sheet["caption"], "");
   }
 }
 
@@ -127,7 +120,7 @@ TEST_F(CardsReports, HaveTheDocumentedKeys) {
   EXPECT_EQ(json["rows"][0]["direction"].size(), 3u);
   const Keys figures{"mean_coverage_iou", "worst_coverage_iou", "mean_psnr_db", "worst_psnr_db",
                      "mean_error",        "vertices",           "fragments",    "layers"};
-  Keys summary{"triangles", "texels", "baseline", "cards", "made_triangles", "made_texels", "segments"};
+  Keys summary{"name", "triangles", "texels", "baseline", "cards", "made_triangles", "made_texels", "segments"};
   summary.insert(summary.end(), figures.begin(), figures.end());
   summary.emplace_back("seconds");
   EXPECT_EQ(keys_of(json["summary"][0]), summary);

@@ -36,7 +36,7 @@ TEST(OrderJson, HasTheDocumentedKeysAndTypes) {
                                                   "bad_pixels_pct", "median_psnr_db"}));
   EXPECT_EQ(keys_of(json["distance"][0]), (Keys{"pixels", "coverage_pct", "lod", "lod_coverage_pct"}));
   EXPECT_EQ(keys_of(json["reference"][0]), (Keys{"against", "psnr_db", "max_difference"}));
-  EXPECT_EQ(keys_of(json["worst"][0]), (Keys{"name", "pose", "yaw", "pitch", "psnr_db"}));
+  EXPECT_EQ(keys_of(json["worst"][0]), (Keys{"name", "pose", "yaw", "pitch", "psnr_db", "caption", "png"}));
   EXPECT_EQ(keys_of(json["left_out"][0]), (Keys{"what", "why"}));
   EXPECT_EQ(keys_of(json["gain_over_head_db"]), (Keys{"rest", "turn"}));
 }
@@ -57,44 +57,25 @@ TEST(OrderJson, HoldsEveryRow) {
   EXPECT_EQ(json["gain_over_head_db"]["turn"], 20);
 }
 
-TEST(OrderTables, RowsHaveAsManyCellsAsThereAreColumns) {
-  const OrderReport report = made_up_order();
-  for (const Table& table :
-       {page_table(order_columns(), report.rows), page_table(mode_columns(), report.modes),
-        page_table(threshold_columns(), report.thresholds), page_table(order_distance_columns(), report.distance),
-        page_table(self_difference_columns(), report.reference)}) {
-    EXPECT_FALSE(table.rows.empty());
-    for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size()) << table.columns[0].title;
-  }
-}
-
-TEST(OrderTables, LargeErrorsStandOut) {
-  const Table table = page_table(order_columns(), made_up_order().rows);
-  EXPECT_EQ(table.rows[0][3].look, CellLook::kBad);
-  EXPECT_EQ(table.rows[1][3].look, CellLook::kGood);
-}
-
-TEST(OrderPlots, ViewsGoFromBestToWorst) {
-  const Plot plot = order_views_figure(made_up_order(), "rest").plot;
-  ASSERT_EQ(plot.series.size(), 3u);
-  for (const PlotSeries& series : plot.series) {
-    ASSERT_EQ(series.points.size(), 4u);
-    for (std::size_t i = 1; i < 4; ++i) {
-      EXPECT_LE(series.points[i].y, series.points[i - 1].y);
-      EXPECT_GT(series.points[i].x, series.points[i - 1].x);
+TEST(OrderJson, LargeErrorsStandOut) {
+  EXPECT_EQ(decibels().looks.dump(), R"([{"least":40,"look":"good"},{"least":30,"look":"neutral"},{"look":"bad"}])");
+  const ordered_json json = order_json(made_up_heading(), made_up_order());
+  for (const auto& [list, columns] : json["columns"].items()) {
+    for (const auto& column : columns) {
+      const bool is_psnr = column["key"].get<std::string>().ends_with("psnr_db");
+      EXPECT_EQ(column.contains("looks"), is_psnr) << list << " " << column;
     }
   }
 }
 
-TEST(OrderPlots, CostHasEachWayOnce) {
-  const Plot plot = order_cost_figure(made_up_order()).plot;
-  EXPECT_EQ(plot.series.size(), 4u) << "three orders at rest, and opaque: blend is one of the orders";
-}
-
-TEST(OrderPlots, OwnThresholdIsMarked) {
-  const Plot plot = thresholds_figure(made_up_order()).plot;
-  ASSERT_EQ(plot.series[0].marked.size(), 1u);
-  EXPECT_EQ(plot.series[0].marked[0].x, 0.8);
+TEST(OrderJson, ViewsGoFromBestToWorst) {
+  const ordered_json views = order_json(made_up_heading(), made_up_order())["view_errors"];
+  ASSERT_EQ(views.size(), 6u * 4);
+  for (std::size_t i = 1; i < 4; ++i) {
+    EXPECT_EQ(views[i]["order"], "head");
+    EXPECT_LE(views[i]["psnr_db"], views[i - 1]["psnr_db"]);
+    EXPECT_GT(views[i]["views_pct"], views[i - 1]["views_pct"]);
+  }
 }
 
 TEST(OrderSummary, SaysHowExactTheOwnOrderIsAndWhatToChange) {
@@ -124,13 +105,12 @@ TEST(OrderText, HasALineForEveryRow) {
   EXPECT_NE(text.find("left out: bones: this program <cannot>"), std::string::npos) << text;
 }
 
-TEST(OrderPage, HasAllPartsAndItsPicturesInside) {
-  const std::string page = order_page(made_up_heading(), made_up_order());
-  for (const char* part : {"bob &lt;b&gt;.coif", "made-up device", "this program &lt;cannot&gt;", "opaque",
-                           "src=\"data:image/png;base64,AQID\"", "img-src data:", "yaw 90, pitch 0"}) {
-    EXPECT_NE(page.find(part), std::string::npos) << part;
-  }
-  EXPECT_EQ(count_of(page, "<figure>"), 6u) << "two poses, cost, thresholds, distances and one picture";
+TEST(OrderJson, HasItsPicturesAndWhatTheyShow) {
+  const ordered_json json = order_json(made_up_heading(), made_up_order());
+  EXPECT_EQ(json["worst"][0]["png"], "AQID");
+  EXPECT_EQ(json["worst"][0]["caption"], "head, rest: 15.0 dB from yaw 90, pitch 0 degrees");
+  EXPECT_EQ(json["left_out"][0]["why"], "this program <cannot>");
+  EXPECT_EQ(json["notes"]["device"], "made-up device");
 }
 
 ShadowTotal made_up_total(const char* technique, std::uint32_t layers, std::uint32_t size, double rmse) {
@@ -170,11 +150,12 @@ TEST(ShadowJson, HasTheDocumentedKeysAndTypes) {
   EXPECT_EQ(json["hair_points"], 1234);
   EXPECT_EQ(keys_of(json["lights"][0]), (std::vector<std::string>{"light", "yaw", "pitch"}));
   EXPECT_EQ(keys_of(json["rows"][0]),
-            (std::vector<std::string>{"technique", "layers", "size", "light", "pose", "rmse", "bias", "max",
-                                      "head_rmse", "head_bias", "ms", "read_ns", "bytes"}));
-  EXPECT_EQ(keys_of(json["totals"][0]),
-            (std::vector<std::string>{"technique", "layers", "size", "rmse", "bias", "max", "head_rmse", "head_bias",
-                                      "worst_light", "worst_pose", "worst_rmse", "ms", "read_ns", "bytes"}));
+            (std::vector<std::string>{"technique", "layers", "size", "kind", "name", "light", "pose", "rmse", "bias",
+                                      "max", "head_rmse", "head_bias", "ms", "read_ns", "bytes"}));
+  EXPECT_EQ(
+      keys_of(json["totals"][0]),
+      (std::vector<std::string>{"technique", "layers", "size", "kind", "name", "rmse", "bias", "max", "head_rmse",
+                                "head_bias", "worst_light", "worst_pose", "worst_rmse", "ms", "read_ns", "bytes"}));
   for (const char* key : {"truth_aside", "truth_rmse", "truth_compared"}) EXPECT_TRUE(json.contains(key)) << key;
   ASSERT_EQ(json["rows"].size(), 4u);
   EXPECT_EQ(json["rows"][2]["rmse"], 0.12);
@@ -211,13 +192,11 @@ TEST(ShadowText, HasALineForEachTechnique) {
       << text;
 }
 
-TEST(ShadowPage, HasAllPartsAndEscapesNames) {
-  const std::string page = shadow_page(made_up_heading(), made_up_shadows());
-  for (const char* part : {"bob &lt;b&gt;.coif", "made-up device", "low &lt;sun&gt;, turn", "deep, 4 layers, 512",
-                           "1234 points of hair", "without shadows"}) {
-    EXPECT_NE(page.find(part), std::string::npos) << part;
-  }
-  EXPECT_EQ(page.find("<sun>"), std::string::npos);
+TEST(ShadowJson, NamesMapsWithAndWithoutTheirSize) {
+  const ordered_json json = shadow_json(made_up_heading(), made_up_shadows());
+  EXPECT_EQ(json["totals"][3]["kind"], "deep, 4 layers");
+  EXPECT_EQ(json["totals"][3]["name"], "deep, 4 layers, 512");
+  EXPECT_NE(json["notes"]["method"].get<std::string>().find("1234 points of hair"), std::string::npos);
 }
 
 }  // namespace coif::order_page_test

@@ -145,29 +145,23 @@ TEST(StabilityTotals, HairThatDoesNotRestIsAFailure) {
   EXPECT_NE(text.find("Broke down: " + report.rows.front().solver + " (in 1)"), std::string::npos) << text;
 }
 
-TEST(StabilityPage, HasARowForEachCaseAndAColumnForEachSolver) {
-  const std::string html = stability_page(made_up_heading(), made_up_stability());
-  const std::regex row(
-      "<tr><td>turn_10fps</td><td class=\"prose\">head shaken at 10 frames per second</td>"
-      "<td class=\"good\">ok<br>stretch 0 %<br>inside 0 %</td>"
-      "<td class=\"good\">ok<br>stretch 132 %<br>inside 7.00 %</td>"
-      "<td class=\"warning\">diverged<br>stretch 4.0e\\+09 %<br>inside 100 %</td></tr>");
-  EXPECT_TRUE(std::regex_search(html, row)) << html;
-  EXPECT_NE(html.find("<td class=\"neutral\">rejected</td><td class=\"bad\">nan</td></tr>"), std::string::npos);
-  EXPECT_NE(html.find("<th scope=\"col\">slow</th>"), std::string::npos);
-  EXPECT_EQ(html.find("<b>"), std::string::npos);
+TEST(StabilityJson, HasTotalsAndWhatOutcomesMean) {
+  const auto json = stability_json(made_up_heading(), made_up_stability());
+  ASSERT_EQ(json["totals"].size(), 3u);
+  EXPECT_EQ(json["totals"][1]["solver"], "thesis");
+  EXPECT_EQ(json["totals"][1]["rejected"], 1);
+  EXPECT_EQ(json["totals"][1]["stretch_max_pct"], 132);
+  EXPECT_TRUE(json["totals"][2]["settle_error_pct"].is_null());
+  ASSERT_EQ(json["outcomes"].size(), kOutcomes.size());
+  EXPECT_EQ(json["outcomes"][4]["outcome"], "nan");
+  EXPECT_NE(json["outcomes"][4]["meaning"].get<std::string>().find("disappears"), std::string::npos);
 }
 
-TEST(StabilityPage, ShowsADashForWhatDoesNotExist) {
-  StabilityReport report = made_up_stability();
-  report.rows.erase(report.rows.begin());
-  const std::string html = stability_page(made_up_heading(), report);
-  EXPECT_NE(
-      html.find("<td class=\"prose\">head shaken at 10 frames per second</td><td class=\"good\">ok<br>stretch 132"),
-      std::string::npos);
-  EXPECT_NE(html.find("<td class=\"good\">ok<br>stretch 0.250 %<br>inside 0 %</td>"), std::string::npos);
-  EXPECT_TRUE(std::regex_search(html, std::regex("<td>-</td>")));
-  EXPECT_TRUE(std::regex_search(html, std::regex("nan</td><td class=\"number\">-</td><td class=\"number\">-</td>")));
+TEST(StabilityJson, ColoursSayHowBadOutcomesAre) {
+  const auto looks = outcome_format().looks;
+  EXPECT_EQ(looks.dump(), R"([{"is":"ok","look":"good"},{"is":"rejected","look":"neutral"},)"
+                          R"({"is":"restless","look":"warning"},{"is":"diverged","look":"warning"},)"
+                          R"({"is":"nan","look":"bad"}])");
 }
 
 TEST(StabilityText, HasALineForEachSolver) {

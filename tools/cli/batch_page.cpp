@@ -1,10 +1,11 @@
 #include "cli/batch.h"
 
+#include "base/encodings.h"
 #include "base/text.h"
 #include "cli/input_files.h"
 #include "process/child_process.h"
 #include "render/picture.h"
-#include "report/page/html_page.h"
+#include "report/page/report_page.h"
 
 #include <fmt/format.h>
 
@@ -68,44 +69,25 @@ std::string fault_of(const Outcomes& file) {
   return error.starts_with(prefix) ? error.substr(prefix.size()) : error;
 }
 
-Table failures(const std::vector<Outcomes>& files, const Places& places) {
-  Table table{{{"Source"}, {"Status"}, {"What and cure", Column::Kind::kProse}}, {}};
+Outcomes failures(const std::vector<Outcomes>& files, const Places& places) {
+  Outcomes rows = Outcomes::array();
   for (const Outcomes& file : files) {
-    table.rows.push_back({{places.source(file)}, {text_of(file, "status"), CellLook::kBad}, {fault_of(file)}});
+    rows.push_back({{"source", places.source(file)}, {"status", text_of(file, "status")}, {"error", fault_of(file)}});
   }
-  return table;
+  return rows;
 }
 
-std::string lines(const Outcomes& texts) {
-  std::string all;
-  for (const auto& text : texts) all += (all.empty() ? "" : "\n") + text.get<std::string>();
-  return all;
-}
-
-Table assets(const std::vector<Outcomes>& files, const std::vector<Bytes>& pictures, const Places& places) {
-  using Kind = Column::Kind;
-  Table table{{{"Picture"},
-               {"Source and asset"},
-               {"Triangles", Kind::kNumbers},
-               {"Moving bones", Kind::kNumbers},
-               {"Bytes", Kind::kNumbers},
-               {"ms", Kind::kNumbers},
-               {"From cache"},
-               {"Warnings", Kind::kProse}},
-              {}};
+Outcomes assets(const std::vector<Outcomes>& files, const std::vector<Bytes>& pictures, const Places& places) {
+  Outcomes rows = Outcomes::array();
   for (std::size_t i = 0; i < files.size(); ++i) {
     const Outcomes& file = files[i];
-    const auto figure = [&](const char* key) { return Cell{fmt::format("{}", file[key].get<std::uint64_t>())}; };
-    table.rows.push_back({{"", CellLook::kPlain, pictures[i]},
-                          {places.source(file) + "\n" + places.asset(file)},
-                          figure("triangles"),
-                          figure("simulated_bones"),
-                          figure("bytes"),
-                          {fmt::format("{:.0f}", file["ms"].get<double>())},
-                          {file["from_cache"].get<bool>() ? "yes" : "no"},
-                          {lines(file["warnings"]), file["warnings"].empty() ? CellLook::kPlain : CellLook::kWarning}});
+    Outcomes row{{"png", base64(pictures[i])}, {"files", {places.source(file), places.asset(file)}}};
+    for (const char* const key : {"triangles", "simulated_bones", "bytes", "ms", "from_cache", "warnings"}) {
+      row[key] = file[key];
+    }
+    rows.push_back(row);
   }
-  return table;
+  return rows;
 }
 
 std::string undrawn_text(std::size_t count) {
@@ -115,6 +97,9 @@ std::string undrawn_text(std::size_t count) {
 
 }  // namespace
 
+// How the page shows that: cook_page.json.
+extern "C" const char coif_cook_page[];
+
 std::string batch_page(const Outcomes& outcomes, unsigned jobs) {
   const std::vector<Outcomes> files(outcomes.begin(), outcomes.end());
   std::vector<Outcomes> cooked, failed;
@@ -122,18 +107,14 @@ std::string batch_page(const Outcomes& outcomes, unsigned jobs) {
   const std::vector<Bytes> pictures = thumbnails(cooked, jobs);
   const Places places{common_folder(files, "source"), common_folder(files, "output")};
   const auto undrawn = std::size_t(std::ranges::count_if(pictures, &Bytes::empty));
-  HtmlPage page("coif cook");
-  page.summary(sentence(count(outcomes)) + ".");
-  page.paragraph(fmt::format("Sources lie in {}, assets in {}", places.sources.empty() ? "./" : places.sources,
-                             places.assets.empty() ? "./" : places.assets));
-  if (!failed.empty()) {
-    page.heading("Failed");
-    page.table(failures(failed, places));
-  }
-  page.heading("Cooked");
-  if (undrawn > 0) page.paragraph(undrawn_text(undrawn));
-  page.table(assets(cooked, pictures, places));
-  return page.text();
+  return page_html({{"title", "coif cook"},
+                    {"finding", sentence(count(outcomes)) + "."},
+                    {"sources", places.sources.empty() ? "./" : places.sources},
+                    {"assets", places.assets.empty() ? "./" : places.assets},
+                    {"undrawn", undrawn > 0 ? undrawn_text(undrawn) : ""},
+                    {"failed", failures(failed, places)},
+                    {"cooked", assets(cooked, pictures, places)}},
+                   coif_cook_page);
 }
 
 }  // namespace coif

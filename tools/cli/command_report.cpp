@@ -12,6 +12,7 @@
 #include "report/cards/cards_report.h"
 #include "report/cost/cost_report.h"
 #include "report/order/order_report.h"
+#include "report/page/report_page.h"
 #include "report/shadow/shadow_report.h"
 #include "report/stability/stability_report.h"
 
@@ -52,8 +53,17 @@ template <typename Report>
 struct ReportForms {
   std::string (*text)(const ReportHeading&, const Report&);
   nlohmann::ordered_json (*json)(const ReportHeading&, const Report&);
-  std::string (*page)(const ReportHeading&, const Report&);
+  const char* layout;  ///< Of the page.
 };
+
+/// Pictures are for the page.
+nlohmann::ordered_json without_pictures(nlohmann::ordered_json report) {
+  for (const char* const list : {"worst", "sheets"}) {
+    if (!report.contains(list)) continue;
+    for (auto& picture : report[list]) picture.erase("png");
+  }
+  return report;
+}
 
 template <typename Report, typename Measure>
 tl::expected<Rendered, ToolError> report_on(const ReportJob& job, const ReportForms<Report>& forms, Measure measure) {
@@ -64,7 +74,8 @@ tl::expected<Rendered, ToolError> report_on(const ReportJob& job, const ReportFo
   }
   const auto report = timed(job.options.file, heading, measure);
   if (!report) return tl::unexpected(report.error());
-  const std::string numbers = json_text(forms.json(heading, *report));
+  const nlohmann::ordered_json json = forms.json(heading, *report);
+  const std::string numbers = json_text(without_pictures(json));
   const bool as_json = job.options.format == OutputFormat::kJson;
   Rendered rendered{as_json ? numbers : forms.text(heading, *report), ""};
   if (job.suffix.empty()) return rendered;
@@ -72,7 +83,7 @@ tl::expected<Rendered, ToolError> report_on(const ReportJob& job, const ReportFo
     if (!job.view.empty()) rendered.printed += job.options.view + ": written\n";
     rendered.printed += job.options.output + ": written\n";
   }
-  rendered.file = job.suffix == kPageSuffix ? forms.page(heading, *report) : numbers;
+  rendered.file = job.suffix == kPageSuffix ? page_html(json, forms.layout) : numbers;
   return rendered;
 }
 
@@ -104,24 +115,25 @@ tl::expected<Rendered, ToolError> report_subject(const ReportJob& job, const Acc
   };
   switch (job.options.subject) {
     case ReportSubject::kAccuracy:
-      return report_on<AccuracyReport>(job, {accuracy_text, accuracy_json, accuracy_page},
+      return report_on<AccuracyReport>(job, {accuracy_text, accuracy_json, coif_accuracy_page},
                                        with(measure_accuracy, accuracy));
     case ReportSubject::kStability:
-      return report_on<StabilityReport>(job, {stability_text, stability_json, stability_page},
+      return report_on<StabilityReport>(job, {stability_text, stability_json, coif_stability_page},
                                         with(measure_stability, job.options.stability));
     case ReportSubject::kOrder:
-      return report_on<OrderReport>(job, {order_text, order_json, order_page},
+      return report_on<OrderReport>(job, {order_text, order_json, coif_order_page},
                                     with(measure_order, order_settings(job.options)));
     case ReportSubject::kShadows:
-      return report_on<ShadowReport>(job, {shadow_text, shadow_json, shadow_page},
+      return report_on<ShadowReport>(job, {shadow_text, shadow_json, coif_shadows_page},
                                      with(measure_shadows, job.options.shadows));
     case ReportSubject::kCards:
-      return report_on<CardsReport>(job, {cards_text, cards_json, cards_page}, [&job](const ReportProgress& progress) {
-        const ReportStrands& strands = *job.strands;
-        return measure_cards(job.asset, strands.groom, strands.hash, strands.settings, progress);
-      });
+      return report_on<CardsReport>(
+          job, {cards_text, cards_json, coif_cards_page}, [&job](const ReportProgress& progress) {
+            const ReportStrands& strands = *job.strands;
+            return measure_cards(job.asset, strands.groom, strands.hash, strands.settings, progress);
+          });
     case ReportSubject::kCost:
-      return report_on<CostReport>(job, {cost_text, cost_json, cost_page},
+      return report_on<CostReport>(job, {cost_text, cost_json, coif_cost_page},
                                    with(measure_all_cost, cost_choice(job.options)));
   }
   return tl::unexpected(ToolError{ToolError::Kind::kInternal, "no such subject"});

@@ -3,7 +3,7 @@
 #include "base/json.h"
 #include "base/text.h"
 #include "render/picture.h"
-#include "report/page/html_page.h"
+#include "report/page/report_page.h"
 #include "validate/issue_codes.h"
 
 #include <fmt/format.h>
@@ -67,57 +67,60 @@ std::string verdicts_text(const std::vector<Verdict>& verdicts) {
 
 namespace {
 
-CellLook look(Severity severity) {
-  switch (severity) {
-    case Severity::kInfo: return CellLook::kNeutral;
-    case Severity::kWarning: return CellLook::kWarning;
-    case Severity::kError: return CellLook::kBad;
-  }
-  return CellLook::kPlain;
-}
+using nlohmann::ordered_json;
 
 std::string meaning(const std::string& code) {
   const IssueCode* row = find_issue_code(code);
   return row == nullptr ? "" : fmt::format("{} {}", row->meaning, row->cure);
 }
 
-Table issue_table(const JudgedIssues& issues) {
-  using Kind = Column::Kind;
-  Table table{{{"Code"}, {"Severity"}, {"Where"}, {"What", Kind::kProse}, {"Meaning and cure", Kind::kProse}}, {}};
+ordered_json issue_rows(const JudgedIssues& issues) {
+  ordered_json rows = ordered_json::array();
   for (const Issue& issue : issues.shown) {
-    table.rows.push_back({{issue.code},
-                          {name(issue.severity), look(issue.severity)},
-                          {issue.where},
-                          {issue.message},
-                          {meaning(issue.code)}});
+    rows.push_back({{"code", issue.code},
+                    {"severity", name(issue.severity)},
+                    {"where", issue.where},
+                    {"message", issue.message},
+                    {"meaning", meaning(issue.code)}});
   }
   for (const FoldedIssues& more : issues.folded) {
-    const std::string what = fmt::format("{} more like this", more.count);
-    table.rows.push_back({{more.code}, {name(more.severity), look(more.severity)}, {}, {what}, {}});
+    rows.push_back({{"code", more.code},
+                    {"severity", name(more.severity)},
+                    {"where", ""},
+                    {"message", fmt::format("{} more like this", more.count)},
+                    {"meaning", ""}});
   }
-  return table;
+  return rows;
 }
 
-void add_file(const Verdict& verdict, HtmlPage& page) {
+ordered_json file_json(const Verdict& verdict) {
   const JudgedIssues& issues = verdict.issues;
-  page.heading(verdict.path);
-  page.paragraph(fmt::format("{}: {}, {}, {}.", verdict_word(verdict), counted(issues.errors, "error", "errors"),
-                             counted(issues.warnings, "warning", "warnings"), counted(issues.infos, "note", "notes")));
-  if (!issues.shown.empty()) page.table(issue_table(issues));
+  ordered_json pictures = ordered_json::array();
   for (const IssuePicture& picture : verdict.pictures.pictures) {
-    page.picture(picture.png, fmt::format("Patch {}, in red, from its own side.", picture.patch));
+    const std::string caption = fmt::format("Patch {}, in red, from its own side.", picture.patch);
+    pictures.push_back({{"caption", caption}, {"png", base64(picture.png)}});
   }
-  if (!verdict.pictures.why_none.empty()) page.paragraph("Patches are not drawn: " + verdict.pictures.why_none);
+  return {
+      {"path", verdict.path},
+      {"verdict", fmt::format("{}: {}, {}, {}.", verdict_word(verdict), counted(issues.errors, "error", "errors"),
+                              counted(issues.warnings, "warning", "warnings"), counted(issues.infos, "note", "notes"))},
+      {"issues", issue_rows(issues)},
+      {"pictures", pictures},
+      {"why_no_pictures", verdict.pictures.why_none}};
 }
 
 }  // namespace
 
+// How the page shows files: validate_page.json.
+extern "C" const char coif_validate_page[];
+
 std::string verdict_page(std::span<const Verdict> verdicts) {
-  HtmlPage page("coif validate");
   const auto valid = std::ranges::count_if(verdicts, [](const Verdict& v) { return v.issues.valid(); });
-  page.summary(fmt::format("{} of {} files are valid.", valid, verdicts.size()));
-  for (const Verdict& verdict : verdicts) add_file(verdict, page);
-  return page.text();
+  ordered_json report{{"title", "coif validate"},
+                      {"finding", fmt::format("{} of {} files are valid.", valid, verdicts.size())},
+                      {"files", ordered_json::array()}};
+  for (const Verdict& verdict : verdicts) report["files"].push_back(file_json(verdict));
+  return page_html(report, coif_validate_page);
 }
 
 namespace {

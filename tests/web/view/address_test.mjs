@@ -3,7 +3,7 @@
 
 import { strict as assert } from 'node:assert';
 import { execFileSync } from 'node:child_process';
-import { mkdirSync, readFileSync } from 'node:fs';
+import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { launch, openPage } from './browser.mjs';
@@ -81,7 +81,6 @@ const cases = {
     const browser = await launch();
     try {
       const { page, complaints } = await openPage(browser, inWork('report.html'));
-      assert.equal(readFileSync(inWork('report.html'), 'utf8').includes('<script'), false);
       const follow = async (text) => {
         await page.click(`a:text-is("${text}")`);
         await page.waitForURL(/#motion=turn/);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <utility>
 
 namespace coif {
 namespace {
@@ -46,16 +47,18 @@ ViewLink accuracy_link(const AccuracyReport& report) {
   return link_at(report, "", main_frame_rate(report));
 }
 
-std::vector<PageLink> motion_links(const ReportHeading& heading, const AccuracyReport& report,
-                                   const std::string& motion) {
-  std::vector<PageLink> links;
-  if (heading.view.empty() || !find_motion(motion)) return links;
-  std::set<double> rates;
+nlohmann::ordered_json motion_links(const ReportHeading& heading, const AccuracyReport& report) {
+  auto links = nlohmann::ordered_json::array();
+  if (heading.view.empty()) return links;
+  std::set<std::pair<std::string, double>> shown;
   for (const AccuracyRow& row : report.rows) {
-    if (row.motion == motion && row.fps >= kSlowestView && row.fps <= kFastestView) rates.insert(row.fps);
+    if (find_motion(row.motion) && row.fps >= kSlowestView && row.fps <= kFastestView) {
+      shown.insert({row.motion, row.fps});
+    }
   }
-  for (const double fps : rates) {
-    links.push_back({fmt::format("{:g}", fps), view_url(heading.view, link_at(report, motion, fps))});
+  for (const auto& [motion, fps] : shown) {
+    const std::string url = view_url(heading.view, link_at(report, motion, fps));
+    links.push_back({{"motion", motion}, {"text", fmt::format("{:g}", fps)}, {"url", url}});
   }
   return links;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 
 namespace coif {
 namespace {
@@ -23,6 +24,8 @@ AccuracyRow& find_or_add(std::vector<AccuracyRow>& means, const AccuracyRow& row
   mean.fps = row.fps;
   mean.substeps = row.substeps;
   mean.code = row.code;
+  mean.fewest_steps = row.fewest_steps;
+  mean.shown_first = row.shown_first;
   for (double AccuracyRow::*figure :
        {&AccuracyRow::ns_per_bone_frame, &AccuracyRow::rms_error_pct, &AccuracyRow::own_error_pct,
         &AccuracyRow::model_distance_pct, &AccuracyRow::max_error_pct, &AccuracyRow::worst_second_pct,
@@ -107,18 +110,48 @@ std::string setting_text(const std::string& solver, std::uint32_t substeps) {
   return substeps == 1 ? solver : fmt::format("{} x{}", solver, substeps);
 }
 
-CellFormat against_budget(double budget_pct) {
-  return [budget_pct](double error_pct) {
-    // Ten times the budget is not a matter of taste any more.
-    constexpr double kFarOver = 10;
-    CellLook look = CellLook::kPlain;
-    if (std::isfinite(budget_pct)) {
-      look = error_pct <= budget_pct              ? CellLook::kGood
-             : error_pct <= kFarOver * budget_pct ? CellLook::kWarning
-                                                  : CellLook::kBad;
-    }
-    return Cell{number_text(error_pct), look};
-  };
+Format against_budget(double budget_pct) {
+  // Ten times the budget is not a matter of taste any more.
+  constexpr double kFarOver = 10;
+  const Format plain("{number}");
+  if (!std::isfinite(budget_pct)) return plain;
+  return plain.colored({{{"most", budget_pct}, {"look", "good"}},
+                        {{"most", kFarOver * budget_pct}, {"look", "warning"}},
+                        {{"look", "bad"}}});
+}
+
+namespace {
+
+constexpr const char* kRuntimeSolvers[] = {"coif", "thesis"};
+constexpr std::size_t kOthersShown = 2;
+
+bool is_runtime(const std::string& solver) {
+  return std::ranges::find(kRuntimeSolvers, solver) != std::end(kRuntimeSolvers);
+}
+
+/// The runtime's solvers, and those others that are least wrong at the main frame rate with their fewest sub-steps.
+std::vector<std::string> solvers_shown(std::vector<AccuracyRow> means) {
+  std::erase_if(means, [](const AccuracyRow& mean) { return !mean.fewest_steps || is_runtime(mean.solver); });
+  std::ranges::stable_sort(means, {}, [](const AccuracyRow& mean) {
+    return std::isfinite(mean.rms_error_pct) ? mean.rms_error_pct : HUGE_VAL;
+  });
+  means.resize(std::min(means.size(), kOthersShown));
+  std::vector<std::string> shown(std::begin(kRuntimeSolvers), std::end(kRuntimeSolvers));
+  for (const AccuracyRow& mean : means) shown.push_back(mean.solver);
+  return shown;
+}
+
+}  // namespace
+
+void choose_shown(AccuracyReport& report) {
+  std::map<std::string, std::uint32_t> fewest;
+  for (const AccuracyRow& row : report.rows) {
+    std::uint32_t& least = fewest.emplace(row.solver, row.substeps).first->second;
+    least = std::min(least, row.substeps);
+  }
+  for (AccuracyRow& row : report.rows) row.fewest_steps = row.substeps == fewest[row.solver];
+  const auto shown = solvers_shown(means_over_motions(report, main_frame_rate(report)));
+  for (AccuracyRow& row : report.rows) row.shown_first = std::ranges::find(shown, row.solver) != shown.end();
 }
 
 }  // namespace coif

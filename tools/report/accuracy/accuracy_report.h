@@ -45,10 +45,16 @@ struct AccuracyRow {
   /// The same solver took longer with fewer steps, by more than a twentieth: the machine was disturbed, and the times
   /// of both are doubtful.
   bool cost_falls = false;
+  bool fewest_steps = false;  ///< With the fewest sub-steps of its solver, which is how it is run where nobody asks.
+  /// Of the runtime's solvers, or of the best of the others: what a chart shows before somebody switches others on.
+  bool shown_first = false;
 };
 
-/// number_text(), coloured against the error budget, %; plain where that is NaN.
-[[nodiscard]] CellFormat against_budget(double budget_pct);
+/// "coif", or "coif x2" for two sub-steps or iterations of a frame.
+[[nodiscard]] std::string setting_text(const std::string& solver, std::uint32_t substeps);
+
+/// A number coloured against the error budget, %; plain where that is NaN.
+[[nodiscard]] Format against_budget(double budget_pct);
 
 [[nodiscard]] inline Columns<AccuracyRow> accuracy_columns(double budget_pct) {
   using Row = AccuracyRow;
@@ -67,12 +73,13 @@ struct AccuracyRow {
           {"stretch_max_pct", &Row::stretch_max_pct, {"stretch %"}, {"stretch %", 11}},
           {"penetration_max_pct", &Row::penetration_max_pct, {"penetration %"}, {"penetration %", 15}},
           {"segment_penetration_max_pct", &Row::segment_penetration_max_pct, {"between ends %"}},
-          {"pareto", &Row::pareto},
-          {kNoKey, [](const Row& row) { return row.pareto ? "front" : ""; }, {"Pareto"}},
+          {"pareto", &Row::pareto, {"Pareto", "front|"}},
           {kNoKey, [](const Row& row) { return row.pareto ? "  *" : ""; }, {}, {""}},
-          {"cost_falls", &Row::cost_falls},
-          {kNoKey, [](const Row& row) { return row.cost_falls ? "cost falls" : ""; }, {"doubt"}},
-          {kNoKey, [](const Row& row) { return row.cost_falls ? "  cost falls with more steps" : ""; }, {}, {""}}};
+          {"cost_falls", &Row::cost_falls, {"doubt", "cost falls|"}},
+          {kNoKey, [](const Row& row) { return row.cost_falls ? "  cost falls with more steps" : ""; }, {}, {""}},
+          {"setting", [](const Row& row) { return setting_text(row.solver, row.substeps); }},
+          {"fewest_steps", &Row::fewest_steps},
+          {"shown_first", &Row::shown_first}};
 }
 
 /// How much the look depends on the frame rate.
@@ -83,11 +90,13 @@ struct SpreadRow {
   double frame_rate_spread_pct = kNoNumber;  ///< Largest RMS difference between any two of the frame rates.
 };
 
-[[nodiscard]] inline Columns<SpreadRow> spread_columns() {
-  return {{"motion", &SpreadRow::motion},
-          {"solver", &SpreadRow::solver},
-          {"substeps", &SpreadRow::substeps},
-          {"frame_rate_spread_pct", &SpreadRow::frame_rate_spread_pct}};
+[[nodiscard]] inline Columns<SpreadRow> spread_columns(double budget_pct) {
+  using Row = SpreadRow;
+  return {{"motion", &Row::motion, {"motion"}},
+          {"solver", &Row::solver},
+          {"substeps", &Row::substeps},
+          {"setting", [](const Row& row) { return setting_text(row.solver, row.substeps); }, {"solver"}},
+          {"frame_rate_spread_pct", &Row::frame_rate_spread_pct, {"spread %", against_budget(budget_pct)}}};
 }
 
 /// How well the reference is known: two runs of it, one with steps of twice the length of the other's.
@@ -166,6 +175,9 @@ struct AccuracyReport {
   double budget_rms_pct = kNoNumber;   ///< The error budget that `chosen` meets.
 };
 
+/// Sets AccuracyRow::fewest_steps and shown_first.
+void choose_shown(AccuracyReport& report);
+
 /// Sets AccuracyRow::pareto and cost_falls.
 void mark_fronts(std::span<AccuracyRow> rows);
 
@@ -179,27 +191,23 @@ void mark_fronts(std::span<AccuracyRow> rows);
 /// The motions that means_over_motions() is of.
 [[nodiscard]] std::vector<std::string> averaged_motions(const AccuracyReport& report);
 
-/// "coif", or "coif x2" for two sub-steps or iterations of a frame.
-[[nodiscard]] std::string setting_text(const std::string& solver, std::uint32_t substeps);
-
-/// `coif report accuracy` for other programs: the heading, then rows, spread, reference, own_reference, settle, swings,
-/// stroke, conditioned_share, tells_velocities and chosen, which is null where no setting meets the budget. The keys
-/// are those of the columns.
-[[nodiscard]] nlohmann::ordered_json accuracy_json(const ReportHeading& heading, const AccuracyReport& report);
+/// `coif report accuracy`: the heading, then rows, spread, reference, own_reference, settle, swings, stroke,
+/// conditioned_share, tells_velocities and chosen, which is null where no setting meets the budget. The keys are those
+/// of the columns. For the page also `means` of rows at `main_fps`, `swing_path`, and sentences under `notes`.
+[[nodiscard]] nlohmann::ordered_json accuracy_json(const ReportHeading& heading, const AccuracyReport& measured);
 
 /// `coif report accuracy` for a terminal: the summary, and of each solver what is on the Pareto front or least wrong.
 [[nodiscard]] std::string accuracy_text(const ReportHeading& heading, const AccuracyReport& report);
 
-/// `coif report accuracy` as one HTML document.
-[[nodiscard]] std::string accuracy_page(const ReportHeading& heading, const AccuracyReport& report);
+/// How the page shows that: accuracy_page.json.
+extern "C" const char coif_accuracy_page[];
 
 /// What the page of `coif view` shows of the report: a motion at main_frame_rate(), two of the solvers beside each
 /// other.
 [[nodiscard]] ViewLink accuracy_link(const AccuracyReport& report);
-/// The same of one motion, a link for each frame rate that was measured and that the page has. Empty where it has not
-/// the motion, or where there is no page.
-[[nodiscard]] std::vector<PageLink> motion_links(const ReportHeading& heading, const AccuracyReport& report,
-                                                 const std::string& motion);
+/// The same of each motion and frame rate that were measured and that the page has: "motion", "text" and "url". Empty
+/// where there is no page.
+[[nodiscard]] nlohmann::ordered_json motion_links(const ReportHeading& heading, const AccuracyReport& report);
 
 /// What to use and what it costs, in sentences for who sets up hair and has never heard of an integrator.
 [[nodiscard]] std::string accuracy_summary(const AccuracyReport& report);
@@ -212,27 +220,5 @@ void mark_fronts(std::span<AccuracyRow> rows);
 [[nodiscard]] std::string numbers_read(const AccuracyReport& report);
 /// Who knows how fast the head moves; empty where nobody does.
 [[nodiscard]] std::string velocities_told(const AccuracyReport& report);
-
-/// The longest chain's tip over time, when the head charges.
-[[nodiscard]] Figure swing_figure(const SwingPath& path);
-
-/// Error against cost, one curve a solver, with the Pareto front.
-[[nodiscard]] Figure work_precision_figure(const AccuracyReport& report);
-
-/// The same of the error against each solver's own model, where it has one.
-[[nodiscard]] Figure own_model_figure(const AccuracyReport& report);
-
-/// Error against frame rate in one motion: the runtime's solvers and the best of the others, each with its fewest
-/// sub-steps, which is how they are run where nobody asks for more.
-[[nodiscard]] Figure frame_rate_figure(const AccuracyReport& report, const std::string& motion);
-
-/// Worst stretch over the motions against frame rate, every solver with its fewest sub-steps.
-[[nodiscard]] Figure stretch_figure(const AccuracyReport& report);
-
-/// Every solver and setting at one frame rate, over all motions.
-[[nodiscard]] Table settings_table(const AccuracyReport& report);
-
-/// Frame-rate spread: a row for each setting, a column for each motion.
-[[nodiscard]] Table spread_table(const AccuracyReport& report);
 
 }  // namespace coif

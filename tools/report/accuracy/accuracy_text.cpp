@@ -11,20 +11,48 @@ namespace coif {
 
 using nlohmann::ordered_json;
 
-ordered_json accuracy_json(const ReportHeading& heading, const AccuracyReport& report) {
-  const double budget = report.budget_rms_pct;
+namespace {
+
+/// The longest chain's tip over time, when the head charges.
+ordered_json swing_path_json(const SwingPath& path) {
+  constexpr double kShown = 2.5;  // seconds
+  ordered_json list = ordered_json::array();
+  for (std::size_t i = 0; i < path.behind_m.size() && double(i) * path.seconds_per_frame < kShown; ++i) {
+    list.push_back({{"seconds", double(i + 1) * path.seconds_per_frame},
+                    {"behind_mm", number_json(1000 * path.behind_m[i])},
+                    {"artist_behind_mm", number_json(1000 * path.artist_behind_m[i])}});
+  }
+  return list;
+}
+
+}  // namespace
+
+ordered_json accuracy_json(const ReportHeading& heading, const AccuracyReport& measured) {
+  AccuracyReport report = measured;
+  choose_shown(report);
+  const double budget = report.budget_rms_pct, fps = main_frame_rate(report);
   ordered_json json = heading_json(heading);
-  json["rows"] = json_list(accuracy_columns(budget), report.rows);
-  json["spread"] = json_list(spread_columns(), report.spread);
-  json["reference"] = json_list(reference_columns(budget), report.reference);
-  json["own_reference"] = json_list(own_reference_columns(budget), report.own_reference);
-  json["settle"] = json_list(settle_columns(budget), report.settle);
-  json["swings"] = json_list(swing_columns(), report.swings.rows);
-  json["stroke"] = json_list(stroke_columns(), report.stroke);
+  add_list(json, "rows", accuracy_columns(budget), report.rows);
+  add_list(json, "spread", spread_columns(budget), report.spread);
+  add_list(json, "reference", reference_columns(budget), report.reference);
+  add_list(json, "own_reference", own_reference_columns(budget), report.own_reference);
+  add_list(json, "settle", settle_columns(budget), report.settle);
+  add_list(json, "swings", swing_columns(), report.swings.rows);
+  add_list(json, "stroke", stroke_columns(), report.stroke);
   json["conditioned_share"] = report.conditioned_share;
   json["tells_velocities"] = report.tells_velocities;
   json["budget_rms_pct"] = number_json(budget);
   json["chosen"] = report.chosen ? json_of(chosen_columns(), *report.chosen) : ordered_json(nullptr);
+  json["main_fps"] = number_json(fps);
+  add_list(json, "means", accuracy_columns(budget).without({"motion", "fps"}), means_over_motions(report, fps));
+  json["swing_chain"] = report.swings.longest.chain;
+  json["swing_path"] = swing_path_json(report.swings.longest);
+  json["view_motions"] = motion_links(heading, report);
+  json["notes"] = {{"reference", reference_summary(report)},
+                   {"own_reference", own_reference_summary(report)},
+                   {"numbers_read", numbers_read(report)},
+                   {"velocities", velocities_told(report)}};
+  end_report(json, heading, "accuracy", "Error against run time", accuracy_summary(report), accuracy_link(report));
   return json;
 }
 
@@ -168,7 +196,7 @@ std::string swings_text(const AccuracyReport& report) {
   if (report.swings.rows.empty()) return "";
   std::vector<SwingRow> shown = report.swings.rows;
   shown.resize(std::min(shown.size(), kMostLines));
-  std::string text = text_heading(swing_columns()) + text_lines(swing_columns(), shown);
+  std::string text = text_table(swing_columns(), shown);
   if (shown.size() < report.swings.rows.size()) {
     text += fmt::format("  and {} shorter, with --format json\n", report.swings.rows.size() - shown.size());
   }
@@ -177,10 +205,6 @@ std::string swings_text(const AccuracyReport& report) {
          "the artist's resistance and friction\n";
 }
 
-}  // namespace
-
-namespace {
-
 /// The hand in the hair, at the main frame rate.
 std::string stroke_text(const AccuracyReport& report) {
   std::vector<StrokeRow> shown;
@@ -188,7 +212,7 @@ std::string stroke_text(const AccuracyReport& report) {
   std::ranges::copy_if(report.stroke, std::back_inserter(shown),
                        [fps](const StrokeRow& row) { return row.fps == fps; });
   if (shown.empty()) return "";
-  return text_heading(stroke_columns()) + text_lines(stroke_columns(), shown) +
+  return text_table(stroke_columns(), shown) +
          "  coif on a character, a hand stroking its hair, against the same at 3840 steps a second; reference: those "
          "against 1920\n";
 }
@@ -206,7 +230,7 @@ std::string accuracy_text(const ReportHeading& heading, const AccuracyReport& re
   });
   const auto columns = accuracy_columns(report.budget_rms_pct);
   const std::size_t motions = averaged_motions(report).size();
-  return heading_text(heading) + "\n" + text_heading(columns) + text_lines(columns, shown) +
+  return heading_text(heading) + "\n" + text_table(columns, shown) +
          fmt::format(
              "  at {} per second, over {}; *: nothing is both cheaper and more exact\n"
              "  ns of coif, cascade, passive and thesis are of the library: float, in lanes, matrices included; of the "
@@ -215,25 +239,6 @@ std::string accuracy_text(const ReportHeading& heading, const AccuracyReport& re
          swings_text(report) + stroke_text(report) + accuracy_summary(report) + "\n" + reference_summary(report) +
          "\n" + line_of(own_reference_summary(report)) + line_of(numbers_read(report)) +
          line_of(velocities_told(report));
-}
-
-Table spread_table(const AccuracyReport& report) {
-  const CellFormat format = against_budget(report.budget_rms_pct);
-  Table table{{{"solver"}}, {}};
-  const std::vector<std::string> motions = names_of(report.spread, &SpreadRow::motion);
-  for (const std::string& motion : motions) table.columns.push_back({motion, Column::Kind::kNumbers});
-  for (const SpreadRow& row : report.spread) {
-    const std::string setting = setting_text(row.solver, row.substeps);
-    auto cells = std::ranges::find_if(table.rows, [&](const auto& line) { return line[0].text == setting; });
-    if (cells == table.rows.end()) {
-      table.rows.push_back({{setting}});
-      cells = table.rows.end() - 1;
-    }
-    const auto column = std::size_t(std::ranges::find(motions, row.motion) - motions.begin()) + 1;
-    if (cells->size() <= column) cells->resize(column + 1, {"-"});
-    (*cells)[column] = format(row.frame_rate_spread_pct);
-  }
-  return table;
 }
 
 }  // namespace coif

@@ -28,7 +28,7 @@ struct CardsRow {
 [[nodiscard]] inline Columns<CardsRow> cards_columns() {
   return {{"triangles", &CardsRow::triangles, {"triangles allowed"}},
           {"texels", &CardsRow::texels, {"texels allowed"}},
-          {"direction", &CardsRow::direction, {"looking along"}},
+          {"direction", &CardsRow::direction, {"looking along", "{:.3f}"}},
           {"coverage_iou", &CardsRow::coverage_iou, {"coverage IoU", "{:.4f}"}},
           {"psnr_db", &CardsRow::psnr_db, {"PSNR", "{:.2f} dB"}},
           {"baseline", &CardsRow::baseline, {"baseline"}}};
@@ -76,15 +76,14 @@ struct CardsSummary {
 
 [[nodiscard]] inline Columns<CardsSummary> cards_summary_columns() {
   using Row = CardsSummary;
-  Columns<Row> columns{
-      {kNoKey, [](const Row& row) { return cards_name(row.baseline); }, {"cards"}, {"cards", -9}},
-      {"triangles", &Row::triangles, {"triangles allowed"}, {"allowed", 8}},
-      {"texels", &Row::texels},
-      {"baseline", &Row::baseline},
-      {"cards", &Row::cards, {"number"}, {"number", 8}},
-      {"made_triangles", &Row::made_triangles, {"triangles"}, {"triangles", 11}},
-      {"made_texels", &Row::made_texels, {"texels"}},
-      {"segments", &Row::segments, {"segments of each", {"{:.0f}", "-"}}, {"segments", 10, {"{:.0f}", "-"}}}};
+  Columns<Row> columns{{"name", [](const Row& row) { return cards_name(row.baseline); }, {"cards"}, {"cards", -9}},
+                       {"triangles", &Row::triangles, {"triangles allowed"}, {"allowed", 8}},
+                       {"texels", &Row::texels},
+                       {"baseline", &Row::baseline},
+                       {"cards", &Row::cards, {"number"}, {"number", 8}},
+                       {"made_triangles", &Row::made_triangles, {"triangles"}, {"triangles", 11}},
+                       {"made_texels", &Row::made_texels, {"texels"}},
+                       {"segments", &Row::segments, {"segments of each", "{:.0f}"}, {"segments", 10, "{:.0f}"}}};
   columns.append(cards_figure_columns<Row>());
   columns.add({"seconds", &Row::seconds, {"seconds to make", "{:.2f}"}, {"seconds", 9, "{:.2f}"}});
   return columns;
@@ -115,7 +114,10 @@ struct CardsLeftOut {
 };
 
 [[nodiscard]] inline Columns<CardsLeftOut> cards_left_out_columns() {
-  return {{"baseline", &CardsLeftOut::baseline}, {"triangles", &CardsLeftOut::triangles}, {"why", &CardsLeftOut::why}};
+  return {{"baseline", &CardsLeftOut::baseline},
+          {"name", [](const CardsLeftOut& row) { return cards_name(row.baseline); }},
+          {"triangles", &CardsLeftOut::triangles},
+          {"why", &CardsLeftOut::why}};
 }
 
 /// Pictures side by side.
@@ -139,27 +141,21 @@ struct CardsReport {
   std::vector<CardsSheet> sheets;  ///< For the page; empty where none were asked for.
 };
 
-/// `coif report cards` for other programs: the heading, then what the strands are, and `rows`, `summary`, `asset` and
-/// `left_out` with the keys of their columns.
+/// `coif report cards`: the heading, then what the strands are, and `rows`, `summary`, `asset_levels` and `left_out`
+/// with the keys of their columns. For the page also sentences under `notes`, and `sheets`, each with a "caption" and
+/// the picture, a "png" in base64.
 [[nodiscard]] nlohmann::ordered_json cards_json(const ReportHeading& heading, const CardsReport& report);
 
 /// `coif report cards` for a terminal: each set of cards over all directions, and the summary.
 [[nodiscard]] std::string cards_text(const ReportHeading& heading, const CardsReport& report);
 
-/// `coif report cards` as one HTML document.
-[[nodiscard]] std::string cards_page(const ReportHeading& heading, const CardsReport& report);
+/// How the page shows that: cards_page.json.
+extern "C" const char coif_cards_page[];
 
 /// How much nearer than the baselines coif's cards are, and what the asset has kept of that, in a sentence or two.
 [[nodiscard]] std::string cards_summary(const CardsReport& report);
 
 /// What was compared with what, in a sentence.
 [[nodiscard]] std::string cards_method(const CardsReport& report);
-
-// The page's diagrams.
-
-/// One figure of each set of cards, over the triangles that were allowed or the seconds that it took to make.
-enum class CardsAxis { kTriangles, kSeconds };
-[[nodiscard]] Figure cards_iou_figure(const CardsReport& report, CardsAxis over);
-[[nodiscard]] Figure cards_error_figure(const CardsReport& report, CardsAxis over);
 
 }  // namespace coif

@@ -1,3 +1,4 @@
+#include "base/encodings.h"
 #include "report/cards/cards_report.h"
 
 #include <fmt/format.h>
@@ -72,10 +73,16 @@ nlohmann::ordered_json cards_json(const ReportHeading& heading, const CardsRepor
   json["size"] = report.size;
   json["directions"] = report.directions;
   json["asset_factor"] = number_json(report.asset_factor);
-  json["rows"] = json_list(cards_columns(), report.rows);
-  json["summary"] = json_list(cards_summary_columns(), report.summary);
-  json["asset_levels"] = json_list(cards_asset_columns(), report.asset);
+  add_list(json, "rows", cards_columns(), report.rows);
+  add_list(json, "summary", cards_summary_columns(), report.summary);
+  add_list(json, "asset_levels", cards_asset_columns(), report.asset);
   json["left_out"] = json_list(cards_left_out_columns(), report.left_out);
+  json["sheets"] = nlohmann::ordered_json::array();
+  for (const CardsSheet& sheet : report.sheets) {
+    json["sheets"].push_back({{"caption", sheet.caption}, {"png", base64(sheet.png)}});
+  }
+  json["notes"] = {{"method", cards_method(report)}};
+  end_report(json, heading, "cards", "How far cards are from strands", cards_summary(report));
   return json;
 }
 

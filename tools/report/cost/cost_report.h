@@ -26,28 +26,32 @@ struct SimulationCostRow {
   double spread_pct = 0;
   std::uint64_t bytes = 0;    ///< What the runtime asks the game for, asset not included.
   double bytes_per_head = 0;  ///< bytes / heads.
+  bool usual_steps = false;   ///< It is one of scaling_of(),
+  bool usual_heads = false;   ///< and of substeps_of().
 };
 
 [[nodiscard]] inline Columns<SimulationCostRow> simulation_columns() {
   using Row = SimulationCostRow;
+  const auto us_per_head = [](const Row& row) { return row.us_per_frame / row.heads; };
   const auto in_1_ms = [](const Row& row) { return std::floor(1e3 * row.heads / row.us_per_frame); };
   return {{"heads", &Row::heads, {"heads"}, {"heads", 8}},
           {"solver", &Row::solver, {"solver", {}, -1}, {"solver", -8, {}, -1}},
           {"substeps", &Row::substeps, {"steps", {}, -1}, {"steps", 6, {}, -1}},
-          {"us_per_frame", &Row::us_per_frame, {"time a frame", microseconds_text}, {"us/frame", 14}},
-          {kNoKey, [](const Row& row) { return row.us_per_frame / row.heads; }, {}, {"us/head", 12}},
-          {"ns_per_bone_frame", &Row::ns_per_bone_frame, {"a bone", time_text, 2}, {"ns/bone", 12}},
-          {"spread_pct", &Row::spread_pct, {"spread", spread_cell}, {"spread", 9, percent_text}},
+          {"us_per_frame", &Row::us_per_frame, {"time a frame", us_format()}, {"us/frame", 14}},
+          {"us_per_head", us_per_head, {"a head", us_format(), 1}, {"us/head", 12}},
+          {"ns_per_bone_frame", &Row::ns_per_bone_frame, {"a bone", "{time}", 2}, {"ns/bone", 12}},
+          {"spread_pct", &Row::spread_pct, {"spread", half_spread()}, {"spread", 9, "{percent}"}},
           {"bytes", &Row::bytes},
           {"bytes_per_head", &Row::bytes_per_head},
-          {kNoKey, [](const Row& row) { return 1e3 * row.us_per_frame / row.heads; }, {"a head", time_text, 1}},
-          {kNoKey, in_1_ms, {"heads in 1 ms", "{:.0f}", 3}}};
+          {"heads_in_1_ms", in_1_ms, {"heads in 1 ms", "{:.0f}", 3}},
+          {"usual_steps", &Row::usual_steps},
+          {"usual_heads", &Row::usual_heads}};
 }
 
 [[nodiscard]] inline Columns<SimulationCostRow> memory_columns() {
-  return {{kNoKey, &SimulationCostRow::heads, {"heads"}},
-          {kNoKey, &SimulationCostRow::bytes, {"memory of the crowd", bytes_text}},
-          {kNoKey, &SimulationCostRow::bytes_per_head, {"a head", bytes_text}}};
+  return {{"heads", &SimulationCostRow::heads, {"heads"}},
+          {"bytes", &SimulationCostRow::bytes, {"memory of the crowd", "{bytes}"}},
+          {"bytes_per_head", &SimulationCostRow::bytes_per_head, {"a head", "{bytes}"}}};
 }
 
 inline constexpr const char* kAsCooked = "as-cooked";
@@ -65,17 +69,15 @@ struct FeatureCostRow {
 
 [[nodiscard]] inline Columns<FeatureCostRow> feature_columns() {
   using Row = FeatureCostRow;
-  const auto change = [](const Row& row) { return row.feature == kAsCooked ? kNoNumber : row.change_pct; };
+  const auto us_per_head = [](const Row& row) { return row.us_per_frame / row.heads; };
   return {{"feature", &Row::feature, {"feature"}, {"", -22}},
           {"description", &Row::description, {"what is different", {}, 0, true}},
           {"heads", &Row::heads},
-          {"us_per_frame", &Row::us_per_frame, {"time a frame", microseconds_text}, {"", 14}},
-          {kNoKey, [](const Row& row) { return row.us_per_frame / row.heads; }, {}, {"", 12}},
+          {"us_per_frame", &Row::us_per_frame, {"time a frame", us_format()}, {"", 14}},
+          {"us_per_head", us_per_head, {"a head", us_format(), 1}, {"", 12}},
           {"ns_per_bone_frame", &Row::ns_per_bone_frame},
-          {"spread_pct", &Row::spread_pct, {"spread", spread_cell}, {"", 9, percent_text, 1}},
-          {"change_pct", &Row::change_pct, {}, {"", 13, "{:+.0f} %"}},
-          {kNoKey, [](const Row& row) { return 1e3 * row.us_per_frame / row.heads; }, {"a head", time_text}},
-          {kNoKey, change, {"change", {"{:+.0f} %", ""}}}};
+          {"spread_pct", &Row::spread_pct, {"spread", half_spread()}, {"", 9, "{percent}", 1}},
+          {"change_pct", &Row::change_pct, {"change", "{:+.0f} %", 2}, {"", 13, "{:+.0f} %"}}};
 }
 
 inline constexpr const char* kDrawnCrowd = "drawing";
@@ -128,7 +130,7 @@ struct ChunkBytes {
   return {{"id", &Row::id, {"part of the file"}},
           {"what", &Row::what, {"what"}},
           {"bytes", &Row::bytes, {"bytes"}},
-          {kNoKey, share, {"share", "{:.2f} %"}},
+          {"share_pct", share, {"share", "{:.2f} %"}},
           {"use", [](const Row& row) { return row.id.empty() ? "" : name_of(row.use); }, {"is for"}}};
 }
 
@@ -160,7 +162,7 @@ struct CostReport {
 [[nodiscard]] std::vector<RenderingCostRow> drawings_of(const CostReport& report, const std::string& transparency,
                                                         bool simulation);
 
-/// `coif report cost` for other programs: the heading, then
+/// `coif report cost`: the heading, then
 /// - `instruction_set`: what the simulation was run with, "" where there was none
 /// - `simulation`, `features`, `left_out`
 /// - `memory`: of n heads, n large, bytes_shared + n * bytes_per_head
@@ -168,14 +170,15 @@ struct CostReport {
 /// - `rendering`, `distances`; `table_1`, `table_1_ratios`: empty unless they were asked for
 /// - `rendering_note`: why `rendering` is empty, or null
 ///
-/// The keys within are those of the columns above and in drawing_cost.h.
-[[nodiscard]] nlohmann::ordered_json cost_json(const ReportHeading& heading, const CostReport& report);
+/// The keys within are those of the columns above and in drawing_cost.h. For the page also `memory_of_crowds`,
+/// `file_parts`, `table_1_published` and sentences under `notes`.
+[[nodiscard]] nlohmann::ordered_json cost_json(const ReportHeading& heading, const CostReport& measured);
 
 /// `coif report cost` for a terminal: the rows, what was left out and the summary.
 [[nodiscard]] std::string cost_text(const ReportHeading& heading, const CostReport& report);
 
-/// `coif report cost` as one HTML document.
-[[nodiscard]] std::string cost_page(const ReportHeading& heading, const CostReport& report);
+/// How the page shows that: cost_page.json.
+extern "C" const char coif_cost_page[];
 
 /// What one head costs and what a crowd does, in a few sentences.
 [[nodiscard]] std::string cost_summary(const CostReport& report);
@@ -186,21 +189,5 @@ struct CostReport {
 
 /// Where the times on the device itself come from, or why there are none.
 [[nodiscard]] std::string device_time_text(const RenderingCost& rendering);
-
-/// Time of a frame against the size of the crowd, one curve a solver.
-[[nodiscard]] Figure crowd_time_figure(const CostReport& report);
-/// Time of one bone against the size of the crowd.
-[[nodiscard]] Figure bone_time_figure(const CostReport& report);
-/// Time of one head against the number of sub-steps.
-[[nodiscard]] Figure substeps_figure(const CostReport& report);
-/// Time of a drawn frame against the size of the crowd, one curve a way to draw.
-[[nodiscard]] Figure drawing_figure(const CostReport& report);
-/// Frames per second against the size of the crowd, here and in the thesis's Table 1.
-[[nodiscard]] Figure thesis_table_figure(const ThesisTable& measured);
-/// Time of a head against its size on the screen, with and without levels of detail.
-[[nodiscard]] Figure distances_figure(const RenderingCost& rendering);
-
-/// What drawing costs, the thesis's table where it was measured, and what distance spares; or why nothing was drawn.
-void add_drawing_section(const CostReport& report, HtmlPage& page);
 
 }  // namespace coif

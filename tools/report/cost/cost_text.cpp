@@ -10,23 +10,102 @@ namespace coif {
 
 using nlohmann::ordered_json;
 
-ordered_json cost_json(const ReportHeading& heading, const CostReport& report) {
+namespace {
+
+/// Says of each row of the simulation which comparison it belongs to.
+void mark_comparisons(CostReport& report) {
+  const auto is_one = [](const std::vector<SimulationCostRow>& rows, const SimulationCostRow& row) {
+    return std::ranges::any_of(
+        rows, [&row](const auto& other) { return other.heads == row.heads && other.substeps == row.substeps; });
+  };
+  for (const std::string& solver : names_of(report.simulation, &SimulationCostRow::solver)) {
+    const auto scaling = scaling_of(report, solver), substeps = substeps_of(report, solver);
+    for (SimulationCostRow& row : report.simulation) {
+      if (row.solver != solver) continue;
+      row.usual_steps = is_one(scaling, row);
+      row.usual_heads = is_one(substeps, row);
+    }
+  }
+}
+
+/// The chunks, and what else the file's bytes are.
+std::vector<ChunkBytes> file_parts(const AssetBytes& asset) {
+  std::vector<ChunkBytes> parts = asset.chunks;
+  parts.push_back({"", "header, table of these parts, padding", asset.framing});
+  parts.push_back({"", "whole file", asset.total});
+  return parts;
+}
+
+std::uint64_t drawing_bytes(const AssetBytes& asset) {
+  std::uint64_t drawn = 0;
+  for (const ChunkBytes& chunk : asset.chunks) {
+    if (chunk.use == ChunkUse::kDrawing || chunk.use == ChunkUse::kDrawData) drawn += chunk.bytes;
+  }
+  return drawn;
+}
+
+/// Where the thesis's table was asked for, how it was measured here and there.
+ordered_json table_1_setup(const CostReport& report) {
+  const ThesisTable& measured = report.rendering.thesis_table;
+  if (measured.rows.empty() && left_out_text(report, kThesisTable).empty()) return nullptr;
+  return {{"width", measured.width},
+          {"height", measured.height},
+          {"thesis_device", kThesisTableDevice},
+          {"thesis_width", kThesisTableWidth},
+          {"thesis_height", kThesisTableHeight}};
+}
+
+/// A sentence for each solver or way to draw of which crowds are missing.
+ordered_json left_out_notes(const CostReport& report) {
+  std::vector<std::string> subjects = names_of(report.simulation, &SimulationCostRow::solver);
+  subjects.insert(subjects.end(), {kDrawnCrowd, kDistances, kThesisTable});
+  ordered_json notes = ordered_json::array();
+  for (const std::string& subject : subjects) {
+    const bool is_drawn = subject == kDrawnCrowd || subject == kDistances || subject == kThesisTable;
+    const std::string text = left_out_text(report, subject);
+    if (!text.empty()) notes.push_back({{"about", is_drawn ? subject : "simulation"}, {"text", text}});
+  }
+  return notes;
+}
+
+}  // namespace
+
+ordered_json cost_json(const ReportHeading& heading, const CostReport& measured) {
+  CostReport report = measured;
+  mark_comparisons(report);
   const RenderingCost& rendering = report.rendering;
   const ThesisTable& thesis = rendering.thesis_table;
+  const std::uint64_t drawn = drawing_bytes(report.asset);
   ordered_json json = heading_json(heading);
   json["instruction_set"] = report.instruction_set;
-  json["simulation"] = json_list(simulation_columns(), report.simulation);
-  json["features"] = json_list(feature_columns(), report.features);
+  add_list(json, "simulation", simulation_columns(), report.simulation);
+  add_list(json, "features", feature_columns(), report.features);
   json["left_out"] = json_list(cost_left_out_columns(), report.left_out);
   json["memory"] = json_of(crowd_memory_columns(), report.memory);
   json["file"] = {{"bytes", report.asset.total},
                   {"chunks", json_list(chunk_columns(report.asset.total), report.asset.chunks)},
-                  {"framing_bytes", report.asset.framing}};
-  json["rendering"] = json_list(rendering_columns(rendering.device, rendering.rows), rendering.rows);
-  json["distances"] = json_list(cost_distance_columns(rendering.distances), rendering.distances);
-  json["table_1"] = json_list(thesis_columns(rendering.device, thesis.rows), thesis.rows);
-  json["table_1_ratios"] = json_list(ratio_columns(), ratios_of(thesis));
+                  {"framing_bytes", report.asset.framing},
+                  {"drawing_bytes", drawn},
+                  {"other_bytes", report.asset.total - drawn}};
+  add_list(json, "rendering", rendering_columns(rendering.device, rendering.rows), rendering.rows);
+  add_list(json, "distances", cost_distance_columns(rendering.distances), rendering.distances);
+  add_list(json, "table_1", thesis_columns(rendering.device, thesis.rows), thesis.rows);
+  add_list(json, "table_1_ratios", ratio_columns(), ratios_of(thesis));
   json["rendering_note"] = rendering.note.empty() ? ordered_json(nullptr) : ordered_json(rendering.note);
+  json["drawing_scales"] = drawings_of(report, "blend", false).size() > 1;
+  json["width"] = rendering.width;
+  json["height"] = rendering.height;
+  json["table_1_setup"] = table_1_setup(report);
+  json["table_1_published"] =
+      json_list(published_columns(), {kPublishedFrameRates.begin(), kPublishedFrameRates.end()});
+  const auto solvers = names_of(report.simulation, &SimulationCostRow::solver);
+  using Crowds = std::vector<SimulationCostRow>;
+  add_list(json, "memory_of_crowds", memory_columns(), solvers.empty() ? Crowds{} : scaling_of(report, solvers[0]));
+  add_list(json, "file_parts", chunk_columns(report.asset.total), file_parts(report.asset));
+  json["notes"] = {{"left_out", left_out_notes(report)},
+                   {"device", device_text(rendering.device)},
+                   {"device_time", device_time_text(rendering)}};
+  end_report(json, heading, "cost", "Cost", cost_summary(report));
   return json;
 }
 
@@ -147,12 +226,7 @@ std::string drawing_text(const RenderingCost& rendering) {
 
 std::string cost_text(const ReportHeading& heading, const CostReport& report) {
   std::string text = heading_text(heading) + "\n" + simulation_text(report) + drawing_text(report.rendering);
-  std::vector<std::string> subjects = names_of(report.simulation, &SimulationCostRow::solver);
-  subjects.insert(subjects.end(), {kDrawnCrowd, kDistances, kThesisTable});
-  for (const std::string& subject : subjects) {
-    const std::string left_out = left_out_text(report, subject);
-    if (!left_out.empty()) text += "  " + left_out + "\n";
-  }
+  for (const auto& note : left_out_notes(report)) text += "  " + note["text"].get<std::string>() + "\n";
   return text + cost_summary(report) + "\n";
 }
 

@@ -20,8 +20,7 @@ inline constexpr const char* kNotMeasured = "not measured";
 
 /// Milliseconds that the device says that it took itself; of the page where it told at least once.
 [[nodiscard]] inline PageColumn on_the_device(bool is_told) {
-  const auto text = [](double ms) { return std::isnan(ms) ? kNotMeasured : milliseconds_text(ms); };
-  return {is_told ? "on the device" : nullptr, text, 1};
+  return {is_told ? "on the device" : nullptr, ms_format(kNotMeasured), 1};
 }
 
 template <typename Row>
@@ -29,9 +28,7 @@ template <typename Row>
   return std::ranges::any_of(rows, [time](const Row& row) { return (row.*time).has_value(); });
 }
 
-[[nodiscard]] inline TextColumn milliseconds_on_device() {
-  return {"gpu ms/frame", 14, [](double ms) { return std::isnan(ms) ? kNotMeasured : number_text(ms); }};
-}
+[[nodiscard]] inline TextColumn milliseconds_on_device() { return {"gpu ms/frame", 14, {"{number}", kNotMeasured}}; }
 
 /// One frame of a crowd that fills the picture.
 struct RenderingCostRow {
@@ -59,11 +56,11 @@ struct RenderingCostRow {
           {"simulation", &Row::simulation, {"simulated"}, {"simulated", 11}},
           {"strand_terms", &Row::strand_terms, {"strand terms"}, {"terms", 7}},
           {"triangles", &Row::triangles, {"triangles"}, {"triangles", 11}},
-          {"ms_per_frame", &Row::ms_per_frame, {"time a frame", milliseconds_text}, {"ms/frame", 10}},
-          {"spread_pct", &Row::spread_pct, {"spread", spread_cell}, {"spread", 9, percent_text}},
+          {"ms_per_frame", &Row::ms_per_frame, {"time a frame", ms_format()}, {"ms/frame", 10}},
+          {"spread_pct", &Row::spread_pct, {"spread", half_spread()}, {"spread", 9, "{percent}"}},
           {"gpu_ms_per_frame", &Row::gpu_ms_per_frame, on_the_device(is_told), milliseconds_on_device()},
           {"device", [device](const Row&) { return device; }},
-          {kNoKey, [](const Row& row) { return 1e6 * row.ms_per_frame / row.heads; }, {"a head", time_text}}};
+          {"ms_per_head", [](const Row& row) { return row.ms_per_frame / row.heads; }, {"a head", ms_format()}}};
 }
 
 /// A crowd near and far, each head with the level of detail that choose_lod() gives it.
@@ -88,29 +85,27 @@ struct DistanceCostRow {
 [[nodiscard]] inline Columns<DistanceCostRow> cost_distance_columns(const std::vector<DistanceCostRow>& rows) {
   using Row = DistanceCostRow;
   const bool is_told = has_device_times(rows, &Row::gpu_ms_per_head);
-  return {
-      {"heads", &Row::heads, {"heads", {}, -3}, {"heads", 6, {}, -2}},
-      {"times_as_far", &Row::times_as_far},
-      {"screen_share", &Row::screen_share},
-      {kNoKey,
-       [](const Row& row) { return 100 * row.screen_share; },
-       {"head's share of the height", percent_text, -2},
-       {"head/height", -12, percent_text, -3}},
-      {"lod", &Row::lod, {"level of detail"}, {"lod", 5}},
-      {"triangles_per_head", &Row::triangles_per_head, {"triangles a head"}, {"triangles/head", 16}},
-      {"covered_pixels_per_head",
-       &Row::covered_pixels_per_head,
-       {"pixels a head", {}, -1},
-       {"pixels/head", 14, {}, -1}},
-      {"ms_per_head", &Row::ms_per_head, {"time a head", milliseconds_text}, {"ms/head", 9}},
-      {"spread_pct", &Row::spread_pct, {"spread", spread_cell}},
-      {"gpu_ms_per_head", &Row::gpu_ms_per_head, on_the_device(is_told)},
-      {"finest_ms_per_head", &Row::finest_ms_per_head, {"with the finest level", milliseconds_text}, {"finest", 12}},
-      {"saved_pct", saved_pct},
-      {kNoKey,
-       [](const Row& row) { return row.lod == 0 ? kNoNumber : saved_pct(row); },
-       {"saved", {"{:.0f} %", ""}},
-       {"saved", 9, {"{:.0f} %", "0 %"}}}};
+  return {{"heads", &Row::heads, {"heads", {}, -3}, {"heads", 6, {}, -2}},
+          {"times_as_far", &Row::times_as_far},
+          {"screen_share",
+           &Row::screen_share,
+           {"head's share of the height", {"{percent}", "-", 100}, -2},
+           {"head/height", -12, {"{percent}", "-", 100}, -3}},
+          {"lod", &Row::lod, {"level of detail"}, {"lod", 5}},
+          {"triangles_per_head", &Row::triangles_per_head, {"triangles a head"}, {"triangles/head", 16}},
+          {"covered_pixels_per_head",
+           &Row::covered_pixels_per_head,
+           {"pixels a head", {}, -1},
+           {"pixels/head", 14, {}, -1}},
+          {"ms_per_head", &Row::ms_per_head, {"time a head", ms_format()}, {"ms/head", 9}},
+          {"spread_pct", &Row::spread_pct, {"spread", half_spread()}},
+          {"gpu_ms_per_head", &Row::gpu_ms_per_head, on_the_device(is_told)},
+          {"finest_ms_per_head", &Row::finest_ms_per_head, {"with the finest level", ms_format()}, {"finest", 12}},
+          {"saved_pct", saved_pct, {"saved", "{:.0f} %"}},
+          {kNoKey,
+           [](const Row& row) { return row.lod == 0 ? kNoNumber : saved_pct(row); },
+           {},
+           {"saved", 9, {"{:.0f} %", "0 %"}}}};
 }
 
 // Table 1 of the thesis (6. Results): what a crowd costs to simulate and draw, each with and without.
@@ -138,6 +133,11 @@ struct ThesisTableRow {
   std::optional<double> gpu_ms_per_frame{};  ///< What the device says that it took itself.
 };
 
+[[nodiscard]] inline Columns<PublishedFrameRate> published_columns() {
+  using Row = PublishedFrameRate;
+  return {{"heads", &Row::heads}, {"transparent_fps", &Row::transparent_fps}, {"opaque_fps", &Row::opaque_fps}};
+}
+
 [[nodiscard]] double frames_per_second(const ThesisTableRow& row);
 /// What the thesis has in this row's place; nothing for crowds that it did not measure.
 [[nodiscard]] std::optional<double> published_frames_per_second(const ThesisTableRow& row);
@@ -147,12 +147,12 @@ struct ThesisTableRow {
   using Row = ThesisTableRow;
   const bool is_told = has_device_times(rows, &Row::gpu_ms_per_frame);
   return {{"heads", &Row::heads, {"heads"}, {"heads", 6}},
-          {"transparency", [](const Row& row) { return row.transparency ? "blend" : "opaque"; }},
+          {"transparency", [](const Row& row) { return row.transparency ? "blend" : "opaque"; }, {"transparency"}},
           {"simulation", &Row::simulation, {"simulated"}, {"simulated", 11}},
-          {kNoKey, &Row::transparency, {"transparency"}, {"transparency", 14}},
-          {"ms_per_frame", &Row::ms_per_frame, {"time a frame", milliseconds_text}, {"ms/frame", 10}},
-          {"spread_pct", &Row::spread_pct, {"spread", spread_cell}, {"spread", 9, percent_text}},
-          {"step_ms", &Row::step_ms, {"of it stepping", milliseconds_text}, {"stepping ms", 13}},
+          {kNoKey, &Row::transparency, {}, {"transparency", 14}},
+          {"ms_per_frame", &Row::ms_per_frame, {"time a frame", ms_format()}, {"ms/frame", 10}},
+          {"spread_pct", &Row::spread_pct, {"spread", half_spread()}, {"spread", 9, "{percent}"}},
+          {"step_ms", &Row::step_ms, {"of it stepping", ms_format()}, {"stepping ms", 13}},
           {"gpu_ms_per_frame", &Row::gpu_ms_per_frame, on_the_device(is_told), milliseconds_on_device()},
           {"fps", frames_per_second, {"frames a second"}, {"fps", 8}},
           {"thesis_fps", published_frames_per_second, {"thesis: frames a second"}, {"thesis fps", 12, {"{:.0f}", "-"}}},
@@ -172,7 +172,7 @@ struct ThesisTableRatio {
 
 [[nodiscard]] inline Columns<ThesisTableRatio> ratio_columns() {
   using Ratio = ThesisTableRatio;
-  const CellFormat times("{:.2f}", "-"), finely("{:.3f}", "-");
+  const Format times = "{:.2f}", finely = "{:.3f}";
   return {{"heads", &Ratio::heads, {"heads"}},
           {"transparency_on_off", &Ratio::transparency_on_off, {"transparency on / off", times}},
           {"thesis_transparency_on_off", &Ratio::published_transparency, {"thesis", times}},

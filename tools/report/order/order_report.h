@@ -28,29 +28,32 @@ struct OrderError {
   std::vector<double> view_psnr_db;  ///< One per view, in OrderReport::directions' order.
 };
 
-/// The eye finds no difference from some 40 dB on, and plain ones below some 30.
-[[nodiscard]] Cell decibel_cell(double db);
+/// Coloured: the eye finds no difference from some 40 dB on, and plain ones below some 30.
+[[nodiscard]] inline Format decibels() {
+  return Format("{:.1f} dB")
+      .colored({{{"least", 40}, {"look", "good"}}, {{"least", 30}, {"look", "neutral"}}, {{"look", "bad"}}});
+}
 
 /// What a record's `error` has: PSNR to bad pixels, and the median view, which JSON has last.
 template <typename Row>
 [[nodiscard]] Columns<Row> error_columns() {
-  return {{"psnr_db", [](const Row& row) { return row.error.psnr_db; }, {"PSNR", decibel_cell}, {"dB", 8, "{:.1f}"}},
+  return {{"psnr_db", [](const Row& row) { return row.error.psnr_db; }, {"PSNR", decibels()}, {"dB", 8, "{:.1f}"}},
           {"rmse", [](const Row& row) { return row.error.rmse; }, {"RMS error", {}, 3}, {"rmse", 9, {}, 3}},
           {"worst_psnr_db",
            [](const Row& row) { return row.error.worst_psnr_db; },
-           {"worst view", decibel_cell, 2},
+           {"worst view", decibels(), 2},
            {"worst", 8, "{:.1f}", 2}},
           {"bad_pixels_pct",
            [](const Row& row) { return row.error.bad_pixels_pct; },
-           {"pixels off by > 0.1", percent_text, 3},
+           {"pixels off by > 0.1", "{percent}", 3},
            {"bad %", 8, {}, 3}}};
 }
 
 template <typename Row>
-[[nodiscard]] ColumnOf<Row> median_column() {
+[[nodiscard]] Column<Row> median_column() {
   return {"median_psnr_db",
           [](const Row& row) { return row.error.median_psnr_db; },
-          {"median view", decibel_cell, 1},
+          {"median view", decibels(), 1},
           {"median", 8, "{:.1f}", 1}};
 }
 
@@ -58,10 +61,9 @@ template <typename Row>
 template <typename Row>
 [[nodiscard]] Columns<Row> way_columns() {
   Columns<Row> columns = error_columns<Row>();
-  columns.append(
-      {{"popping", &Row::popping, {"popping", {}, 4}, {"popping", 10, {}, 4}},
-       median_column<Row>(),
-       {"ms_per_frame", &Row::ms_per_frame, {"time a frame", milliseconds_text, 4}, {"ms/frame", 10, {}, 4}}});
+  columns.append({{"popping", &Row::popping, {"popping", {}, 4}, {"popping", 10, {}, 4}},
+                  median_column<Row>(),
+                  {"ms_per_frame", &Row::ms_per_frame, {"time a frame", ms_format(), 4}, {"ms/frame", 10, {}, 4}}});
   return columns;
 }
 
@@ -87,7 +89,7 @@ struct OrderRow {
                        {"faces", [](const Row& row) { return row.faces_together ? "together" : "apart"; }, {"faces"}}};
   columns.append(way_columns<Row>());
   columns.add({"sorting_ns", &Row::sorting_ns, {"sorting a head, ns", {}, 4}, {"sort, ns", 10, {"{:.0f}", "-"}, 4}});
-  columns.add({"bytes", &Row::bytes, {"indices", bytes_text, 4}});
+  columns.add({"bytes", &Row::bytes, {"indices", "{bytes}", 4}});
   return columns;
 }
 
@@ -120,8 +122,7 @@ struct ThresholdRow {
 [[nodiscard]] inline Columns<ThresholdRow> threshold_columns() {
   using Row = ThresholdRow;
   Columns<Row> columns{{"opaque_threshold", &Row::opaque_threshold, {"opaque from", "{:.3f}"}, {"", -20, "{:.3f}"}},
-                       {"is_own", &Row::is_own},
-                       {kNoKey, [](const Row& row) { return row.is_own ? "the asset's" : ""; }, {""}}};
+                       {"is_own", &Row::is_own, {"", "the asset's|"}}};
   columns.append(error_columns<Row>());
   columns.add(median_column<Row>());
   columns.add({kNoKey, [](const Row& row) { return row.is_own ? "  the asset's" : ""; }, {}, {"", 0, {}, 4}});
@@ -137,7 +138,7 @@ struct DistanceRow {
 };
 
 [[nodiscard]] inline Columns<DistanceRow> order_distance_columns() {
-  const CellFormat percent = "{:.1f} %";
+  const Format percent = "{:.1f} %";
   return {{"pixels", &DistanceRow::pixels, {"height in pixels"}, {"pixels high", 11}},
           {"coverage_pct",
            &DistanceRow::coverage_pct,
@@ -173,7 +174,7 @@ struct SelfDifferenceRow {
 
 [[nodiscard]] inline Columns<SelfDifferenceRow> self_difference_columns() {
   return {{"against", &SelfDifferenceRow::against, {"exact picture against"}},
-          {"psnr_db", &SelfDifferenceRow::psnr_db, {"PSNR", decibel_cell}},
+          {"psnr_db", &SelfDifferenceRow::psnr_db, {"PSNR", decibels()}},
           {"max_difference", &SelfDifferenceRow::max_difference, {"largest difference"}}};
 }
 
@@ -214,33 +215,24 @@ struct OrderReport {
   std::vector<WorstPicture> worst;
 };
 
-/// `coif report order` for other programs: the heading, then
+/// `coif report order`: the heading, then
 /// - `device`, `solver` of the poses, `width`, `height`, `opaque_threshold`, `orders`: how many the asset has
 /// - `views`: how many directions each figure is of, `orbit_frames` those of popping
 /// - `rows`, `modes`
 /// - `gain_over_head_db{rest, turn, charge, tumble}`: of the asset's own orders, one per pose
 /// - `thresholds`, `distance`, `reference`: of exact pictures from each other, `worst`, `left_out`
 ///
-/// The keys within are those of the columns above.
+/// The keys within are those of the columns above. For the page also `view_errors`, best first, sentences under
+/// `notes`, and in `worst` a "caption" and the picture, a "png" in base64.
 [[nodiscard]] nlohmann::ordered_json order_json(const ReportHeading& heading, const OrderReport& report);
 
 /// `coif report order` for a terminal.
 [[nodiscard]] std::string order_text(const ReportHeading& heading, const OrderReport& report);
 
-/// `coif report order` as one HTML document, its pictures inside.
-[[nodiscard]] std::string order_page(const ReportHeading& heading, const OrderReport& report);
+/// How the page shows that: order_page.json.
+extern "C" const char coif_order_page[];
 
 /// What a hurried reader should know, in a few sentences.
 [[nodiscard]] std::string order_summary(const OrderReport& report);
-
-/// How the pictures were taken.
-[[nodiscard]] std::string order_method(const OrderReport& report);
-
-/// PSNR of each order over its views, best first.
-[[nodiscard]] Figure order_views_figure(const OrderReport& report, const std::string& pose);
-/// Error of each way to draw against what it costs, at rest.
-[[nodiscard]] Figure order_cost_figure(const OrderReport& report);
-[[nodiscard]] Figure thresholds_figure(const OrderReport& report);
-[[nodiscard]] Figure order_distances_figure(const OrderReport& report);
 
 }  // namespace coif

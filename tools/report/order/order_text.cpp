@@ -1,13 +1,46 @@
+#include "base/encodings.h"
 #include "report/order/order_report.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace coif {
 
 using nlohmann::ordered_json;
+
+namespace {
+
+/// Each order's views in each pose, best first, so that they make a line.
+ordered_json view_errors(const OrderReport& report) {
+  ordered_json list = ordered_json::array();
+  for (const OrderRow& row : report.rows) {
+    std::vector<double> sorted = row.error.view_psnr_db;
+    std::ranges::sort(sorted, std::greater{});
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+      list.push_back({{"order", row.order},
+                      {"pose", row.pose},
+                      {"views_pct", 100 * (double(i) + 0.5) / double(sorted.size())},
+                      {"psnr_db", number_json(sorted[i])}});
+    }
+  }
+  return list;
+}
+
+ordered_json worst_json(const OrderReport& report) {
+  ordered_json list = json_list(worst_columns(), report.worst);
+  for (std::size_t i = 0; i < report.worst.size(); ++i) {
+    const WorstPicture& picture = report.worst[i];
+    list[i]["caption"] = fmt::format("{}, {}: {:.1f} dB from yaw {:.0f}, pitch {:.0f} degrees", picture.name,
+                                     picture.pose, picture.psnr_db, picture.yaw_degrees, picture.pitch_degrees);
+    list[i]["png"] = base64(picture.png);
+  }
+  return list;
+}
+
+}  // namespace
 
 ordered_json order_json(const ReportHeading& heading, const OrderReport& report) {
   ordered_json json = heading_json(heading);
@@ -19,17 +52,21 @@ ordered_json order_json(const ReportHeading& heading, const OrderReport& report)
   json["orders"] = report.orders;
   json["views"] = report.directions.size();
   json["orbit_frames"] = report.orbit_frames;
-  json["rows"] = json_list(order_columns(), report.rows);
-  json["modes"] = json_list(mode_columns(), report.modes);
+  add_list(json, "rows", order_columns(), report.rows);
+  add_list(json, "modes", mode_columns(), report.modes);
   json["gain_over_head_db"] = ordered_json::object();
   for (const OrderGain& gain : report.gains) {
     json["gain_over_head_db"][gain.pose] = number_json(gain.gain_over_head_db);
   }
-  json["thresholds"] = json_list(threshold_columns(), report.thresholds);
-  json["distance"] = json_list(order_distance_columns(), report.distance);
-  json["reference"] = json_list(self_difference_columns(), report.reference);
-  json["worst"] = json_list(worst_columns(), report.worst);
+  add_list(json, "thresholds", threshold_columns(), report.thresholds);
+  add_list(json, "distance", order_distance_columns(), report.distance);
+  add_list(json, "reference", self_difference_columns(), report.reference);
+  json["worst"] = worst_json(report);
   json["left_out"] = json_list(order_left_out_columns(), report.left_out);
+  json["view_errors"] = view_errors(report);
+  json["equal_db"] = kEqualDb;
+  json["notes"] = {{"device", device_text(report.device)}};
+  end_report(json, heading, "order", "The picture's error", order_summary(report));
   return json;
 }
 
@@ -88,23 +125,11 @@ std::string order_summary(const OrderReport& report) {
          gains_text(report) + threshold_text(report) + distance_text(report);
 }
 
-std::string order_method(const OrderReport& report) {
-  return fmt::format(
-      "Drawn by {}, {} x {} pixels, one sample each but where a table says otherwise, with perspective, over a head as "
-      "its colliders outline it. An error is the difference from the picture in which every pixel is sorted and every "
-      "alpha counts as it is, of sRGB values of 0 to 1, over pixels that hair covers; PSNR is of all views' pixels "
-      "together, {:.0f} dB means equal. Back faces come before front faces where they are drawn apart. Popping is what "
-      "a pixel changes between frames one degree apart in excess of the exact picture's change, RMS. The time is that "
-      "of one head, for triangles with the sorting and without handing the indices to the device. Sorting is what the "
-      "processor alone takes to choose a head's order or to make it. The hair is moved by solver {}.",
-      device_text(report.device), report.width, report.height, kEqualDb, report.solver);
-}
-
 std::string order_text(const ReportHeading& heading, const OrderReport& report) {
   std::string text = heading_text(heading) + "\n" +
                      fmt::format("  {} views of {} x {} pixels against exact order, drawn by {}\n",
                                  report.directions.size(), report.width, report.height, report.device);
-  text += text_heading(order_columns()) + text_lines(order_columns(), report.rows);
+  text += text_table(order_columns(), report.rows);
   text += text_table(mode_columns(), report.modes);
   if (!report.thresholds.empty()) {
     text += "  opaque threshold, at rest\n" + text_lines(threshold_columns(), report.thresholds);

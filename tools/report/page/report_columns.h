@@ -1,10 +1,10 @@
 #pragma once
 
-// One list of columns says how the records of a report look in all its forms: JSON, tables of a page, a terminal's
+// One list of columns says how the records of a report look in all its forms: JSON, tables of the page, a terminal's
 // lines.
 
 #include "base/json.h"
-#include "report/page/html_page.h"
+#include "report/page/report_format.h"
 #include "report/page/report_heading.h"
 
 #include <algorithm>
@@ -17,173 +17,133 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace coif {
 
-/// What a column has of a record. NaN stands for a number that does not exist; a list in JSON are three numbers.
-using ColumnValue = std::variant<Cell, bool, std::uint64_t, double, std::array<double, 3>>;
-
-/// Text, cells and directions as they are; numbers that may be missing as numbers or NaN.
-template <typename Value>
-[[nodiscard]] ColumnValue column_value(const Value& value) {
-  if constexpr (std::same_as<Value, bool> || std::same_as<Value, Cell> || std::same_as<Value, std::array<double, 3>>) {
-    return value;
-  } else if constexpr (std::unsigned_integral<Value>) {
-    return std::uint64_t{value};
-  } else if constexpr (std::convertible_to<Value, std::optional<double>>) {
-    return std::optional<double>(value).value_or(kNoNumber);
-  } else {
-    return Cell{std::string(value)};
-  }
-}
-
-/// How a number becomes a cell. Values of other kinds need none: text is shown as it is, true and false as yes and no.
-class CellFormat {
- public:
-  /// number_text() of numbers, counts with all their digits.
-  CellFormat() = default;
-  /// From double to text or to a cell: percent_text.
-  template <typename Format>
-  requires std::invocable<Format, double> CellFormat(Format format)
-      : of_number_([format](double number) { return Cell{format(number)}; }) {}
-  /// A pattern of fmt: "{:.1f} dB". `missing`: instead of NaN, where that is not null.
-  CellFormat(const char* pattern, const char* missing = nullptr);
-
-  [[nodiscard]] Cell operator()(const ColumnValue& value) const;
-
- private:
-  std::function<Cell(double)> of_number_;
-};
-
-/// A column of a page's table. Without a heading (null) there is none.
+/// A column of the page's table. Without a heading (null) there is none. Columns stand by their places, those of one
+/// place as in the list, which is in the order of the JSON.
 struct PageColumn {
   const char* heading = nullptr;
-  CellFormat format{};
-  int place =
-      0;  ///< Columns stand by their places, those of one place as in the list, which is in the order of the JSON.
-  bool is_prose = false;
+  Format format{};
+  int place = 0;
+  bool is_prose = false;  ///< Broken into lines where it is long.
 };
 
-/// A column of a terminal's table. Without a heading (null) there is none.
+/// A column of the terminal's table, likewise.
 struct TextColumn {
   const char* heading = nullptr;
   int width = 0;  ///< Letters; negative: left-aligned.
-  CellFormat format{};
-  int place = 0;  ///< As a PageColumn's.
+  Format format{};
+  int place = 0;
 };
 
-/// As a key: the column is in tables only.
+/// As a key: the column is in the terminal's table only.
 inline constexpr const char* kNoKey = nullptr;
 
 /// A column, whatever records it is of.
-struct ReportColumn {
-  const char* key = kNoKey;                              ///< In JSON.
-  std::function<ColumnValue(const void* record)> value;  ///< Of a record of the list's type.
-  Column::Kind kind = Column::Kind::kWords;
+struct ColumnForm {
+  const char* key = kNoKey;  ///< In JSON.
+  bool is_number = false;
   PageColumn page;
   TextColumn text;
 };
 
+/// A value of a record in JSON: null for a number that does not exist.
+template <typename Value>
+[[nodiscard]] nlohmann::ordered_json value_json(const Value& value) {
+  if constexpr (std::convertible_to<Value, std::optional<double>> && !std::integral<Value>) {
+    return number_json(std::optional<double>(value).value_or(kNoNumber));
+  } else {
+    return value;
+  }
+}
+
 /// A column of records of that type.
 template <typename Record>
-struct ColumnOf : ReportColumn {
-  /// `of`: a member of the record, or a function of it; to text, a Cell, bool, an unsigned number or one that may be
-  /// missing.
+struct Column : ColumnForm {
+  /// `of`: a member of the record, or a function of it; to text, a bool, an unsigned number, one that may be missing,
+  /// or several.
   template <typename Of>
-  ColumnOf(const char* json_key, Of of, PageColumn on_page = {}, TextColumn in_text = {}) {
+  Column(const char* json_key, Of of, PageColumn on_page = {}, TextColumn in_text = {})
+      : ColumnForm{json_key, false, std::move(on_page), std::move(in_text)} {
     using Value = std::remove_cvref_t<std::invoke_result_t<Of, const Record&>>;
-    constexpr bool is_number = std::convertible_to<Value, std::optional<double>> && !std::same_as<Value, bool>;
-    key = json_key;
-    value = [of](const void* record) {
-      return column_value<Value>(std::invoke(of, *static_cast<const Record*>(record)));
-    };
-    kind = on_page.is_prose ? Column::Kind::kProse : is_number ? Column::Kind::kNumbers : Column::Kind::kWords;
-    page = std::move(on_page);
-    text = std::move(in_text);
+    is_number = std::convertible_to<Value, std::optional<double>> && !std::same_as<Value, bool>;
+    if (is_number && page.format.pattern.empty()) page.format.pattern = std::integral<Value> ? "{}" : "{number}";
+    value = [of](const Record& record) { return value_json<Value>(std::invoke(of, record)); };
   }
+
+  std::function<nlohmann::ordered_json(const Record&)> value;
 };
 
-using ColumnList = std::vector<ReportColumn>;
-using RecordList = std::vector<const void*>;
-
-/// A list of columns that knows what they are of. Only its making and the steps through records are compiled for each
-/// type.
+/// A list of them that can be put together of others.
 template <typename Record>
-class Columns {
- public:
-  Columns(std::initializer_list<ColumnOf<Record>> columns) {
-    for (const ReportColumn& column : columns) list_.push_back(column);
-  }
-  void add(ColumnOf<Record> column) { list_.push_back(std::move(column)); }
-  /// Puts all of `more` behind these.
-  void append(const Columns& more) { list_.insert(list_.end(), more.list_.begin(), more.list_.end()); }
+struct Columns : std::vector<Column<Record>> {
+  using std::vector<Column<Record>>::vector;
+
+  void add(Column<Record> column) { this->push_back(std::move(column)); }
+  void append(const Columns& more) { this->insert(this->end(), more.begin(), more.end()); }
   /// All but those with these keys.
   [[nodiscard]] Columns without(std::initializer_list<std::string_view> keys) const {
     Columns rest = *this;
-    std::erase_if(rest.list_, [&](const ReportColumn& column) {
+    std::erase_if(rest, [&](const Column<Record>& column) {
       return column.key != nullptr && std::ranges::find(keys, std::string_view(column.key)) != keys.end();
     });
     return rest;
   }
-
-  [[nodiscard]] const ColumnList& list() const { return list_; }
-
- private:
-  ColumnList list_;
+  [[nodiscard]] std::vector<ColumnForm> forms() const { return {this->begin(), this->end()}; }
 };
 
-[[nodiscard]] nlohmann::ordered_json json_of(const ColumnList& columns, const void* record);
-[[nodiscard]] nlohmann::ordered_json json_list(const ColumnList& columns, const RecordList& records);
-[[nodiscard]] Table page_table(const ColumnList& columns, const RecordList& records);
-[[nodiscard]] std::string text_heading(const ColumnList& columns);
-[[nodiscard]] std::string text_lines(const ColumnList& columns, const RecordList& records);
-
-template <typename Record>
-[[nodiscard]] RecordList places_of(const std::vector<Record>& records) {
-  RecordList places;
-  for (const Record& record : records) places.push_back(&record);
-  return places;
-}
+/// How the page shows a list: "key", "title" and "kind" of each column, and its format as far as it is not the usual.
+[[nodiscard]] nlohmann::ordered_json page_columns(const std::vector<ColumnForm>& columns);
+[[nodiscard]] std::string text_heading(const std::vector<ColumnForm>& columns);
+/// `values`: one for each column.
+[[nodiscard]] std::string text_line(const std::vector<ColumnForm>& columns,
+                                    const std::vector<nlohmann::ordered_json>& values);
 
 template <typename Record>
 [[nodiscard]] nlohmann::ordered_json json_of(const Columns<Record>& columns, const Record& record) {
-  return json_of(columns.list(), static_cast<const void*>(&record));
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const Column<Record>& column : columns) {
+    if (column.key != nullptr) json[column.key] = column.value(record);
+  }
+  return json;
 }
 
 template <typename Record>
 [[nodiscard]] nlohmann::ordered_json json_list(const Columns<Record>& columns, const std::vector<Record>& records) {
-  return json_list(columns.list(), places_of(records));
-}
-
-template <typename Record>
-[[nodiscard]] Table page_table(const Columns<Record>& columns, const std::vector<Record>& records) {
-  return page_table(columns.list(), places_of(records));
-}
-
-template <typename Record>
-[[nodiscard]] std::string text_heading(const Columns<Record>& columns) {
-  return text_heading(columns.list());
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Record& record : records) list.push_back(json_of(columns, record));
+  return list;
 }
 
 template <typename Record>
 [[nodiscard]] std::string text_lines(const Columns<Record>& columns, const std::vector<Record>& records) {
-  return text_lines(columns.list(), places_of(records));
+  const std::vector<ColumnForm> forms = columns.forms();
+  std::string text;
+  for (const Record& record : records) {
+    std::vector<nlohmann::ordered_json> values;
+    for (const Column<Record>& column : columns) {
+      values.push_back(column.text.heading != nullptr ? column.value(record) : nlohmann::ordered_json());
+    }
+    text += text_line(forms, values);
+  }
+  return text;
 }
 
 /// Heading and lines; nothing without records.
 template <typename Record>
 [[nodiscard]] std::string text_table(const Columns<Record>& columns, const std::vector<Record>& records) {
-  return records.empty() ? "" : text_heading(columns) + text_lines(columns, records);
+  return records.empty() ? "" : text_heading(columns.forms()) + text_lines(columns, records);
 }
 
-/// time_text() of microseconds and of milliseconds.
-[[nodiscard]] std::string microseconds_text(double us);
-[[nodiscard]] std::string milliseconds_text(double ms);
-
-/// Half the width of the middle half of samples, which `spread_pct` is, in % of their median; stands out where the
-/// machine was not steady.
-[[nodiscard]] Cell spread_cell(double spread_pct);
+/// Puts a list into a report, and beside the others in "columns" how the page shows it. A key with points lies that
+/// much deeper: "file.chunks".
+template <typename Record>
+void add_list(nlohmann::ordered_json& report, const char* key, const Columns<Record>& columns,
+              const std::vector<Record>& records) {
+  report[key] = json_list(columns, records);
+  report["columns"][key] = page_columns(columns.forms());
+}
 
 }  // namespace coif

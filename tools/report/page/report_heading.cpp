@@ -85,16 +85,19 @@ nlohmann::ordered_json heading_json(const ReportHeading& heading) {
       {"seconds_taken", heading.seconds_taken}};
 }
 
-HtmlPage report_page(const std::string& title, const ReportHeading& heading, std::string_view summary,
-                     const ViewLink& shown) {
-  HtmlPage page(title + ": " + heading.asset);
-  page.paragraph(heading_text(heading));
+void end_report(nlohmann::ordered_json& report, const ReportHeading& heading, const std::string& subject,
+                const std::string& title, const std::string& finding, const ViewLink& shown) {
+  const auto columns = report["columns"];
+  report.erase("columns");
+  report["report"] = subject;
+  report["title"] = title + ": " + clean_text(heading.asset);
+  report["about"] = heading_text(heading);
+  report["finding"] = finding;
+  report["view"] = nlohmann::ordered_json::array();
   if (!heading.view.empty()) {
-    const PageLink link{heading.view_name, view_url(heading.view, shown)};
-    page.links("See it move: ", {&link, 1});
+    report["view"].push_back({{"text", heading.view_name}, {"url", view_url(heading.view, shown)}});
   }
-  page.summary(summary);
-  return page;
+  report["columns"] = columns;
 }
 
 std::string device_text(const std::string& device) {

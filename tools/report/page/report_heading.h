@@ -3,7 +3,6 @@
 // What the reports have in common.
 
 #include "base/json.h"
-#include "report/page/html_page.h"
 #include "report/page/view_link.h"
 
 #include <coif/asset.h>
@@ -50,10 +49,11 @@ struct ReportHeading {
 /// The keys that every report begins with.
 [[nodiscard]] nlohmann::ordered_json heading_json(const ReportHeading& heading);
 
-/// A page that begins with them, with the sentences that a hurried reader should see, and with a link to the page of
-/// `coif view`, where there is one, which it opens with the settings of `shown`.
-[[nodiscard]] HtmlPage report_page(const std::string& title, const ReportHeading& heading, std::string_view summary,
-                                   const ViewLink& shown = {});
+/// The keys that every report ends with: `subject` as "report", the page's "title", the heading and `finding` as
+/// sentences ("about", "finding"), "view", a list of one link to the page of `coif view` with the settings of `shown`
+/// where there is such a page, and "columns", which say how lists are shown.
+void end_report(nlohmann::ordered_json& report, const ReportHeading& heading, const std::string& subject,
+                const std::string& title, const std::string& finding, const ViewLink& shown = {});
 
 /// The names in one member of the records, each once, in the order in which they first occur.
 template <typename Record>

@@ -26,13 +26,14 @@ struct ShadowError {
 /// What a record's technique is called in a table, and its keys.
 template <typename Row>
 [[nodiscard]] Columns<Row> technique_columns() {
-  return {{kNoKey,
+  return {{"technique", &Row::technique},
+          {"layers", &Row::layers},
+          {"size", &Row::size},
+          {"kind", [](const Row& row) { return technique_text(row.technique, row.layers, 0); }},
+          {"name",
            [](const Row& row) { return technique_text(row.technique, row.layers, row.size); },
            {"technique"},
-           {"technique", -29}},
-          {"technique", &Row::technique},
-          {"layers", &Row::layers},
-          {"size", &Row::size}};
+           {"technique", -29}}};
 }
 
 /// What a record's `hair` and `head` have.
@@ -44,6 +45,9 @@ template <typename Row>
           {"head_rmse", [](const Row& row) { return row.head.rmse; }, {"RMS, head"}, {"head rms", 11}},
           {"head_bias", [](const Row& row) { return row.head.bias; }, {"bias, head"}, {"bias", 11}}};
 }
+
+/// Bytes in units of 1024.
+[[nodiscard]] inline Format kibibytes() { return {"{:.0f}", "-", 1.0 / 1024}; }
 
 /// One technique under one light in one pose.
 struct ShadowRow {
@@ -66,14 +70,9 @@ struct ShadowRow {
   Columns<Row> columns = technique_columns<Row>();
   columns.append({{"light", &Row::light, {"light"}}, {"pose", &Row::pose, {"pose"}}});
   columns.append(shadow_error_columns<Row>());
-  columns.append({{"ms", &Row::ms},
-                  {"read_ns", &Row::read_ns},
-                  {"bytes", &Row::bytes},
-                  {kNoKey, [](const Row& row) { return row.size > 0 ? row.ms : kNoNumber; }, {"ms"}},
-                  {kNoKey, [](const Row& row) { return row.size > 0 ? row.read_ns : kNoNumber; }, {"ns to ask"}},
-                  {kNoKey,
-                   [](const Row& row) { return row.size > 0 ? double(row.bytes) / 1024 : kNoNumber; },
-                   {"KiB", {"{:.0f}", "-"}}}});
+  columns.append({{"ms", &Row::ms, {"ms"}},
+                  {"read_ns", &Row::read_ns, {"ns to ask"}},
+                  {"bytes", &Row::bytes, {"KiB", kibibytes()}}});
   return columns;
 }
 
@@ -94,27 +93,23 @@ struct ShadowTotal {
 [[nodiscard]] inline Columns<ShadowTotal> shadow_total_columns() {
   using Total = ShadowTotal;
   // What no map draws takes neither time nor memory.
-  const auto kibibytes = [](const Total& total) { return total.size > 0 ? double(total.bytes / 1024) : kNoNumber; };
+  const auto kib_of_map = [](const Total& total) { return total.size > 0 ? double(total.bytes / 1024) : kNoNumber; };
   const auto worst = [](const Total& total) {
     return "   " + number_text(total.worst_rmse) + " (" + total.worst_light + ", " + total.worst_pose + ")";
   };
   Columns<Total> columns = technique_columns<Total>();
   columns.append(shadow_error_columns<Total>());
   columns.append(
-      {{"worst_light", &Total::worst_light},
-       {"worst_pose", &Total::worst_pose},
-       {kNoKey, [](const Total& total) { return total.worst_light + ", " + total.worst_pose; }, {"worst light"}},
+      {{"worst_light", &Total::worst_light, {"worst light"}},
+       {"worst_pose", &Total::worst_pose, {"in the pose"}},
        {"worst_rmse", &Total::worst_rmse, {"its RMS"}},
        {kNoKey, worst, {}, {"   worst light of hair", -27}},
-       {"ms", &Total::ms},
-       {"read_ns", &Total::read_ns},
-       {"bytes", &Total::bytes},
-       {kNoKey, [](const Total& total) { return total.size > 0 ? total.ms : kNoNumber; }, {"ms"}, {"ms", 8}},
-       {kNoKey,
-        [](const Total& total) { return total.size > 0 ? total.read_ns : kNoNumber; },
-        {"ns to ask"},
-        {"ns", 8}},
-       {kNoKey, kibibytes, {"KiB", {"{:.0f}", "-"}}, {"KiB", 8, {"{:.0f}", "-"}}}});
+       {"ms", &Total::ms, {"ms"}},
+       {"read_ns", &Total::read_ns, {"ns to ask"}},
+       {"bytes", &Total::bytes, {"KiB", kibibytes()}},
+       {kNoKey, [](const Total& total) { return total.size > 0 ? total.ms : kNoNumber; }, {}, {"ms", 8}},
+       {kNoKey, [](const Total& total) { return total.size > 0 ? total.read_ns : kNoNumber; }, {}, {"ns", 8}},
+       {kNoKey, kib_of_map, {}, {"KiB", 8, "{:.0f}"}}});
   return columns;
 }
 
@@ -143,15 +138,15 @@ struct ShadowReport {
   std::vector<ShadowTotal> totals;  ///< In the order in which they first occur in `rows`.
 };
 
-/// `coif report shadows` for other programs: the heading, then `device`, `spacing` (metres between the lines of the
+/// `coif report shadows`: the heading, then `device`, `spacing` (metres between the lines of the
 /// exact reference), `hair_points`, `head_points`, and `lights`, `rows` and `totals` with the keys of their columns.
 [[nodiscard]] nlohmann::ordered_json shadow_json(const ReportHeading& heading, const ShadowReport& report);
 
 /// `coif report shadows` for a terminal: each technique over all lights and poses, and the summary.
 [[nodiscard]] std::string shadow_text(const ReportHeading& heading, const ShadowReport& report);
 
-/// `coif report shadows` as one HTML document.
-[[nodiscard]] std::string shadow_page(const ReportHeading& heading, const ShadowReport& report);
+/// How the page shows that: shadows_page.json.
+extern "C" const char coif_shadows_page[];
 
 /// Which technique is nearest to the truth, and which costs least within half as much again, in a sentence.
 [[nodiscard]] std::string shadow_summary(const ShadowReport& report);

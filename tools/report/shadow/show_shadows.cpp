@@ -104,82 +104,17 @@ nlohmann::ordered_json shadow_json(const ReportHeading& heading, const ShadowRep
   json["truth_aside"] = number_json(report.aside);
   json["truth_rmse"] = number_json(report.truth_rmse);
   json["truth_compared"] = number_json(report.truth_compared);
-  json["lights"] = json_list(light_columns(), report.lights);
-  json["rows"] = json_list(shadow_columns(), report.rows);
-  json["totals"] = json_list(shadow_total_columns(), report.totals);
+  add_list(json, "lights", light_columns(), report.lights);
+  add_list(json, "rows", shadow_columns(), report.rows);
+  add_list(json, "totals", shadow_total_columns(), report.totals);
+  json["notes"] = {{"method", shadow_method(report)}};
+  end_report(json, heading, "shadows", "What shadows get wrong", shadow_summary(report));
   return json;
 }
 
 std::string shadow_text(const ReportHeading& heading, const ShadowReport& report) {
   return heading_text(heading) + "\n  " + shadow_method(report) + " Drawn by " + report.device + ".\n" +
-         text_heading(shadow_total_columns()) + text_lines(shadow_total_columns(), report.totals) +
-         shadow_summary(report) + "\n";
-}
-
-namespace {
-
-/// One line per technique and number of layers, over the sizes of its map.
-Figure sizes_figure(const ShadowReport& report) {
-  Figure figure{{.title = "Error over the size of the map",
-                 .x_label = "texels each way",
-                 .y_label = "RMS error of the light that reaches hair",
-                 .log_x = true},
-                "Lower is better. Of 1, which is all of the light; mean over lights and poses."};
-  Plot& plot = figure.plot;
-  for (const ShadowTotal& total : report.totals) {
-    if (total.size == 0) {
-      plot.markers.push_back({false, total.hair.rmse, "without shadows"});
-      continue;
-    }
-    const std::string name = technique_text(total.technique, total.layers, 0);
-    const auto found = std::ranges::find(plot.series, name, &PlotSeries::name);
-    PlotSeries& series = found == plot.series.end() ? plot.add(name) : *found;
-    series.points.push_back({double(total.size), total.hair.rmse});
-    if (plot.series.size() == 1) plot.x_ticks.push_back(double(total.size));
-  }
-  return figure;
-}
-
-Figure cost_figure(const ShadowReport& report) {
-  Figure figure{{.title = "Error against cost",
-                 .x_label = "milliseconds to draw the map",
-                 .y_label = "RMS error of the light that reaches hair"},
-                "Lower is better, further left is cheaper. Drawn by " + report.device + "."};
-  for (const ShadowTotal& total : report.totals) {
-    if (total.size == 0) continue;
-    figure.plot.add(technique_text(total.technique, total.layers, total.size), {{total.ms, total.hair.rmse}},
-                    PlotSeries::Style::kPoints);
-  }
-  return figure;
-}
-
-}  // namespace
-
-std::string shadow_page(const ReportHeading& heading, const ShadowReport& report) {
-  HtmlPage page = report_page("What shadows get wrong", heading, shadow_summary(report));
-  page.paragraph(shadow_method(report));
-  page.table(page_table(shadow_total_columns(), report.totals));
-  page.paragraph(
-      "plain: a depth map, in which hair is solid or not there. opacity: opacity shadow maps, planes across the light "
-      "with "
-      "the hair before each. deep: deep opacity maps, which count how much hair lies in each of their layers. "
-      "deep-shadow: deep "
-      "shadow maps, a function of depth in each texel, of two steps; deep-shadow-cpu: the same of as many lines as "
-      "keep "
-      "within 0.02, on the processor, alone. Errors are of single points, the maximum too: at the edge of a card every "
-      "map has "
-      "some that are wrong altogether. A positive bias is light that leaks through, a negative one is light that is "
-      "lost. "
-      "Hair counts by its alpha, as far as the head leaves it in the light; of the head, the side that is turned to "
-      "the "
-      "light.");
-  page.figure(sizes_figure(report));
-  page.figure(cost_figure(report));
-  page.heading("The lights");
-  page.table(page_table(light_columns(), report.lights));
-  page.heading("Every measurement");
-  page.table(page_table(shadow_columns(), report.rows));
-  return page.text();
+         text_table(shadow_total_columns(), report.totals) + shadow_summary(report) + "\n";
 }
 
 }  // namespace coif

@@ -72,94 +72,59 @@ std::string stability_summary(const StabilityReport& report) {
                      list(broken));
 }
 
-Cell outcome_cell(Outcome outcome) {
-  constexpr CellLook kLooks[] = {CellLook::kGood, CellLook::kNeutral, CellLook::kWarning, CellLook::kWarning,
-                                 CellLook::kBad};
-  return {name_of(outcome), kLooks[std::size_t(outcome)]};
+const char* look_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::kOk: return "good";
+    case Outcome::kRejected: return "neutral";
+    case Outcome::kRestless:
+    case Outcome::kDiverged: return "warning";
+    case Outcome::kNan: return "bad";
+  }
+  return "";
+}
+
+Format outcome_format() {
+  auto rules = nlohmann::ordered_json::array();
+  for (const Outcome outcome : kOutcomes) rules.push_back({{"is", name_of(outcome)}, {"look", look_of(outcome)}});
+  return Format().colored(rules);
 }
 
 Columns<StabilityTotal> stability_total_columns() {
   using Total = StabilityTotal;
-  Columns<Total> columns{{kNoKey, &Total::solver, {"solver"}, {"solver", -14}}};
+  const Format percent = "{percent}";
+  Columns<Total> columns{{"solver", &Total::solver, {"solver"}, {"solver", -14}}};
   for (const Outcome outcome : kOutcomes) {
-    columns.add({kNoKey, [outcome](const Total& total) { return total.count[std::size_t(outcome)]; },
-                 PageColumn{name_of(outcome),
-                            [outcome](double count) {
-                              const CellLook look = count > 0 ? outcome_cell(outcome).look : CellLook::kPlain;
-                              return Cell{fmt::format("{}", count), look};
-                            }},
-                 TextColumn{name_of(outcome), 10}});
+    const Format count = Format("{}").colored({{{"least", 1}, {"look", look_of(outcome)}}});
+    columns.add({name_of(outcome), [outcome](const Total& total) { return total.count[std::size_t(outcome)]; },
+                 PageColumn{name_of(outcome), count}, TextColumn{name_of(outcome), 10}});
   }
-  columns.append({{kNoKey, &Total::stretch_max_pct, {"worst stretch", percent_text}, {"stretch %", 12}},
-                  {kNoKey, &Total::penetration_max_pct, {"worst penetration", percent_text}, {"penetration %", 15}},
-                  {kNoKey, &Total::limit_max_rad, {"furthest beyond a limit, rad"}, {"limit rad", 11}},
-                  {kNoKey, &Total::link_stretch_max_pct, {"links parted most", percent_text}, {"links %", 9}},
-                  {kNoKey, &Total::rest_speed, {"fastest at rest, m/s"}, {"at rest m/s", 13}},
-                  {kNoKey, &Total::settle_error_pct, {"worst settle error", percent_text}, {"settle %", 10}}});
+  columns.append(
+      {{"stretch_max_pct", &Total::stretch_max_pct, {"worst stretch", percent}, {"stretch %", 12}},
+       {"penetration_max_pct", &Total::penetration_max_pct, {"worst penetration", percent}, {"penetration %", 15}},
+       {"limit_max_rad", &Total::limit_max_rad, {"furthest beyond a limit, rad"}, {"limit rad", 11}},
+       {"link_stretch_max_pct", &Total::link_stretch_max_pct, {"links parted most", percent}, {"links %", 9}},
+       {"rest_speed", &Total::rest_speed, {"fastest at rest, m/s"}, {"at rest m/s", 13}},
+       {"settle_error_pct", &Total::settle_error_pct, {"worst settle error", percent}, {"settle %", 10}}});
   return columns;
 }
 
 nlohmann::ordered_json stability_json(const ReportHeading& heading, const StabilityReport& report) {
+  using Row = Outcome;
+  const Columns<Row> outcome_columns{{"outcome", [](Row row) { return name_of(row); }, {"outcome", outcome_format()}},
+                                     {"meaning", [](Row row) { return describe(row); }, {"the solver ..."}}};
   nlohmann::ordered_json json = heading_json(heading);
-  json["cases"] = json_list(stability_columns(), report.rows);
-  json["descriptions"] = json_list(stress_case_columns(), report.stress_cases);
+  add_list(json, "cases", stability_columns(), report.rows);
+  add_list(json, "descriptions", stress_case_columns(), report.stress_cases);
+  add_list(json, "totals", stability_total_columns(), stability_totals(report));
+  add_list(json, "outcomes", outcome_columns, std::vector<Outcome>(kOutcomes.begin(), kOutcomes.end()));
+  end_report(json, heading, "stability", "Stability under stress", stability_summary(report));
   return json;
 }
 
 std::string stability_text(const ReportHeading& heading, const StabilityReport& report) {
-  return heading_text(heading) + "\n" + text_heading(stability_total_columns()) +
-         text_lines(stability_total_columns(), stability_totals(report)) +
+  return heading_text(heading) + "\n" + text_table(stability_total_columns(), stability_totals(report)) +
          "  stretch, penetration and settle error: the worst of the cases that ended well\n" +
          stability_summary(report) + "\n";
-}
-
-namespace {
-
-Table legend_table() {
-  Table table{{{"outcome"}, {"the solver ..."}}, {}};
-  for (const Outcome outcome : kOutcomes) table.rows.push_back({outcome_cell(outcome), {describe(outcome)}});
-  return table;
-}
-
-Cell case_cell(const StabilityReport& report, const std::string& stress_case, const std::string& solver) {
-  const auto row = std::ranges::find_if(
-      report.rows, [&](const StabilityRow& one) { return one.stress_case == stress_case && one.solver == solver; });
-  if (row == report.rows.end()) return {"-"};
-  Cell cell = outcome_cell(row->outcome);
-  if (std::isfinite(row->stretch_max_pct)) cell.text += "\nstretch " + percent_text(row->stretch_max_pct);
-  if (std::isfinite(row->penetration_max_pct)) cell.text += "\ninside " + percent_text(row->penetration_max_pct);
-  return cell;
-}
-
-/// A row for each case, a column for each solver.
-Table cases_table(const StabilityReport& report) {
-  const std::vector<std::string> solvers = names_of(report.rows, &StabilityRow::solver);
-  Table table{{{"case"}, {"what happens", Column::Kind::kProse}}, {}};
-  for (const std::string& solver : solvers) table.columns.push_back({solver});
-  for (const StressCase& stress : report.stress_cases) {
-    auto& cells = table.rows.emplace_back(std::vector<Cell>{{stress.name}, {stress.description}});
-    for (const std::string& solver : solvers) cells.push_back(case_cell(report, stress.name, solver));
-  }
-  return table;
-}
-
-}  // namespace
-
-std::string stability_page(const ReportHeading& heading, const StabilityReport& report) {
-  HtmlPage page = report_page("Stability under stress", heading, stability_summary(report));
-  page.table(page_table(stability_total_columns(), stability_totals(report)));
-  page.table(legend_table());
-  page.heading("Case by case");
-  page.paragraph(
-      "Stretch is the worst of a bone, in % of its length; inside is the worst depth of a bone's end in a collider, in "
-      "% of the collider's radius.");
-  page.table(cases_table(report));
-  page.heading("Every measurement");
-  page.paragraph(
-      "Settle error: RMS distance of the tips to the settled hair after the stress has ended, in % of the chain's "
-      "length. A solver that does not find back stays deformed in the game, too.");
-  page.table(page_table(stability_columns(), report.rows));
-  return page.text();
 }
 
 }  // namespace coif

@@ -34,8 +34,11 @@ enum class Outcome {
 inline constexpr std::array kOutcomes{Outcome::kOk, Outcome::kRejected, Outcome::kRestless, Outcome::kDiverged,
                                       Outcome::kNan};
 
-/// Its name, coloured.
-[[nodiscard]] Cell outcome_cell(Outcome outcome);
+/// How the page colours an outcome, of one or of cases that had it: "good", "neutral", "warning" or "bad".
+[[nodiscard]] const char* look_of(Outcome outcome);
+
+/// An outcome's name, coloured.
+[[nodiscard]] Format outcome_format();
 
 /// A way to put a solver under stress.
 struct StressCase {
@@ -68,7 +71,7 @@ struct StabilityRow {
   using Row = StabilityRow;
   return {{"case", &Row::stress_case, {"case"}},
           {"solver", &Row::solver, {"solver"}},
-          {"outcome", [](const Row& row) { return outcome_cell(row.outcome); }, {"outcome"}},
+          {"outcome", [](const Row& row) { return name_of(row.outcome); }, {"outcome", outcome_format()}},
           {"stretch_max_pct", &Row::stretch_max_pct, {"stretch %"}},
           {"penetration_max_pct", &Row::penetration_max_pct, {"penetration %"}},
           {"limit_max_rad", &Row::limit_max_rad, {"beyond limit rad"}},
@@ -99,11 +102,12 @@ struct StabilityReport {
   std::vector<StabilityRow> rows;        ///< JSON key "cases".
 };
 
-/// `coif report stability` for other programs: the heading, then cases, and what each of them does.
+/// `coif report stability`: the heading, then cases, what each of them does, totals of each solver, and what outcomes
+/// mean.
 [[nodiscard]] nlohmann::ordered_json stability_json(const ReportHeading& heading, const StabilityReport& report);
 
-/// `coif report stability` as one HTML document: a row for each case, a column for each solver.
-[[nodiscard]] std::string stability_page(const ReportHeading& heading, const StabilityReport& report);
+/// How the page shows that: stability_page.json.
+extern "C" const char coif_stability_page[];
 
 /// `coif report stability` for a terminal: totals of each solver and the summary.
 [[nodiscard]] std::string stability_text(const ReportHeading& heading, const StabilityReport& report);

@@ -1,4 +1,3 @@
-#include "report/page/html_page.h"
 #include "animation/glb_reader.h"
 #include "base/json.h"
 #include "report/accuracy/accuracy_report.h"
@@ -11,79 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace coif::html_page_test {
-
-constexpr const char* kHostile = "</title><script>alert(\"1\" & '2')</script>\x1b\xff";
-
-TEST(HtmlPage, EscapesEveryTextThatComesIn) {
-  HtmlPage page(kHostile);
-  page.heading(kHostile);
-  page.summary(kHostile);
-  page.paragraph(kHostile);
-  page.table({{{kHostile}}, {{{kHostile}}}});
-  page.picture({}, kHostile);
-  const std::string html = page.text();
-  EXPECT_EQ(html.find("<script"), std::string::npos);
-  EXPECT_EQ(html.find('\x1b'), std::string::npos);
-  EXPECT_EQ(html.find('\xff'), std::string::npos);
-  // Twice for the title, which is also the first heading, and for the caption, which also says what the picture means.
-  EXPECT_EQ(count_of(html, "&lt;script&gt;alert(&quot;1&quot; &amp; &#39;2&#39;)&lt;/script&gt; \xEF\xBF\xBD"), 9u);
-}
-
-TEST(HtmlPage, NeedsNothingBesideItself) {
-  HtmlPage page("title");
-  page.table({{{"a"}}, {{{"b"}}}});
-  const std::string html = page.text();
-  for (const char* word : {"src=", "href=", "@import", "url(", "<script", "<link"}) {
-    EXPECT_EQ(html.find(word), std::string::npos) << word;
-  }
-  EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
-}
-
-TEST(HtmlPage, NumbersAreRightAlignedAndLooksAreClasses) {
-  HtmlPage page("title");
-  page.table({{{"name"}, {"value", Column::Kind::kNumbers}},
-              {{{"a", CellLook::kGood}, {"1.5", CellLook::kBad}}, {{"b"}, {"2"}}}});
-  const std::string html = page.text();
-  EXPECT_NE(html.find("<th scope=\"col\" class=\"number\">value</th>"), std::string::npos);
-  EXPECT_NE(html.find("<td class=\"good\">a</td><td class=\"number bad\">1.5</td>"), std::string::npos);
-  EXPECT_NE(html.find("<td>b</td><td class=\"number\">2</td>"), std::string::npos);
-}
-
-TEST(HtmlPage, LineFeedsInCellsAreLines) {
-  HtmlPage page("title");
-  page.table({{{"a", Column::Kind::kProse}}, {{{"one\n<two>\n"}}}});
-  EXPECT_NE(page.text().find("<td class=\"prose\">one<br>&lt;two&gt;<br></td>"), std::string::npos);
-}
-
-TEST(HtmlPage, CellsShowPicturesThatLieInThePage) {
-  const std::uint8_t bytes[] = {0x89, 'P', 'N', 'G'};
-  HtmlPage page("title");
-  page.table({{{"a"}}, {{{"bob", CellLook::kPlain, bytes}}, {{"none"}}}});
-  EXPECT_NE(page.text().find("<td><img alt=\"\" src=\"data:image/png;base64,iVBORw==\">bob</td>"), std::string::npos);
-  EXPECT_NE(page.text().find("<td>none</td>"), std::string::npos);
-}
-
-TEST(HtmlPage, ShortRowsAreFilledUp) {
-  HtmlPage page("title");
-  page.table({{{"a"}, {"b"}, {"c"}}, {{{"1"}}}});
-  EXPECT_NE(page.text().find("<td>1</td><td></td><td></td></tr>"), std::string::npos);
-}
-
-TEST(HtmlPage, IdsOfFiguresDoNotClashAndAreThere) {
-  Figure figure;
-  figure.plot.add("one", {{1, 2}, {3, 4}});
-  figure.plot.add("two", {{1, 2}, {3, 4}});
-  HtmlPage page("title");
-  page.figure(figure);
-  page.figure(figure);
-  const std::string html = page.text();
-  EXPECT_EQ(expect_unique_ids(html), 6u) << "a title and two series each";
-  for (const char* title : {"figure1_title", "figure2_title"}) {
-    EXPECT_NE(html.find(std::string("aria-labelledby=\"") + title), std::string::npos);
-    EXPECT_NE(html.find(std::string("id=\"") + title), std::string::npos);
-  }
-}
+namespace coif::report_json_test {
 
 TEST(NumberText, IsADashWhereThereIsNoNumber) {
   for (const double none : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
@@ -133,21 +60,40 @@ TEST(ReportHeading, IsOneLineEvenWhereTheMachineIsNotKnown) {
 using nlohmann::ordered_json;
 const Keys kHeadingKeys = {"asset", "bones", "simulated_bones", "chains", "chain_length_m", "machine", "seconds_taken"};
 
-Keys after_heading(const Keys& keys) {
+/// The heading's keys, those of the report, and those that every report ends with.
+Keys with_heading(const Keys& keys) {
   Keys all = kHeadingKeys;
   all.insert(all.end(), keys.begin(), keys.end());
+  for (const char* key : {"report", "title", "about", "finding", "view", "columns"}) all.emplace_back(key);
   return all;
 }
 
 TEST(AccuracyJson, HasTheDocumentedKeys) {
   const ordered_json json = accuracy_json(made_up_heading(), made_up_accuracy());
-  EXPECT_EQ(keys_of(json), after_heading({"rows", "spread", "reference", "own_reference", "settle", "swings", "stroke",
-                                          "conditioned_share", "tells_velocities", "budget_rms_pct", "chosen"}));
-  EXPECT_EQ(keys_of(json["rows"][0]),
-            (Keys{"motion", "solver", "fps", "substeps", "ns_per_bone_frame", "code", "rms_error_pct", "own_error_pct",
-                  "model_distance_pct", "max_error_pct", "worst_second_pct", "of_motion_pct", "stretch_max_pct",
-                  "penetration_max_pct", "segment_penetration_max_pct", "pareto", "cost_falls"}));
-  EXPECT_EQ(keys_of(json["spread"][0]), (Keys{"motion", "solver", "substeps", "frame_rate_spread_pct"}));
+  EXPECT_EQ(keys_of(json), with_heading({"rows", "spread", "reference", "own_reference", "settle", "swings", "stroke",
+                                         "conditioned_share", "tells_velocities", "budget_rms_pct", "chosen",
+                                         "main_fps", "means", "swing_chain", "swing_path", "view_motions", "notes"}));
+  EXPECT_EQ(keys_of(json["rows"][0]), (Keys{"motion",
+                                            "solver",
+                                            "fps",
+                                            "substeps",
+                                            "ns_per_bone_frame",
+                                            "code",
+                                            "rms_error_pct",
+                                            "own_error_pct",
+                                            "model_distance_pct",
+                                            "max_error_pct",
+                                            "worst_second_pct",
+                                            "of_motion_pct",
+                                            "stretch_max_pct",
+                                            "penetration_max_pct",
+                                            "segment_penetration_max_pct",
+                                            "pareto",
+                                            "cost_falls",
+                                            "setting",
+                                            "fewest_steps",
+                                            "shown_first"}));
+  EXPECT_EQ(keys_of(json["spread"][0]), (Keys{"motion", "solver", "substeps", "setting", "frame_rate_spread_pct"}));
   EXPECT_EQ(keys_of(json["reference"][0]), (Keys{"motion", "self_difference_pct", "steps_per_second"}));
   EXPECT_EQ(keys_of(json["settle"][0]), (Keys{"solver", "settle_error_pct"}));
   EXPECT_EQ(keys_of(json["chosen"]), (Keys{"solver", "substeps", "rms_error_pct", "ns_per_bone_frame"}));
@@ -186,7 +132,7 @@ TEST(AccuracyJson, MissingNumbersAreNull) {
 
 TEST(StabilityJson, HasTheDocumentedKeysAndOutcomes) {
   const ordered_json json = stability_json(made_up_heading(), made_up_stability());
-  EXPECT_EQ(keys_of(json), after_heading({"cases", "descriptions"}));
+  EXPECT_EQ(keys_of(json), with_heading({"cases", "descriptions", "totals", "outcomes"}));
   EXPECT_EQ(keys_of(json["cases"][0]),
             (Keys{"case", "solver", "outcome", "stretch_max_pct", "penetration_max_pct", "limit_max_rad",
                   "link_stretch_max_pct", "max_speed", "rest_speed", "settle_error_pct"}));
@@ -197,4 +143,4 @@ TEST(StabilityJson, HasTheDocumentedKeysAndOutcomes) {
   EXPECT_EQ(json["descriptions"][1]["case"], "nan_pose");
 }
 
-}  // namespace coif::html_page_test
+}  // namespace coif::report_json_test

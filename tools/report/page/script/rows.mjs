@@ -1,0 +1,36 @@
+// What a layout asks of a report: its lists, single values, and texts with values in them.
+
+import { valueText } from './format.mjs';
+
+const own = (object, key) => (object !== null && typeof object === 'object' && Object.hasOwn(object, key) ? object[key] : undefined);
+
+/** By a path, "memory.bytes_shared": of the record that the layout is at, else of the report. */
+export function valueAt(path, report, scope = {}) {
+  const within = (object) => path.split('.').reduce(own, object);
+  return within(scope) ?? within(report);
+}
+
+/** With "{path}" and "{path|pattern}" filled in: "at {main_fps} frames per second", "{memory.bytes_shared|:.0f} bytes". */
+export function filledText(text, report, scope = {}) {
+  return text.replace(/\{([\w.]+)(?:\|([^}]+))?\}/g, (_, path, pattern) =>
+    valueText(valueAt(path, report, scope), pattern ? { pattern: `{${pattern}}` } : {}));
+}
+
+/** Whether there is something under a path: a list with records, a text with letters, a number. */
+export function isThere(path, report, scope) {
+  const value = valueAt(path, report, scope);
+  return Array.isArray(value) ? value.length > 0 : value !== undefined && value !== null && value !== '' && value !== false;
+}
+
+/** Records of the list `of.rows` that have what `of.where` says, a value or one of several, and not what `of.not` says. */
+export function rowsOf(of, report, scope = {}) {
+  const wanted = (value) => (typeof value === 'string' ? filledText(value, report, scope) : value);
+  const has = (row, [key, value]) => [value].flat().map(wanted).some((one) => own(row, key) === one);
+  const list = valueAt(of.rows, report, scope);
+  if (!Array.isArray(list)) return [];
+  return list.filter((row) => Object.entries(of.where ?? {}).every((one) => has(row, one)) &&
+                              !Object.entries(of.not ?? {}).some((one) => has(row, one)));
+}
+
+/** The values under a key, each once, in the order in which they first occur. */
+export const namesOf = (rows, key) => [...new Set(rows.map((row) => own(row, key)))];
