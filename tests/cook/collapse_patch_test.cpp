@@ -1,7 +1,7 @@
 #include "cook/lods/collapse_patch.h"
-#include "base/work_limit.h"
 #include "cook/built_models.h"
 #include "cook/select/triangle_distance.h"
+#include "platform/work_limit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "cook/cook.h"
-#include "base/work_limit.h"
 #include "cook/built_models.h"
 #include "models/small_asset.h"
+#include "platform/work_limit.h"
 
 #include <coif/asset.h>
 #include <coif/hair.h>

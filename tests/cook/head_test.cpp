@@ -1,11 +1,11 @@
 #include "cook/select/head.h"
 #include "cook/recipe/recipe.h"
 
-#include "base/work_limit.h"
 #include "cook/built_models.h"
 #include "cook/rig/colliders.h"
 #include "cook/rig/skeleton.h"
 #include "cook/select/select_hair.h"
+#include "platform/work_limit.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -4,7 +4,8 @@
 #include "import/assimp_scene.h"
 #include "import/import.h"
 #include "import/model_files.h"
-#include "process/child_process.h"
+#include "platform/child_process.h"
+#include "platform/sandbox.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "view/server/live_cook.h"
 #include "cook/recipe/recipe.h"
 
-#include "base/work_limit.h"
+#include "platform/work_limit.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

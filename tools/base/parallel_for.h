@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/work_limit.h"
+#include "platform/work_limit.h"
 
 #include <algorithm>
 #include <atomic>

@@ -3,7 +3,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "cli/messages.h"
-#include "process/child_process.h"
+#include "platform/child_process.h"
 
 #include <fmt/format.h>
 

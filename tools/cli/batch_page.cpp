@@ -2,7 +2,7 @@
 
 #include "base/text.h"
 #include "cli/input_files.h"
-#include "process/child_process.h"
+#include "platform/child_process.h"
 #include "render/picture.h"
 #include "report/page/html_page.h"
 

@@ -10,6 +10,7 @@
 #include "cli/messages.h"
 #include "cook/cook.h"
 #include "payload_hash.h"
+#include "platform/program.h"
 #include "validate/find_issues.h"
 
 #include <coif/version.h>
@@ -35,7 +36,7 @@ tl::expected<void, ToolError> check_cook_outputs(const CookOptions& options, con
 
 /// The version alone would not tell apart two builds of it.
 std::string tool_identity() {
-  const auto program = FileBytes::read("/proc/self/exe");
+  const auto program = FileBytes::read(program_path());
   return fmt::format("coif {} {}", COIF_VERSION, program ? content_digits(program->span()) : "");
 }
 
@@ -82,7 +83,7 @@ tl::expected<CookResult, FailedCook> cook_source(const CookOptions& options, con
 
 tl::expected<FinishedCook, FailedCook> cook_or_find(const CookOptions& options, const RecipeChoice& choice,
                                                     const Messages& messages, LimitedWork& work) {
-  const auto begin = file_time_now();
+  const auto begin = file_clock_now();
   const auto bytes = FileBytes::read(options.source());
   if (!bytes) return tl::unexpected(FailedCook(bytes.error(), {make_issue("F101", bytes.error().message)}));
   const auto fresh = [&] { return cook_source(options, choice, bytes->span(), messages, work); };

@@ -1,9 +1,7 @@
 #include "cli/cook_limits.h"
 
-#include "base/work_limit.h"
-#include "process/child_process.h"
-
-#include <sys/resource.h>
+#include "platform/child_process.h"
+#include "platform/work_limit.h"
 
 #include <algorithm>
 #include <chrono>
@@ -17,15 +15,6 @@ namespace {
 constexpr std::uint64_t kBytesOfAThread = std::uint64_t{80} << 20;
 
 constexpr std::chrono::seconds kGrace{2};
-
-std::uint64_t swap_memory_limit(std::uint64_t bytes) {
-  rlimit limit{};
-  getrlimit(RLIMIT_AS, &limit);
-  const std::uint64_t before = limit.rlim_cur;
-  limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);
-  setrlimit(RLIMIT_AS, &limit);
-  return before;
-}
 
 }  // namespace
 

@@ -17,7 +17,7 @@ struct CookAllowance {
 };
 
 /// While it lives, allocations beyond the allowance fail, and what works for longer meets TookTooLong
-/// (base/work_limit.h). Code that does not look at the clock for two seconds after that, such as a library's, meets
+/// (platform/work_limit.h). Code that does not look at the clock for two seconds after that, such as a library's, meets
 /// `overrun` instead, which is called on a thread of its own, once, and must end the process. Memory is not limited
 /// under AddressSanitizer.
 class CookLimits {

@@ -4,13 +4,13 @@
 #include "base/parallel_for.h"
 #include "cli/input_files.h"
 #include "cli/moved_page.h"
+#include "platform/program.h"
 #include "view/server/live_page.h"
 #include "view/server/live_view.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <csignal>
 #include <system_error>
 #include <utility>
 
@@ -82,22 +82,6 @@ LiveCooking cooking_of(const LiveOptions& options, const Messages& messages) {
   return cooking;
 }
 
-/// Signals that end the program wait for wait_for_end(), in this thread and in those that it starts.
-sigset_t hold_back_signals() {
-  sigset_t ends;
-  sigemptyset(&ends);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&ends, number);
-  pthread_sigmask(SIG_BLOCK, &ends, nullptr);
-  std::signal(SIGPIPE, SIG_IGN);  // pages go whenever they want
-  return ends;
-}
-
-void wait_for_end(const sigset_t& ends) {
-  int number = 0;
-  while (sigwait(&ends, &number) != 0) {
-  }
-}
-
 std::string address_text(const LiveOptions& options, const std::string& address) {
   if (options.format == OutputFormat::kJson) return json_text({{"address", address}});
   return fmt::format(
@@ -122,12 +106,12 @@ tl::expected<Exit, ToolError> view_live(LiveOptions options, const Messages& mes
   LiveViewSettings settings{options.file, options.recipe, cooking_of(options, messages), {}};
   settings.server.port = options.port;
   settings.server.page = *page;
-  const sigset_t ends = hold_back_signals();
+  EndSignals ends;
   const auto view = LiveView::start(std::move(settings));
   if (!view) return tl::unexpected(view.error());
   print_result(address_text(options, (*view)->address()));
   std::fflush(stdout);
-  wait_for_end(ends);
+  ends.wait();
   return Exit::kOk;
 }
 

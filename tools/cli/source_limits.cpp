@@ -2,7 +2,8 @@
 
 #include "cli/command.h"
 #include "cli/options.h"
-#include "process/child_process.h"
+#include "platform/child_process.h"
+#include "platform/sandbox.h"
 
 #include <fmt/format.h>
 

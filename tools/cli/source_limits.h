@@ -1,10 +1,10 @@
 #pragma once
 
 #include "base/tool_error.h"
-#include "base/work_limit.h"
 #include "cli/cook_limits.h"
 #include "cli/messages.h"
 #include "import/import.h"
+#include "platform/work_limit.h"
 
 #include <CLI/CLI.hpp>
 #include <tl/expected.hpp>

@@ -2,10 +2,10 @@
 
 #include "base/files.h"
 #include "base/text.h"
-#include "base/work_limit.h"
 #include "groom/groom_stream.h"
 #include "groom/strand_files.h"
 #include "import/reader_process.h"
+#include "platform/work_limit.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 #include "import/import.h"
 
 #include "base/files.h"
-#include "base/work_limit.h"
 #include "import/assimp_scene.h"
 #include "import/gltf_scene.h"
 #include "import/model_stream.h"
 #include "import/reader_process.h"
+#include "platform/work_limit.h"
 
 #include <fmt/format.h>
 

@@ -41,9 +41,9 @@ struct ImportSettings {
 void set_importer(SourceModel& model);
 
 /// Reads the meshes of an FBX, glTF, GLB, VRM, OBJ or DAE. The parser runs in a child process under limits: third-party
-/// importers crash on hostile files. Throws TookTooLong alone, where the time of this process (base/work_limit.h) is
-/// over. Errors: kFileAccess (absent, unreadable), kBadInput (not parseable, crash, limit, no triangles), kUnsupported
-/// (suffix or variant not known). Blocks; costs a fork, so call it before starting threads where you can.
+/// importers crash on hostile files. Throws TookTooLong alone, where the time of this process (platform/work_limit.h)
+/// is over. Errors: kFileAccess (absent, unreadable), kBadInput (not parseable, crash, limit, no triangles),
+/// kUnsupported (suffix or variant not known). Blocks; costs a fork, so call it before starting threads where you can.
 tl::expected<SourceModel, ToolError> import_model(const std::filesystem::path& path,
                                                   const ImportSettings& settings = {});
 

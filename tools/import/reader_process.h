@@ -13,7 +13,7 @@
 namespace coif {
 
 /// Runs `read` in a child process under the limits of `settings`; where the kernel can do that, it is locked up
-/// (process/child_process.h): it may open nothing but the source, its folder and the roots, and make no socket and no
+/// (platform/child_process.h): it may open nothing but the source, its folder and the roots, and make no socket and no
 /// process. Returns what it returned, which is to be trusted as little as the source. Errors: kBadInput where it
 /// crashed or exceeded a limit, with a cure, kInternal where it could not be started, kUnsupported where
 /// settings.requires_sandbox and it cannot be locked up. Blocks.

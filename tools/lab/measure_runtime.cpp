@@ -1,8 +1,8 @@
 #include "lab/measure_runtime.h"
 
-#include "base/work_limit.h"
 #include "lab/hair_segment.h"
 #include "lab/runtime_solver.h"
+#include "platform/work_limit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "lab/reference_solver.h"
 
-#include "base/work_limit.h"
 #include "lab/reference_model.h"
+#include "platform/work_limit.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,8 +1,8 @@
 #include "cook/lods/collapse_patch.h"
 
-#include "base/work_limit.h"
 #include "cook/lods/patch_surface.h"
 #include "cook/select/triangle_distance.h"
+#include "platform/work_limit.h"
 
 #include <algorithm>
 #include <cmath>

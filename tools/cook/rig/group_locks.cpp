@@ -1,8 +1,8 @@
-#include "base/work_limit.h"
 #include "cook/recipe/rig_recipe.h"
 #include "cook/rig/fit_chains.h"
 #include "cook/rig/hair_cells.h"
 #include "cook/select/mesh_topology.h"
+#include "platform/work_limit.h"
 
 #include <algorithm>
 #include <array>

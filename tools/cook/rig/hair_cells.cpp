@@ -1,8 +1,8 @@
 #include "cook/rig/hair_cells.h"
 
-#include "base/work_limit.h"
 #include "cook/select/mesh_topology.h"
 #include "payload_hash.h"
+#include "platform/work_limit.h"
 
 #include <Eigen/Geometry>
 

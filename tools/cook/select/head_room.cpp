@@ -1,7 +1,7 @@
 #include "cook/select/head_room.h"
 
 #include "base/geometry.h"
-#include "base/work_limit.h"
+#include "platform/work_limit.h"
 
 #include <Eigen/Geometry>
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "base/work_limit.h"
 #include "cook/order/order_figures.h"
 #include "cook/recipe/cook_settings.h"
 #include "cook/recipe/findings.h"
+#include "platform/work_limit.h"
 
 #include <chrono>
 #include <cstdint>

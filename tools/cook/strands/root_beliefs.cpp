@@ -1,6 +1,6 @@
 #include "cook/strands/root_beliefs.h"
 
-#include "base/work_limit.h"
+#include "platform/work_limit.h"
 
 #include <algorithm>
 #include <array>

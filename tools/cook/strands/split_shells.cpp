@@ -1,8 +1,8 @@
-#include "base/work_limit.h"
 #include "cook/recipe/strip_recipe.h"
 #include "cook/select/mesh_topology.h"
 #include "cook/strands/strand_direction.h"
 #include "cook/strands/strand_evidence.h"
+#include "platform/work_limit.h"
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>

@@ -2,9 +2,9 @@
 
 #include "base/parallel_for.h"
 #include "base/text.h"
-#include "base/work_limit.h"
 #include "cook/recipe/strip_recipe.h"
 #include "cook/strands/root_beliefs.h"
+#include "platform/work_limit.h"
 
 #include <fmt/format.h>
 #include <Eigen/Dense>

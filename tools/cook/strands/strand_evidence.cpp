@@ -1,6 +1,6 @@
 #include "cook/strands/strand_evidence.h"
 
-#include "base/work_limit.h"
+#include "platform/work_limit.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,8 @@
 #include "cook/texture/image.h"
 
 #include "base/files.h"
-#include "process/child_process.h"
+#include "platform/child_process.h"
+#include "platform/sandbox.h"
 
 #include <fmt/format.h>
 

@@ -2,9 +2,9 @@
 
 #include "base/files.h"
 #include "base/parallel_for.h"
-#include "base/work_limit.h"
 #include "cards/hair_source.h"
 #include "payload_hash.h"
+#include "platform/work_limit.h"
 
 #include <algorithm>
 #include <array>

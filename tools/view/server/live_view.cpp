@@ -27,7 +27,10 @@ LiveView::LiveView(LiveViewSettings& settings, ScratchFolder scratch)
 
 tl::expected<std::unique_ptr<LiveView>, ToolError> LiveView::start(LiveViewSettings settings) {
   auto scratch = ScratchFolder::create();
-  if (!scratch) return tl::unexpected(scratch.error());
+  if (!scratch) {
+    return file_failure(ToolError::Kind::kFileAccess, scratch.error().place,
+                        "cannot make a folder for temporary files: {}", scratch.error().why.message());
+  }
   std::unique_ptr<LiveView> view(new LiveView(settings, std::move(*scratch)));
   LiveView& self = *view;
   LiveRequests requests;

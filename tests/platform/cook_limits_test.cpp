@@ -1,7 +1,7 @@
 #include "cli/cook_limits.h"
 
-#include "base/work_limit.h"
-#include "process/child_process.h"
+#include "platform/child_process.h"
+#include "platform/work_limit.h"
 
 #include <gtest/gtest.h>
 

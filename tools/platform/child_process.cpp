@@ -1,7 +1,7 @@
-#include "process/child_process.h"
+#include "platform/child_process.h"
 
-#include "base/files.h"
-#include "base/work_limit.h"
+#include "platform/descriptor.h"
+#include "platform/work_limit.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -14,7 +14,9 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <memory>
 #include <new>
+#include <span>
 #include <thread>
 #include <utility>
 
@@ -27,6 +29,15 @@ std::uint64_t address_space_in_use() {
     std::fclose(statm);
   }
   return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+std::uint64_t swap_memory_limit(std::uint64_t bytes) {
+  rlimit limit{};
+  getrlimit(RLIMIT_AS, &limit);
+  const std::uint64_t before = limit.rlim_cur;
+  limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);
+  setrlimit(RLIMIT_AS, &limit);
+  return before;
 }
 
 namespace {

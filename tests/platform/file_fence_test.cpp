@@ -1,6 +1,7 @@
 // What a process behind the fence can still open, tried by a child of this one.
 
-#include "process/child_process.h"
+#include "platform/child_process.h"
+#include "platform/sandbox.h"
 
 #include <gtest/gtest.h>
 

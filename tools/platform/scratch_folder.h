@@ -1,22 +1,28 @@
 #pragma once
 
-#include "base/tool_error.h"
-
 #include <tl/expected.hpp>
 
 #include <sys/types.h>
 
 #include <filesystem>
+#include <system_error>
+#include <utility>
 
 namespace coif {
+
+/// Why there is no folder in a place.
+struct FolderFault {
+  std::filesystem::path place;
+  std::error_code why;
+};
 
 /// An empty folder in the system's place for temporary files, which nobody else may read, and which goes with this
 /// object, or with this process, however that ends: a small process of its own waits for that and removes it. Holds
 /// files only.
 class ScratchFolder {
  public:
-  /// Forks: call before starting threads. Errors: kFileAccess.
-  static tl::expected<ScratchFolder, ToolError> create();
+  /// Forks: call before starting threads.
+  static tl::expected<ScratchFolder, FolderFault> create();
   ~ScratchFolder();
   ScratchFolder(ScratchFolder&& other) noexcept;
   ScratchFolder& operator=(ScratchFolder&&) = delete;

@@ -1,4 +1,4 @@
-#include "process/scratch_folder.h"
+#include "platform/scratch_folder.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -29,7 +29,7 @@ TEST(ScratchFolder, GoesWithItsObject) {
   fs::path path;
   {
     auto folder = ScratchFolder::create();
-    ASSERT_TRUE(folder) << folder.error().message;
+    ASSERT_TRUE(folder) << folder.error().why.message();
     const ScratchFolder moved = std::move(*folder);
     path = moved.path();
     struct stat facts {};
@@ -71,7 +71,8 @@ TEST(ScratchFolder, SaysWhereNoneCanBe) {
   const auto folder = ScratchFolder::create();
   before != nullptr ? setenv("TMPDIR", kept.c_str(), 1) : unsetenv("TMPDIR");
   ASSERT_FALSE(folder);
-  EXPECT_EQ(folder.error().kind, ToolError::Kind::kFileAccess);
+  EXPECT_EQ(folder.error().place, "TMPDIR");
+  EXPECT_TRUE(folder.error().why);
 }
 
 }  // namespace

@@ -1,12 +1,10 @@
-#include "process/scratch_folder.h"
+#include "platform/scratch_folder.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <cerrno>
-#include <cstring>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -16,9 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-tl::unexpected<ToolError> no_folder(const fs::path& place, int why) {
-  return file_failure(ToolError::Kind::kFileAccess, place, "cannot make a folder for temporary files: {}",
-                      std::strerror(why));
+tl::unexpected<FolderFault> no_folder(const fs::path& place, int why) {
+  return tl::unexpected(FolderFault{place, {why, std::generic_category()}});
 }
 
 /// Until nobody can write into the pipe any more: all processes that could are gone, or the folder's owner closed it.
@@ -38,7 +35,7 @@ tl::unexpected<ToolError> no_folder(const fs::path& place, int why) {
 
 }  // namespace
 
-tl::expected<ScratchFolder, ToolError> ScratchFolder::create() {
+tl::expected<ScratchFolder, FolderFault> ScratchFolder::create() {
   std::error_code error;
   const fs::path place = fs::temp_directory_path(error);
   if (error) return no_folder("TMPDIR", error.value());

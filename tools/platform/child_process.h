@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -34,7 +33,7 @@ struct ChildResult {
 /// Runs `work` in a forked child under limits and returns the bytes that it returned. The child cannot write files,
 /// holds no descriptor of this process but the pipe, prints nothing and dies with this process. Blocks until the child
 /// is gone; leaves no zombie. Memory limits are off under AddressSanitizer, whose shadow needs terabytes of address
-/// space. Throws TookTooLong, the child gone, where the time that this process may work (base/work_limit.h) is over
+/// space. Throws TookTooLong, the child gone, where the time that this process may work (platform/work_limit.h) is over
 /// while it waits. `work` must not rely on other threads: only the calling one exists in the child.
 [[nodiscard]] ChildResult run_in_child(const ChildLimits& limits,
                                        const std::function<std::vector<std::uint8_t>()>& work);
@@ -49,29 +48,13 @@ inline constexpr bool kMemoryIsLimited = true;
 /// Bytes of address space that this process has, what it only reserved included.
 [[nodiscard]] std::uint64_t address_space_in_use();
 
+/// Bytes of address space that this process may have from now on; returns what it might have.
+std::uint64_t swap_memory_limit(std::uint64_t bytes);
+
 /// Calls work(i) for each i below `count` in a process of its own, up to `jobs` at once, and returns what each call
 /// returned, in their order; nothing for a process that crashed, was killed or could not be started. The processes are
 /// forks without limits: call before starting threads. What `work` prints goes where this process prints.
 [[nodiscard]] std::vector<std::optional<std::string>> run_in_processes(
     std::size_t count, unsigned jobs, const std::function<std::string(std::size_t)>& work);
-
-/// From now on this thread and what it starts may read files in these folders and below, and this one file (empty:
-/// none) wherever a link leads for it; it may open, make, change, remove or run nothing else, nor reach the network by
-/// TCP; where the kernel can (Linux 6.12), nor abstract sockets, nor signal other processes. Descriptors that are open
-/// already stay as they are. There is no way back. False where the kernel cannot do that (Linux before 5.13, or
-/// Landlock is turned off); then nothing has changed.
-bool fence_files(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& file);
-
-/// From now on this process can make no socket and no process, run no program, signal, trace or change no other
-/// process, and ask for nothing of the kernel's rarer parts: such a call fails (EPERM). Threads and all else go on.
-/// There is no way back. False where the kernel cannot do that, or for a processor other than x86-64 and aarch64; then
-/// nothing has changed.
-bool filter_calls();
-
-/// Both, fence_files() and filter_calls(), as far as the kernel can. False where it cannot do all.
-bool lock_up(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& file);
-
-/// What this machine lacks for lock_up(), as the end of a sentence: "this kernel has no Landlock". Empty: nothing.
-[[nodiscard]] std::string missing_sandbox();
 
 }  // namespace coif

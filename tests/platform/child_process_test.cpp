@@ -1,6 +1,6 @@
-#include "process/child_process.h"
+#include "platform/child_process.h"
 
-#include "base/work_limit.h"
+#include "platform/work_limit.h"
 
 #include <gtest/gtest.h>
 
