@@ -1,7 +1,7 @@
 #include "cli/live_source.h"
 
 #include "base/files.h"
-#include "base/parallel_for.h"
+#include "cli/cook_process.h"
 #include "cli/input_files.h"
 #include "cli/moved_page.h"
 #include "platform/program.h"
@@ -55,23 +55,26 @@ tl::expected<void, ToolError> find_source(LiveOptions& options) {
 LiveCooking cooking_of(const LiveOptions& options, const Messages& messages) {
   LiveCooking cooking;
   cooking.draft = options.draft;
-  cooking.threads = all_threads();
   cooking.roots = options.roots;
   cooking.import_settings = [messages, limits = options.limits](const Recipe& recipe,
                                                                 const std::vector<fs::path>& roots) {
     return limits.of_import(import_settings(recipe, roots), messages);
   };
-  const auto work = std::make_shared<std::optional<LimitedWork>>();  // One cook runs at a time.
-  cooking.within_limits = [messages, work, limits = options.limits](const std::string& source, const auto& cook) {
-    work->emplace(source, limits, all_threads(), messages);
-    return (*work)->run(cook);
-  };
-  cooking.cook = [work](const std::string&, const SourceModel& model, const Recipe& recipe, CookSettings settings) {
-    settings.progress = [work, show = std::move(settings.progress)](const char* pass) {
-      (*work)->begin(pass);
-      show(pass);
-    };
-    return cook(model, recipe, settings);
+  cooking.cook = [limits = options.limits](const LiveOrder& live,
+                                           const std::stop_token& stop) -> tl::expected<LiveCooked, ToolError> {
+    CookOrder order;
+    order.source = live.source.string();
+    order.recipe = live.recipe;
+    order.recipe_directory = live.recipe_directory;
+    order.import = live.import;
+    order.source_hash = live.source_hash;
+    order.threads = all_threads();
+    order.draft = live.draft;
+    order.model = live.model;
+    order.keeps_model = live.model.empty();
+    auto answer = cook_in_child(order, {order.source, limits, {all_threads(), stop}});
+    if (!answer) return tl::unexpected<ToolError>(answer.error());
+    return LiveCooked{std::move(answer->result), std::move(answer->model)};
   };
   cooking.cooked = [messages](const LiveResult& result) {
     for (const std::string& warning : result.warnings) messages.warning(fmt::format("{}: {}", result.name, warning));

@@ -3,6 +3,7 @@
 #include "cli/asset_summary.h"
 #include "cli/command.h"
 #include "cli/third_party_notices.h"
+#include "platform/job.h"
 #include "platform/program.h"
 
 #include <coif/version.h>
@@ -129,6 +130,7 @@ Exit run_program(int argc, char** argv) {
 }  // namespace coif
 
 int main(int argc, char** argv) try {
+  coif::run_named_job(argc, argv);
   return static_cast<int>(coif::run_program(argc, argv));
 } catch (const std::exception& error) {
   std::fprintf(stderr, "coif: internal error: %s\n", error.what());

@@ -1,42 +1,67 @@
 #pragma once
 
-#include <cstddef>
+#include "platform/job.h"
+
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string>
+#include <stop_token>
+#include <string_view>
 #include <vector>
 
 namespace coif {
 
+/// What a child process is for, which decides what it may do.
+enum class ChildKind : std::uint32_t {
+  kReader,  ///< Reads bytes from strangers: it writes no file, prints nothing, and time is processor time as well.
+  kWorker,  ///< Works for this process: it prints where this one prints, writes files and asks for jobs of its own.
+};
+
 struct ChildLimits {
-  std::uint64_t memory_bytes = 0;  ///< Address space that the child may add to what it inherits.
-  std::uint32_t seconds = 0;       ///< Processor time, and wall-clock time beside it.
-  std::uint64_t output_bytes = 0;  ///< What the child may send back.
+  static constexpr std::uint64_t kUnlimited = ~std::uint64_t{0};
+  static constexpr std::uint32_t kForever = ~std::uint32_t{0};
+
+  std::uint64_t memory_bytes = kUnlimited;  ///< Address space that the child may add to what a program begins with.
+  std::uint32_t seconds = kForever;         ///< Of the whole call.
+  std::uint64_t output_bytes = kUnlimited;  ///< What the child may send back, notes included.
+  std::uint32_t part_seconds = kForever;    ///< From one note to the next.
 };
 
 struct ChildResult {
   enum class End {
     kFinished,     ///< `output` is complete as far as the child is honest; check it all the same.
     kCrashed,      ///< `code`: the signal, or the exit status where `by_signal` is false.
-    kTooSlow,      ///< Ran past `seconds`.
+    kTooSlow,      ///< Ran past `seconds`, or past `part_seconds` where `is_part`.
     kOutOfMemory,  ///< An allocation failed in the child.
     kTooMuchOutput,
-    kNotStarted,  ///< `code`: errno of pipe or fork.
+    kNotStarted,  ///< `code`: errno of what the system refused.
   };
   End end = End::kNotStarted;
   int code = 0;
   bool by_signal = false;
-  std::vector<std::uint8_t> output;  ///< Empty unless kFinished.
+  bool is_part = false;
+  Bytes output{};  ///< Empty unless kFinished.
 };
 
-/// Runs `work` in a forked child under limits and returns the bytes that it returned. The child cannot write files,
-/// holds no descriptor of this process but the pipe, prints nothing and dies with this process. Blocks until the child
-/// is gone; leaves no zombie. Memory limits are off under AddressSanitizer, whose shadow needs terabytes of address
-/// space. Throws TookTooLong, the child gone, where the time that this process may work (platform/work_limit.h) is over
-/// while it waits. `work` must not rely on other threads: only the calling one exists in the child.
-[[nodiscard]] ChildResult run_in_child(const ChildLimits& limits,
-                                       const std::function<std::vector<std::uint8_t>()>& work);
+struct ChildSettings {
+  ChildKind kind = ChildKind::kReader;
+  ChildLimits limits{};
+  std::stop_token stop{};                                ///< Requested: nobody wants the answer any more.
+  std::function<void(std::string_view note)> on_note{};  ///< Called while run_in_child() waits. May be empty.
+};
+
+/// Runs a job in a child process under limits and returns what it answered. The child holds no descriptor of this
+/// process but the way back, and dies with the thread that asked for it. Blocks until the child is gone; leaves no
+/// zombie. A worker that exceeds its time, or that nobody wants any more, sees that by JobCall::stop() and is killed
+/// 0.2 s later; a reader is killed at once. Memory limits are off under AddressSanitizer. Throws Stopped, the child
+/// gone, where settings.stop is requested.
+[[nodiscard]] ChildResult run_in_child(const Job& job, std::span<const std::uint8_t> request,
+                                       const ChildSettings& settings);
+
+/// Asks for the job once for each request, in a worker of its own each, up to `jobs` at once, and returns the answers
+/// in the order of the requests; nothing for a process that crashed, was killed or could not be started.
+[[nodiscard]] std::vector<std::optional<Bytes>> run_in_processes(const Job& job, const std::vector<Bytes>& requests,
+                                                                 unsigned jobs);
 
 /// False under AddressSanitizer, whose shadow needs terabytes of address space.
 #if defined(__SANITIZE_ADDRESS__)
@@ -44,17 +69,5 @@ inline constexpr bool kMemoryIsLimited = false;
 #else
 inline constexpr bool kMemoryIsLimited = true;
 #endif
-
-/// Bytes of address space that this process has, what it only reserved included.
-[[nodiscard]] std::uint64_t address_space_in_use();
-
-/// Bytes of address space that this process may have from now on; returns what it might have.
-std::uint64_t swap_memory_limit(std::uint64_t bytes);
-
-/// Calls work(i) for each i below `count` in a process of its own, up to `jobs` at once, and returns what each call
-/// returned, in their order; nothing for a process that crashed, was killed or could not be started. The processes are
-/// forks without limits: call before starting threads. What `work` prints goes where this process prints.
-[[nodiscard]] std::vector<std::optional<std::string>> run_in_processes(
-    std::size_t count, unsigned jobs, const std::function<std::string(std::size_t)>& work);
 
 }  // namespace coif

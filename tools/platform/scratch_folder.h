@@ -2,9 +2,8 @@
 
 #include <tl/expected.hpp>
 
-#include <sys/types.h>
-
 #include <filesystem>
+#include <memory>
 #include <system_error>
 #include <utility>
 
@@ -21,7 +20,6 @@ struct FolderFault {
 /// files only.
 class ScratchFolder {
  public:
-  /// Forks: call before starting threads.
   static tl::expected<ScratchFolder, FolderFault> create();
   ~ScratchFolder();
   ScratchFolder(ScratchFolder&& other) noexcept;
@@ -30,12 +28,11 @@ class ScratchFolder {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
-  ScratchFolder(std::filesystem::path path, int descriptor, pid_t keeper)
-      : path_(std::move(path)), descriptor_(descriptor), keeper_(keeper) {}
+  class Keeper;
+  ScratchFolder(std::filesystem::path path, std::unique_ptr<Keeper> keeper);
 
   std::filesystem::path path_;
-  int descriptor_;  ///< Of a pipe that the keeper waits to be closed.
-  pid_t keeper_;
+  std::unique_ptr<Keeper> keeper_;
 };
 
 }  // namespace coif

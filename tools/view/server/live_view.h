@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 
@@ -29,7 +30,7 @@ struct LiveViewSettings {
 /// own until it is destroyed, and leaves no file and no process behind, however this process ends.
 class LiveView {
  public:
-  /// The first cook has begun when this returns, not ended. Forks: call before starting threads. Errors: kFileAccess
+  /// The first cook has begun when this returns, not ended. Errors: kFileAccess
   /// (no place for temporary files), and those of LiveServer::start().
   static tl::expected<std::unique_ptr<LiveView>, ToolError> start(LiveViewSettings settings);
   ~LiveView();
