@@ -85,6 +85,7 @@ HOMES = {
 POSIX = re.compile(r"sys/.*|arpa/.*|net/.*|netinet/.*|(c?signal|dirent|dlfcn|fcntl|fnmatch|ftw|glob|grp|netdb|poll|pthread|pwd|sched|"
                    r"semaphore|spawn|strings|syslog|termios|time|ucontext|unistd|utime|wait|wordexp)(\.h)?")
 POSIX_HOME = "tools/platform"
+POSIX_INSIDE = {"tools/platform/descriptor.h", "tools/platform/spawn.h"}  # Which have types of POSIX, for that folder alone.
 
 # What shipped code may use of the standard library: nothing that allocates, throws or drags in a container.
 STANDARD = {"algorithm", "bit", "cfloat", "climits", "cmath", "concepts", "cstddef", "cstdint", "cstdio", "cstring",
@@ -164,6 +165,8 @@ def violations(path, text, exists):
             problem = None
             if owner != layer and allowed is not None and owner not in allowed:
                 problem = f'"{name}" is in {owner}, which {layer} may not include'
+            elif target in POSIX_INSIDE and layer != POSIX_HOME:
+                problem = f'"{name}" has types of POSIX, for {POSIX_HOME} alone'
         if problem:
             yield f"{path}: {problem}"
 
@@ -198,7 +201,7 @@ coif_tool_library(render PUBLIC coif_base coif::gl)
             "tools/cook/cook.h", "tools/render/picture.h", "formats/write/asset_writer.h", "formats/include/coif/asset.h",
             "runtime/include/coif/drawing.h", "runtime/include/coif/renderer.h", "runtime/include/coif/hair.h",
             "runtime/include/coif/c/types.h",
-            "tests/sim/rig.h"}
+            "tests/sim/rig.h", "tools/platform/spawn.h", "tools/platform/job.h"}
     must_fail = [("runtime/sim/a.cpp", "#include <vector>"), ("runtime/sim/a.cpp", '#include "cook/cook.h"'),
                  ("runtime/sim/a.cpp", "#include <coif/renderer.h>"), ("runtime/sim/a.cpp", "#include <GLES3/gl3.h>"),
                  ("runtime/sim/a.cpp", "#include <coif/drawing.h>"), ("runtime/drawing/a.cpp", "#include <GLES3/gl3.h>"),
@@ -213,7 +216,7 @@ coif_tool_library(render PUBLIC coif_base coif::gl)
                  ("runtime/gl/a.cpp", '#include "sim/rig.h"'), ("elsewhere/a.cpp", ""),
                  ("runtime/include/coif.h", "#include <cstdint>"), ("runtime/include/coif.h", "#include <coif/hair.h>"),
                  ("runtime/include/coif/c/a.h", "#include <cstdint>"), ("runtime/include/coif/c/a.h", "#include <coif/hair.h>"),
-                 ("runtime/sim/a.cpp", "#include <stdint.h>"),
+                 ("runtime/sim/a.cpp", "#include <stdint.h>"), ("tools/base/a.cpp", '#include "platform/spawn.h"'),
                  *((f"tools/{folder}/a.cpp", f"#include <{name}>") for folder in ("base", "cli", "cook/order")
                    for name in ("unistd.h", "sys/stat.h", "csignal", "netinet/in.h", "spawn.h", "time.h"))]
     must_pass = [("runtime/include/coif.h", "#include <stdint.h>\n#include <coif/c/types.h>"),
@@ -225,7 +228,8 @@ coif_tool_library(render PUBLIC coif_base coif::gl)
                  ("tools/cook/order/a.cpp", '#include "import/import.h"\n#include "base/text.h"'),
                  ("tools/cook/a.cpp", '#include "cook/order/sort.h"'), ("tools/render/a.cpp", "#include <coif/renderer.h>"),
                  ("tools/cook/a.cpp", '#include "write/asset_writer.h"\n#include <vector>\n#include <ctime>'),
-                 ("tools/platform/a.cpp", "#include <unistd.h>\n#include <sys/stat.h>"), ("tests/base/a.cpp", "#include <unistd.h>")]
+                 ("tools/platform/a.cpp", '#include <unistd.h>\n#include <sys/stat.h>\n#include "platform/spawn.h"'),
+                 ("tools/base/a.cpp", '#include "platform/job.h"'), ("tests/base/a.cpp", "#include <unistd.h>")]
     bad += [f"rule did not fire: {c}" for c in must_fail if not list(violations(*c, tree.__contains__))]
     bad += [f"rule fired on: {c}" for c in must_pass if list(violations(*c, tree.__contains__))]
     if not check(Path("/nonexistent"))[1]:
