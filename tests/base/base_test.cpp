@@ -66,36 +66,30 @@ TEST(ParallelFor, WhatACallThrowsArrives) {
   }
 }
 
-TEST(WorkLimit, EndsWorkInPieces) {
-  WorkLimit::set(std::chrono::seconds(-1));
-  EXPECT_THROW(parallel_for(2, 2, [](std::size_t) {}), TookTooLong);
-  EXPECT_THROW(WorkLimit::check(), TookTooLong);
-  WorkLimit::set(std::chrono::hours(1));
-  EXPECT_NO_THROW(parallel_for(2, 2, [](std::size_t) {}));
-  WorkLimit::lift();
-  EXPECT_NO_THROW(WorkLimit::check());
+TEST(ParallelFor, EndsWhenAskedToStop) {
+  for (const unsigned count : {1u, 4u}) {
+    std::stop_source stop;
+    std::atomic<int> calls = 0;
+    const auto body = [&](std::size_t) {
+      if (++calls == 10) stop.request_stop();
+    };
+    EXPECT_THROW(parallel_for(10'000'000, {count, stop.get_token()}, body), Stopped) << count;
+    EXPECT_LE(calls, 10 + int(count)) << "no further call begins";
+    EXPECT_THROW(parallel_for(1, {count, stop.get_token()}, body), Stopped);
+    EXPECT_NO_THROW(parallel_for(0, {count, stop.get_token()}, body));
+  }
 }
 
-TEST(WorkLimit, EndsAPartBeforeTheWholeAndSaysWhich) {
-  const auto is_of_part = [] {
-    try {
-      WorkLimit::check();
-    } catch (const TookTooLong& late) {
-      return late.is_part;
-    }
-    throw std::logic_error("not late");
-  };
-  WorkLimit::set(std::chrono::hours(1), std::chrono::seconds(-1));
-  EXPECT_TRUE(is_of_part());
-  WorkLimit::set(std::chrono::seconds(-2), std::chrono::seconds(-1));
-  EXPECT_FALSE(is_of_part());
-  WorkLimit::set(std::chrono::hours(1), std::chrono::milliseconds(50));
-  EXPECT_NO_THROW(WorkLimit::check());
-  std::this_thread::sleep_for(std::chrono::milliseconds(60));
-  EXPECT_TRUE(is_of_part());
-  WorkLimit::begin_part();
-  EXPECT_NO_THROW(WorkLimit::check()) << "the next one has its own";
-  WorkLimit::lift();
+TEST(Threads, AreAtLeastOneAndKeepTheirToken) {
+  std::stop_source stop;
+  const Threads threads(8, stop.get_token());
+  EXPECT_EQ(threads.divided_by(3).count, 2u);
+  EXPECT_EQ(threads.divided_by(0).count, 8u);
+  EXPECT_EQ(threads.divided_by(20).count, 1u);
+  EXPECT_EQ(Threads(0).count, 1u);
+  stop.request_stop();
+  EXPECT_THROW(throw_if_stopped(threads.divided_by(2).stop), Stopped);
+  EXPECT_NO_THROW(throw_if_stopped(Threads().stop));
 }
 
 TEST(SamplesAround, IsTheRectangleOfTheWidestView) {

@@ -1,6 +1,7 @@
 #include "cache/cache_upkeep.h"
 
 #include "cache/cook_cache.h"
+#include "platform/files.h"
 
 #include <gtest/gtest.h>
 
@@ -115,7 +116,7 @@ TEST_F(CacheUpkeep, CooksGoOnWhileItIsTrimmed) {
   const CookCache cache(folder_);
   for (int n = 0; n < 400; ++n) {
     const std::string key = content_digits(std::as_bytes(std::span(&n, 1)));
-    failed += !cache.store(key, place, result, file_time_now() + hours(1));
+    failed += !cache.store(key, place, result, file_clock_now() + hours(1));
     if (const auto entry = cache.find(key, place)) {
       ++found;
       EXPECT_EQ(entry->asset, result.asset);

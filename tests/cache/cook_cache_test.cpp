@@ -1,5 +1,6 @@
 #include "cache/cook_cache.h"
 #include "cook/image_files.h"
+#include "platform/files.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -33,7 +34,7 @@ class CookCacheTest : public testing::Test {
   CookCache cache() const { return CookCache(cache_folder()); }
   /// As if the inputs were there long before.
   void store() const {
-    const auto stored = cache().store(kKey, place(), result_, file_time_now() + std::chrono::hours(1));
+    const auto stored = cache().store(kKey, place(), result_, file_clock_now() + std::chrono::hours(1));
     EXPECT_TRUE(stored) << (stored ? "" : stored.error().message);
   }
   bool hits() const { return cache().find(kKey, place()).has_value(); }
@@ -167,7 +168,7 @@ TEST_F(CookCacheTest, DoesNotKeepWhatChangedDuringTheCook) {
 
 TEST_F(CookCacheTest, ACacheThatCannotBeWrittenIsAnErrorThatNamesIt) {
   write(cache_folder(), "a file where the folder would be");
-  const auto stored = cache().store(kKey, place(), result_, file_time_now() + std::chrono::hours(1));
+  const auto stored = cache().store(kKey, place(), result_, file_clock_now() + std::chrono::hours(1));
   ASSERT_FALSE(stored);
   EXPECT_EQ(stored.error().kind, ToolError::Kind::kFileAccess);
   EXPECT_NE(stored.error().message.find(cache_folder().string()), std::string::npos);

@@ -201,7 +201,53 @@ def ends_soon_in_mid_cook(program, folder):
     assert "error" not in view.said(), view.said()
 
 
-CASES = {f.__name__: f for f in (sliders_cook_at_once, files_are_watched, killed_in_mid_cook_leaves_nothing, ends_soon_in_mid_cook)}
+def processes_of(view, job):
+    """Numbers of the view's children that do this job."""
+    found = []
+    for task in Path(f"/proc/{view.process.pid}/task").iterdir():
+        for child in (task / "children").read_text().split():
+            words = Path(f"/proc/{child}/cmdline").read_bytes().split(b"\0")
+            if words[1:3] == [b"--run-job", job.encode()]:
+                found.append(int(child))
+    return found
+
+
+def outlives_its_cooks(program, folder):
+    """What exceeds its limits or crashes is a problem that the page tells, and no more."""
+    view = View(program, folder, "bob.glb", "--quality", "full", "--max-seconds", "1")
+    state = view.cooked()
+    assert "bob.glb: the cook exceeded 1 s, in the pass '" in state["problem"], state
+    assert view.ask("GET", "")[0] == 200 and view.ask("GET", "asset")[0] == 404
+    states = view.states()
+    next(states)
+    _, answer = view.post("recipe", json.dumps({"material": {"primary_shift": 1.25}}))
+    assert next(s for s in states if s["cooking"]), "it cooks no more"
+    end = time.monotonic() + 10
+    while not processes_of(view, "cook") and time.monotonic() < end:
+        time.sleep(0.002)
+    for process in processes_of(view, "cook"):
+        os.kill(process, signal.SIGSEGV)
+    state = next(s for s in states if s["request"] == answer["request"])
+    assert f"bob.glb: the cook crashed (signal {int(signal.SIGSEGV)}), in the pass '" in state["problem"], state
+    assert view.end() == 0
+    assert view.left_behind() == []
+    assert processes_of_nobody(folder) == []
+
+
+def processes_of_nobody(folder):
+    """Processes that still work in the folder."""
+    found = []
+    for process in Path("/proc").glob("[0-9]*"):
+        try:
+            if (process / "cwd").resolve() == folder.resolve():
+                found.append(process.name)
+        except OSError:
+            pass  # it has just ended, or is somebody else's
+    return found
+
+
+CASES = {f.__name__: f for f in (sliders_cook_at_once, files_are_watched, killed_in_mid_cook_leaves_nothing, ends_soon_in_mid_cook,
+                                outlives_its_cooks)}
 
 
 def main(case, program, source, folder):

@@ -1,7 +1,7 @@
 #include "cook/lods/collapse_patch.h"
-#include "base/work_limit.h"
 #include "cook/built_models.h"
 #include "cook/select/triangle_distance.h"
+#include "platform/stop.h"
 
 #include <gtest/gtest.h>
 
@@ -303,10 +303,11 @@ TEST(TriangleDistance, IsThatOfTheNearestOfManyPointsOnIt) {
   }
 }
 
-TEST(CollapsePatch, EndsWhereItsTimeIsOver) {
-  WorkLimit::set(std::chrono::seconds(-1));
-  EXPECT_THROW((void)collapsed(make_card({})), TookTooLong);
-  WorkLimit::lift();
+TEST(CollapsePatch, EndsWhenAskedToStop) {
+  const Collapsed card = collapsed(make_card({}));
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_THROW((void)collapse_patch(card.surface, kNoLimit, stop.get_token()), Stopped);
 }
 
 }  // namespace coif::collapse_patch_test

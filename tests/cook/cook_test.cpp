@@ -1,7 +1,7 @@
 #include "cook/cook.h"
-#include "base/work_limit.h"
 #include "cook/built_models.h"
 #include "models/small_asset.h"
+#include "platform/stop.h"
 
 #include <coif/asset.h>
 #include <coif/hair.h>
@@ -124,10 +124,41 @@ TEST(Cook, WhatHairNeverHasIsLookedAtWithFewerLines) {
   for (const std::string& note : wig.report.notes) EXPECT_EQ(note.find("the usual lines"), note.npos) << note;
 }
 
-TEST(Cook, EndsWhereItsTimeIsOver) {
-  WorkLimit::set(std::chrono::seconds(-1));
-  EXPECT_THROW((void)cook(make_wig(), default_recipe(), {}), TookTooLong);
-  WorkLimit::lift();
+TEST(Cook, EndsWhenAskedToStop) {
+  const SourceModel wig = make_wig();
+  std::vector<std::string> passes;
+  std::stop_source stop;
+  const auto cook_it = [&] {
+    return cook(wig, default_recipe(), {.threads = {2, stop.get_token()}, .progress = [&](const char* pass) {
+                                          passes.emplace_back(pass);
+                                          if (passes.back() == "patches") stop.request_stop();
+                                        }});
+  };
+  EXPECT_THROW((void)cook_it(), Stopped);
+  EXPECT_EQ(passes.back(), "patches") << "no further pass begins";
+  passes.clear();
+  EXPECT_THROW((void)cook_it(), Stopped);
+  EXPECT_TRUE(passes.empty());
+}
+
+/// What a pass does in one go looks at the token, too.
+TEST(Cook, EndsInTheMiddleOfItsLongPasses) {
+  const SourceModel wig = make_wig();
+  for (const char* const last : {"head", "strands", "lods", "tuning", "draw order"}) {
+    std::stop_source stop;
+    const auto stop_at = [&](const char* pass) {
+      if (std::string_view(pass) == last) stop.request_stop();
+    };
+    CookSettings settings;
+    settings.threads = {1, stop.get_token()};
+    std::string after;
+    settings.progress = [&](const char* pass) {
+      if (stop.stop_requested()) after = pass;
+      stop_at(pass);
+    };
+    EXPECT_THROW((void)cook(wig, default_recipe(), settings), Stopped) << last;
+    EXPECT_EQ(after, "") << last;
+  }
 }
 
 TEST(Cook, OneOrderGoesAcrossMeshes) {

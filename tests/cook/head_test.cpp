@@ -1,11 +1,11 @@
 #include "cook/select/head.h"
 #include "cook/recipe/recipe.h"
 
-#include "base/work_limit.h"
 #include "cook/built_models.h"
 #include "cook/rig/colliders.h"
 #include "cook/rig/skeleton.h"
 #include "cook/select/select_hair.h"
+#include "platform/stop.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -148,11 +148,11 @@ TEST(HeadRoom, HairTellsTheHeadThatAGuessMissed) {
   }
 }
 
-TEST(HeadRoom, EndsWhereItsTimeIsOver) {
+TEST(HeadRoom, EndsWhenAskedToStop) {
   const HeadGuess guess{kHead, {0.15, 0.4, 0.4}, 0.12, 0.5};
-  WorkLimit::set(std::chrono::seconds(-1));
-  EXPECT_THROW((void)fit_head_room(mesh_of({}), guess), TookTooLong);
-  WorkLimit::lift();
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_THROW((void)fit_head_room(mesh_of({}), guess, stop.get_token()), Stopped);
 }
 
 TEST(FitHead, ComesOutThroughNoHair) {

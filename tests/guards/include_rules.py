@@ -75,11 +75,17 @@ HOMES = {
     "GLES3/": ["runtime/gl", "tools/render", "tools/report/shadow", "tests/gl", "tests/render", "runtime/examples", "tools/view/page"],
     "emscripten/": ["tools/view/page"],
     "KHR/": ["tools/render"],
-    "linux/": ["tools/process", "tests/process", "tests/import"],
+    "linux/": ["tools/platform", "tests/platform", "tests/import"],
     "gtest/": ["tests/"],
     "benchmark/": ["tests/"],
     "BulletSoftBody/": ["tests/bench/peers"],
 }
+
+# Headers of POSIX, and of C's signals, which other systems lack or have otherwise. Of the tools one folder includes them.
+POSIX = re.compile(r"sys/.*|arpa/.*|net/.*|netinet/.*|(c?signal|dirent|dlfcn|fcntl|fnmatch|ftw|glob|grp|netdb|poll|pthread|pwd|sched|"
+                   r"semaphore|spawn|strings|syslog|termios|time|ucontext|unistd|utime|wait|wordexp)(\.h)?")
+POSIX_HOME = "tools/platform"
+POSIX_INSIDE = {"tools/platform/descriptor.h", "tools/platform/spawn.h"}  # Which have types of POSIX, for that folder alone.
 
 # What shipped code may use of the standard library: nothing that allocates, throws or drags in a container.
 STANDARD = {"algorithm", "bit", "cfloat", "climits", "cmath", "concepts", "cstddef", "cstdint", "cstdio", "cstring",
@@ -135,7 +141,9 @@ def foreign_violation(layer, path, name):
         return None if any(path.startswith(h) for h in home) else f"<{name}> belongs in {' or '.join(home)} only"
     if layer in SHIPPED and name not in (C_STANDARD if layer in C_HEADERS else STANDARD):
         return f"<{name}> is not among the headers that shipped code may use"
-    if "/" in name and not name.startswith("sys/"):
+    if path.startswith("tools/") and not path.startswith(POSIX_HOME + "/") and POSIX.fullmatch(name):
+        return f"<{name}> is of POSIX, which {POSIX_HOME} alone includes"
+    if "/" in name and not POSIX.fullmatch(name):
         return f"<{name}> has no home; give it one in HOMES, with a reason in the commit"
     return None
 
@@ -157,6 +165,8 @@ def violations(path, text, exists):
             problem = None
             if owner != layer and allowed is not None and owner not in allowed:
                 problem = f'"{name}" is in {owner}, which {layer} may not include'
+            elif target in POSIX_INSIDE and layer != POSIX_HOME:
+                problem = f'"{name}" has types of POSIX, for {POSIX_HOME} alone'
         if problem:
             yield f"{path}: {problem}"
 
@@ -176,7 +186,8 @@ def check(source):
 
 
 def self_test():
-    table = """coif_tool_library(base PUBLIC coif::sim)
+    table = """coif_tool_library(platform PUBLIC coif::sim)
+coif_tool_library(base PUBLIC coif_platform)
 coif_tool_library(import PUBLIC coif_base PRIVATE assimp::assimp)
 coif_tool_library(cook/order PUBLIC coif_import)
 coif_tool_library(cook PUBLIC coif_cook_order
@@ -190,7 +201,7 @@ coif_tool_library(render PUBLIC coif_base coif::gl)
             "tools/cook/cook.h", "tools/render/picture.h", "formats/write/asset_writer.h", "formats/include/coif/asset.h",
             "runtime/include/coif/drawing.h", "runtime/include/coif/renderer.h", "runtime/include/coif/hair.h",
             "runtime/include/coif/c/types.h",
-            "tests/sim/rig.h"}
+            "tests/sim/rig.h", "tools/platform/spawn.h", "tools/platform/job.h"}
     must_fail = [("runtime/sim/a.cpp", "#include <vector>"), ("runtime/sim/a.cpp", '#include "cook/cook.h"'),
                  ("runtime/sim/a.cpp", "#include <coif/renderer.h>"), ("runtime/sim/a.cpp", "#include <GLES3/gl3.h>"),
                  ("runtime/sim/a.cpp", "#include <coif/drawing.h>"), ("runtime/drawing/a.cpp", "#include <GLES3/gl3.h>"),
@@ -205,7 +216,9 @@ coif_tool_library(render PUBLIC coif_base coif::gl)
                  ("runtime/gl/a.cpp", '#include "sim/rig.h"'), ("elsewhere/a.cpp", ""),
                  ("runtime/include/coif.h", "#include <cstdint>"), ("runtime/include/coif.h", "#include <coif/hair.h>"),
                  ("runtime/include/coif/c/a.h", "#include <cstdint>"), ("runtime/include/coif/c/a.h", "#include <coif/hair.h>"),
-                 ("runtime/sim/a.cpp", "#include <stdint.h>")]
+                 ("runtime/sim/a.cpp", "#include <stdint.h>"), ("tools/base/a.cpp", '#include "platform/spawn.h"'),
+                 *((f"tools/{folder}/a.cpp", f"#include <{name}>") for folder in ("base", "cli", "cook/order")
+                   for name in ("unistd.h", "sys/stat.h", "csignal", "netinet/in.h", "spawn.h", "time.h"))]
     must_pass = [("runtime/include/coif.h", "#include <stdint.h>\n#include <coif/c/types.h>"),
                  ("runtime/include/coif/c/a.h", "#include <stdint.h>"),
                  ("runtime/sim/a.cpp", "#include <span>\n#include <coif/hair.h>"),
@@ -214,7 +227,9 @@ coif_tool_library(render PUBLIC coif_base coif::gl)
                  ("runtime/gl/a.cpp", "#include <GLES3/gl3.h>"), ("tools/import/a.cpp", "#include <assimp/scene.h>"),
                  ("tools/cook/order/a.cpp", '#include "import/import.h"\n#include "base/text.h"'),
                  ("tools/cook/a.cpp", '#include "cook/order/sort.h"'), ("tools/render/a.cpp", "#include <coif/renderer.h>"),
-                 ("tools/cook/a.cpp", '#include "write/asset_writer.h"\n#include <vector>\n#include <sys/stat.h>')]
+                 ("tools/cook/a.cpp", '#include "write/asset_writer.h"\n#include <vector>\n#include <ctime>'),
+                 ("tools/platform/a.cpp", '#include <unistd.h>\n#include <sys/stat.h>\n#include "platform/spawn.h"'),
+                 ("tools/base/a.cpp", '#include "platform/job.h"'), ("tests/base/a.cpp", "#include <unistd.h>")]
     bad += [f"rule did not fire: {c}" for c in must_fail if not list(violations(*c, tree.__contains__))]
     bad += [f"rule fired on: {c}" for c in must_pass if list(violations(*c, tree.__contains__))]
     if not check(Path("/nonexistent"))[1]:

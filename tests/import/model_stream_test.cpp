@@ -42,6 +42,32 @@ TEST(ModelStream, ModelComesBackAsItWas) {
   EXPECT_EQ(back->side_files, (std::vector<std::string>{"strip.bin"}));
 }
 
+TEST(ModelStream, WholeModelsKeepWhatNoReaderMakes) {
+  SourceModel model = small_source_model();
+  model.roots = {"/textures", "elsewhere"};
+  model.made_from_strands = true;
+  model.scalp_radius = 0.125;
+  const SourceMesh& mesh = model.meshes[0];
+  model.coarser.push_back({mesh,
+                           {mesh.positions.size(), Eigen::Vector3f(0, -1, 0)},
+                           std::vector<float>(mesh.positions.size(), 0.5f),
+                           std::vector<std::uint32_t>(mesh.triangles.size() / 3, 0)});
+  const Bytes bytes = encode_model(model);
+  ImportOutcome back;
+  ASSERT_TRUE(decode_model(bytes, back));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(encode_model(back), bytes);
+  EXPECT_EQ(encode_outcome(back), encode_outcome(model));
+  EXPECT_EQ(back->roots, model.roots);
+  EXPECT_TRUE(back->made_from_strands);
+  EXPECT_EQ(back->scalp_radius, 0.125);
+  ASSERT_EQ(back->coarser.size(), 1u);
+  EXPECT_EQ(back->coarser[0].along[0].y(), -1);
+  EXPECT_EQ(back->coarser[0].strip_of, model.coarser[0].strip_of);
+  EXPECT_FALSE(decode_model(encode_outcome(model), back)) << "another form";
+  EXPECT_FALSE(decode_outcome(bytes, back)) << "which readers are not believed in";
+}
+
 TEST(ModelStream, ErrorComesBackAsItWas) {
   ImportOutcome back;
   const ImportOutcome error = tl::unexpected(ToolError{ToolError::Kind::kBadInput, "x.obj: broken"});

@@ -1,10 +1,11 @@
 // References that lead out of the model's folder where no fence of the kernel's stands in the way, and machines that
 // have none.
 
+#include "platform/sandbox.h"
 #include "import/assimp_scene.h"
 #include "import/import.h"
 #include "import/model_files.h"
-#include "process/child_process.h"
+#include "platform/child_process.h"
 
 #include <gtest/gtest.h>
 
@@ -90,18 +91,23 @@ void take_landlock_away() {
   prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter, 0, 0);
 }
 
+/// Reads the model at the path behind two flags: whether there is a sandbox, and whether one is required.
+const Job kImport("test.import", [](const JobCall& call) -> Bytes {
+  const std::string request(call.request().begin(), call.request().end());
+  if (request[0] == 'n') take_landlock_away();
+  ImportSettings settings;
+  settings.requires_sandbox = request[1] == 'y';
+  const auto model = import_model(request.substr(2), settings);
+  const std::string text = model ? "read, " + missing_sandbox() : model.error().message;
+  return {text.begin(), text.end()};
+});
+
 TEST_F(References, ReadNothingWithoutASandboxWhereOneIsRequired) {
   if (!missing_sandbox().empty()) GTEST_SKIP() << missing_sandbox();
   const fs::path path = folder_.write("model/hair.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const auto told = [&](bool is_there, bool is_required) {
-    const auto result = run_in_child({std::uint64_t{1} << 31, 30, 1 << 20}, [&]() -> std::vector<std::uint8_t> {
-      if (!is_there) take_landlock_away();
-      ImportSettings settings;
-      settings.requires_sandbox = is_required;
-      const auto model = import_model(path, settings);
-      const std::string text = model ? "read, " + missing_sandbox() : model.error().message;
-      return {text.begin(), text.end()};
-    });
+    const std::string request = std::string(is_there ? "y" : "n") + (is_required ? "y" : "n") + path.string();
+    const auto result = run_in_child(kImport, Bytes(request.begin(), request.end()), {.kind = ChildKind::kWorker});
     return std::string(result.output.begin(), result.output.end());
   };
   EXPECT_EQ(told(true, true), "read, ");

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <stop_token>
 #include <vector>
 
 namespace coif::latest_work_test {
@@ -12,33 +13,26 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Work that lasts until it is let go or obsolete, and notes what was done.
+/// Work that lasts until it is let go or asked to stop, and notes what was done.
 struct Bench {
   std::mutex lock;
-  std::condition_variable changed;
+  std::condition_variable_any changed;
   std::vector<std::uint64_t> begun, ended_in_time;
-  int at_once = 0, most_at_once = 0, interruptions = 0;
+  int at_once = 0, most_at_once = 0;
   bool is_let_go = false;
 
-  void work(std::uint64_t number, const std::atomic<bool>& obsolete) {
+  void work(std::uint64_t number, const std::stop_token& stop) {
     std::unique_lock guard(lock);
     begun.push_back(number);
     most_at_once = std::max(most_at_once, ++at_once);
     changed.notify_all();
-    changed.wait(guard, [&] { return is_let_go || obsolete; });
-    if (!obsolete) ended_in_time.push_back(number);
+    changed.wait(guard, stop, [&] { return is_let_go; });
+    if (!stop.stop_requested()) ended_in_time.push_back(number);
     --at_once;
     changed.notify_all();
   }
   LatestWork::Work function() {
-    return [this](std::uint64_t number, const std::atomic<bool>& obsolete) { work(number, obsolete); };
-  }
-  std::function<void()> interrupt() {
-    return [this] {
-      const std::lock_guard guard(lock);
-      ++interruptions;
-      changed.notify_all();
-    };
+    return [this](std::uint64_t number, const std::stop_token& stop) { work(number, stop); };
   }
   template <typename Ready>
   bool wait(const Ready& ready) {
@@ -55,7 +49,7 @@ struct Bench {
 TEST(LatestWork, DoesWhatIsAskedOnce) {
   Bench bench;
   bench.is_let_go = true;
-  LatestWork work(bench.function(), bench.interrupt());
+  LatestWork work(bench.function());
   EXPECT_EQ(work.ask(), 1u);
   EXPECT_TRUE(bench.wait([&] { return bench.ended_in_time.size() == 1; }));
   EXPECT_EQ(work.ask(), 2u);
@@ -65,7 +59,7 @@ TEST(LatestWork, DoesWhatIsAskedOnce) {
 
 TEST(LatestWork, TheLatestMakesTheOthersObsolete) {
   Bench bench;
-  LatestWork work(bench.function(), bench.interrupt());
+  LatestWork work(bench.function());
   work.ask();
   ASSERT_TRUE(bench.wait([&] { return bench.begun.size() == 1; }));
   std::uint64_t last = 0;
@@ -74,14 +68,13 @@ TEST(LatestWork, TheLatestMakesTheOthersObsolete) {
   ASSERT_TRUE(bench.wait([&] { return !bench.ended_in_time.empty() && bench.ended_in_time.back() == last; }));
   EXPECT_EQ(bench.ended_in_time, std::vector<std::uint64_t>{last});
   EXPECT_EQ(bench.most_at_once, 1);
-  EXPECT_GE(bench.interruptions, 1);
 }
 
 TEST(LatestWork, EndsWhatItIsDoing) {
   Bench bench;
   const auto begin = std::chrono::steady_clock::now();
   {
-    LatestWork work(bench.function(), bench.interrupt());
+    LatestWork work(bench.function());
     work.ask();
     ASSERT_TRUE(bench.wait([&] { return bench.begun.size() == 1; }));
   }

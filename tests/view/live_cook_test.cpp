@@ -1,7 +1,8 @@
 #include "view/server/live_cook.h"
 #include "cook/recipe/recipe.h"
 
-#include "base/work_limit.h"
+#include "import/model_stream.h"
+#include "platform/stop.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -25,10 +26,7 @@ class LiveCookTest : public testing::Test {
     fs::create_directories(folder_);
     write("hair.obj", kTriangle);
   }
-  ~LiveCookTest() override {
-    WorkLimit::lift();
-    fs::remove_all(folder_);
-  }
+  ~LiveCookTest() override { fs::remove_all(folder_); }
 
   void write(const char* name, const std::string& text) const {
     const bool is_new = !fs::exists(folder_ / name);
@@ -45,15 +43,23 @@ class LiveCookTest : public testing::Test {
       if (recipe.metres_per_unit > 0) settings.metres_per_unit = recipe.metres_per_unit;
       return settings;
     };
-    cooking.cook = [this](const std::string&, const SourceModel& model, const Recipe& recipe,
-                          const CookSettings& settings) -> tl::expected<CookResult, ToolError> {
-      settings.progress("pass");
-      models_.push_back(&model);
-      shift_ = recipe.primary_shift;
-      CookResult result;
-      result.asset.assign(model.meshes.at(0).triangles.size(), std::byte{});
-      result.inputs.source_files = {folder_ / "hair.png"};
-      return result;
+    cooking.cook = [this](const LiveOrder& order, const std::stop_token& stop) -> tl::expected<LiveCooked, ToolError> {
+      throw_if_stopped(stop);
+      LiveCooked cooked;
+      ImportOutcome model;
+      if (order.model.empty()) {
+        ++imports_;
+        model = import_model(order.source, order.import);
+        if (!model) return tl::unexpected(model.error());
+        cooked.model = encode_model(model);
+      } else if (!decode_model(order.model, model)) {
+        return failure(ToolError::Kind::kInternal, "not the model that was given");
+      }
+      width_ = model->meshes.at(0).positions[1].x();
+      shift_ = order.recipe.primary_shift;
+      cooked.result.asset.assign(model->meshes.at(0).triangles.size(), std::byte{});
+      cooked.result.inputs.source_files = {folder_ / "hair.png"};
+      return cooked;
     };
     cooking.cooked = [this](const LiveResult&) { ++cooked_; };
     cooking.failed = [this](const std::string& problem) { problem_ = problem; };
@@ -61,14 +67,16 @@ class LiveCookTest : public testing::Test {
   }
 
   void run(LiveCook& cook, bool is_obsolete = false) {
-    const std::atomic<bool> obsolete = is_obsolete;
-    cook.run(++number_, obsolete);
+    std::stop_source stop;
+    if (is_obsolete) stop.request_stop();
+    cook.run(++number_, stop.get_token());
   }
   [[nodiscard]] nlohmann::json state() { return nlohmann::json::parse(state_.wait(0, 0ms).json); }
 
   fs::path folder_ = fs::temp_directory_path() / ("coif_live_cook_test." + std::to_string(getpid()));
   LiveState state_{"draft"};
-  std::vector<const SourceModel*> models_;
+  int imports_ = 0;
+  float width_ = 0;
   double shift_ = 0;
   int cooked_ = 0;
   std::uint64_t number_ = 0;
@@ -83,6 +91,7 @@ TEST_F(LiveCookTest, SlidersCookWithoutImportingAgain) {
   fs::rename(folder_ / "hair.obj", folder_ / "away.obj");
   run(cook);
   EXPECT_EQ(cooked_, 2) << problem_;
+  EXPECT_EQ(imports_, 1);
   EXPECT_EQ(shift_, 1.25);
   EXPECT_EQ(state()["revision"], 2);
   EXPECT_EQ(state()["changes"]["material"]["primary_shift"], 1.25);
@@ -109,7 +118,8 @@ TEST_F(LiveCookTest, UnitsOfTheRecipeImportAgain) {
   ASSERT_TRUE(cook.change("{\"source\": {\"metres_per_unit\": 2}}"));
   run(cook);
   ASSERT_EQ(cooked_, 2) << problem_;
-  EXPECT_FLOAT_EQ(float(models_.back()->meshes[0].positions[1].x()), 0.2f);
+  EXPECT_EQ(imports_, 2);
+  EXPECT_FLOAT_EQ(width_, 0.2f);
 }
 
 TEST_F(LiveCookTest, RecipesBesideTheSourceAreFoundOnceTheyAppear) {
@@ -160,7 +170,6 @@ TEST_F(LiveCookTest, ObsoleteWorkTellsNobody) {
   EXPECT_EQ(cooked_, 0);
   EXPECT_EQ(problem_, "");
   EXPECT_EQ(state()["revision"], 0);
-  LiveCook::interrupt();  // that came too late for its work
   run(cook);
   EXPECT_EQ(cooked_, 1) << problem_;
 }

@@ -1,13 +1,11 @@
 #include "base/files.h"
 
 #include "base/text.h"
+#include "platform/program.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -107,27 +105,11 @@ tl::unexpected<ToolError> cannot_write(const fs::path& path, const std::string& 
   return file_failure(ToolError::Kind::kFileAccess, path, "cannot write: {}", why);
 }
 
-std::error_code write_into(int file, std::span<const std::byte> bytes, Durability durability) {
-  if (std::error_code why = write_all(file, bytes)) return why;
-  return durability == Durability::kNow && ::fsync(file) != 0 ? last_error() : std::error_code{};
-}
-
-std::error_code write_new_file(const fs::path& path, int flags, std::span<const std::byte> bytes,
-                               Durability durability) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
-  if (file < 0) return last_error();
-  std::error_code why = write_into(file, bytes, durability);
-  // close() reports what the disk refused late, for example on a full network share.
-  if (::close(file) != 0 && !why) why = last_error();
-  return why;
-}
-
 }  // namespace
 
 std::string file_identity(const fs::path& path) {
   if (path.empty()) return {};
-  struct stat status {};
-  if (::stat(path.c_str(), &status) == 0) return fmt::format("{}:{}", status.st_dev, status.st_ino);
+  if (auto number = file_number(path)) return *number;
   std::error_code error;
   const fs::path place = fs::weakly_canonical(fs::absolute(path, error), error);
   return (error ? path : place).string();
@@ -179,17 +161,6 @@ namespace {
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
-/// Names that were changed in it are on the disk afterwards.
-std::error_code sync_folder(const fs::path& folder) {
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return last_error();
-  // A file system that keeps no folders on a disk says that it cannot.
-  const bool is_done = ::fsync(descriptor) == 0 || errno == EINVAL;
-  const std::error_code why = is_done ? std::error_code{} : last_error();
-  ::close(descriptor);
-  return why;
-}
-
 /// As much of a file's name as leaves room for what temporary_name() adds.
 std::string stem_of_temporary(const std::string& name) {
   constexpr std::size_t kLongestName = 255, kAdded = 32;  // NAME_MAX, which all usual file systems have
@@ -199,7 +170,7 @@ std::string stem_of_temporary(const std::string& name) {
 /// "NAME.PROCESS.RANDOM.tmp", beside the file called NAME.
 std::string temporary_name(const std::string& name) {
   // Machines and containers that share a folder have equal process numbers.
-  return stem_of_temporary(name) + fmt::format(".{}.{:08x}.tmp", ::getpid(), std::random_device{}());
+  return stem_of_temporary(name) + fmt::format(".{}.{:08x}.tmp", process_number(), std::random_device{}());
 }
 
 bool is_temporary_of(const std::string& file, const std::string& name) {
@@ -225,25 +196,6 @@ void remove_old_temporaries(const fs::path& target) {
   }
 }
 
-/// Writes a file that has no name before it is whole, so that a killed process leaves nothing behind. Says that the
-/// file system cannot do that, or that there is no /proc, by std::errc::not_supported, and has done nothing then.
-std::error_code write_unnamed(const fs::path& path, std::span<const std::byte> bytes, Durability durability) {
-  const auto cannot = std::make_error_code(std::errc::not_supported);
-  const int file = ::open(folder_of(path).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
-  if (file < 0) return cannot;
-  std::error_code why = write_into(file, bytes, durability);
-  const std::string self = fmt::format("/proc/self/fd/{}", file);
-  if (!why && ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) != 0) why = cannot;
-  if (::close(file) != 0 && !why) why = last_error();
-  return why;
-}
-
-std::error_code write_temporary(const fs::path& path, std::span<const std::byte> bytes, Durability durability) {
-  const std::error_code why = write_unnamed(path, bytes, durability);
-  if (why != std::errc::not_supported) return why;
-  return write_new_file(path, O_CREAT | O_EXCL | O_NOFOLLOW, bytes, durability);
-}
-
 }  // namespace
 
 tl::expected<void, ToolError> write_output(const fs::path& output, std::span<const std::byte> bytes,
@@ -253,14 +205,13 @@ tl::expected<void, ToolError> write_output(const fs::path& output, std::span<con
   const fs::path target = fs::is_symlink(output, why) ? fs::weakly_canonical(output, why) : output;
   if (fs::exists(target, why) && !fs::is_regular_file(target, why)) {
     // Renaming over /dev/stdout or a pipe would replace the device.
-    if (const std::error_code failed = write_new_file(target, 0, bytes, Durability::kSoon))
-      return cannot_write(output, failed.message());
+    if (const std::error_code failed = write_device(target, bytes)) return cannot_write(output, failed.message());
     return {};
   }
   remove_old_temporaries(target);
   fs::path temporary = target;
   temporary.replace_filename(temporary_name(target.filename().string()));
-  std::error_code failed = write_temporary(temporary, bytes, durability);
+  std::error_code failed = write_new_file(temporary, bytes, durability);
   if (!failed) fs::rename(temporary, target, failed);
   if (!failed && durability == Durability::kNow) failed = sync_folder(folder_of(target));
   if (failed) {

@@ -1,11 +1,10 @@
 #pragma once
 
 #include "base/tool_error.h"
+#include "platform/files.h"
 
 #include <tl/expected.hpp>
 
-#include <unistd.h>
-#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -83,26 +82,9 @@ tl::expected<void, ToolError> check_outputs(std::span<const NamedOutput> outputs
 tl::expected<std::string, ToolError> choose_suffix(const std::filesystem::path& output,
                                                    std::initializer_list<std::string_view> allowed);
 
-/// When what was written is on the disk.
-enum class Durability {
-  kSoon,  ///< When the system finds time. After a loss of power the file may be empty.
-  kNow,   ///< Before the name is taken, which is on the disk as well when the call returns.
-};
-
 /// Writes the whole file or nothing: into a temporary file in the same folder, which then takes the name. An existing
 /// file is whole at every moment and survives a failure. Devices and pipes are written directly. Errors: kFileAccess.
 tl::expected<void, ToolError> write_output(const std::filesystem::path& output, std::span<const std::byte> bytes,
                                            Durability durability = Durability::kSoon);
-
-/// Writes all of the bytes to an open file or pipe, however often that takes; why it could not, else nothing.
-inline std::error_code write_all(int descriptor, std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return {written < 0 ? errno : EIO, std::generic_category()};
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
-  return {};
-}
 
 }  // namespace coif

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/work_limit.h"
+#include "platform/stop.h"
 
 #include <algorithm>
 #include <atomic>
@@ -13,16 +13,13 @@
 
 namespace coif {
 
-/// As many as the processor runs at once, at least 1.
-inline unsigned all_threads() { return std::max(1u, std::thread::hardware_concurrency()); }
-
-/// Calls body(i) for each i below `count` on up to `threads` threads. Each call must write only what belongs to its own
-/// i, so that the result does not depend on the number of threads. What a call throws ends the others before their
-/// next, and is thrown again here, of several one; TookTooLong is, where the process's time is over. Each thread takes
-/// the next call when it has made one; threads that the system does not give are done without.
+/// Calls body(i) for each i below `count` on up to threads.count threads. Each call must write only what belongs to its
+/// own i, so that the result does not depend on the number of threads. What a call throws ends the others before their
+/// next, and is thrown again here, of several one; Stopped is, where threads.stop is requested. Each thread takes the
+/// next call when it has made one; threads that the system does not give are done without.
 template <typename Body>
-void parallel_for(std::size_t count, unsigned threads, const Body& body) {
-  const std::size_t workers = std::min<std::size_t>(std::max(threads, 1u), count);
+void parallel_for(std::size_t count, const Threads& threads, const Body& body) {
+  const std::size_t workers = std::min<std::size_t>(threads.count, count);
   std::exception_ptr thrown;
   std::mutex lock;
   std::atomic<bool> stopped = false;
@@ -30,7 +27,7 @@ void parallel_for(std::size_t count, unsigned threads, const Body& body) {
   const auto work = [&] {
     try {
       for (std::size_t i = next++; i < count && !stopped; i = next++) {
-        WorkLimit::check();
+        throw_if_stopped(threads.stop);
         body(i);
       }
     } catch (...) {

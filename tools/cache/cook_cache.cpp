@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <sys/stat.h>
-#include <time.h>
 #include <algorithm>
 
 namespace coif {
@@ -62,10 +60,6 @@ void replace_in_messages(CookReport& report, const std::string& from, const std:
   }
 }
 
-std::chrono::nanoseconds duration_of(const timespec& time) {
-  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
-}
-
 fs::path or_here(const fs::path& folder) { return folder.empty() ? fs::path(".") : folder; }
 
 std::optional<std::uint64_t> hash_of_file(const fs::path& path) {
@@ -112,8 +106,8 @@ std::optional<fs::path> changed_since(std::chrono::nanoseconds since, const std:
   std::vector<fs::path> paths{place.source};
   for (const Dependency& dependency : dependencies) paths.push_back(path_of(dependency, place));
   const auto found = std::ranges::find_if(paths, [&](const fs::path& path) {
-    struct stat status {};
-    return ::stat(path.c_str(), &status) == 0 && duration_of(status.st_ctim) >= since;
+    const auto changed = file_change_time(path);
+    return changed && *changed >= since;
   });
   return found == paths.end() ? std::nullopt : std::optional(*found);
 }
@@ -146,12 +140,6 @@ tl::expected<void, ToolError> write_entry(const fs::path& file, std::span<const 
 }  // namespace
 
 fs::path CookPlace::source_directory() const { return or_here(source.parent_path()); }
-
-std::chrono::nanoseconds file_time_now() {
-  timespec now{};
-  clock_gettime(CLOCK_REALTIME_COARSE, &now);
-  return duration_of(now);
-}
 
 fs::path CookCache::folder_of(const std::string& key) const { return folder_ / key.substr(0, 2) / key.substr(2); }
 

@@ -38,9 +38,6 @@ struct Dependency {
   std::optional<std::uint64_t> hash;  ///< XXH64; none: there was no file that could be read.
 };
 
-/// A moment as file systems stamp it, which is coarser than the clock.
-[[nodiscard]] std::chrono::nanoseconds file_time_now();
-
 /// All that is known before the import and changes what a cook makes.
 struct CookIdentity {
   std::string tool;      ///< The cooker: its version, and whatever tells two builds of one version apart.
@@ -92,9 +89,9 @@ class CookCache {
   /// nothing.
   [[nodiscard]] std::optional<CookResult> find(const std::string& key, const CookPlace& place) const;
 
-  /// Keeps a result. `begin`: file_time_now() before the first input was read; inputs that changed since may not be
-  /// those that were read, and the result is not kept. Errors say what keeps it from being kept; the cook itself is
-  /// none the worse.
+  /// Keeps a result. `begin`: file_clock_now() (platform/files.h) before the first input was read; inputs that changed
+  /// since may not be those that were read, and the result is not kept. Errors say what keeps it from being kept; the
+  /// cook itself is none the worse.
   tl::expected<void, ToolError> store(const std::string& key, const CookPlace& place, const CookResult& result,
                                       std::chrono::nanoseconds begin) const;
 

@@ -111,7 +111,7 @@ void develop_band(std::span<const Fragment> fragments, const SampleRows& rows, H
 
 }  // namespace
 
-HairPicture draw_cards(const CardSurface& surface, const PictureFrame& frame, unsigned threads) {
+HairPicture draw_cards(const CardSurface& surface, const PictureFrame& frame, const Threads& threads) {
   HairPicture picture = blank_picture(frame.size);
   const PictureFrame fine = finer(frame, kCardSide);
   const auto bands = triangles_by_band(surface, fine, kCardBand * kCardSide);

@@ -129,7 +129,8 @@ SourceModel empty_model(const Groom& groom) {
 
 }  // namespace
 
-tl::expected<SourceModel, ToolError> model_of_cards(const Groom& groom, const CardsBudget& budget, unsigned threads) {
+tl::expected<SourceModel, ToolError> model_of_cards(const Groom& groom, const CardsBudget& budget,
+                                                    const Threads& threads) {
   const GroomShape shape = shape_of(groom, budget.strand_width);
   const auto levels = make_card_levels(groom, shape, budget, threads);
   if (!levels) return tl::unexpected(levels.error());

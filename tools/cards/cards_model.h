@@ -4,6 +4,7 @@
 #include "cards/make_cards.h"
 #include "groom/groom.h"
 #include "import/source_model.h"
+#include "platform/stop.h"
 
 #include <tl/expected.hpp>
 
@@ -13,6 +14,6 @@ namespace coif {
 /// on from there. Levels of detail behind the finest are SourceModel::coarser. Repeats for equal input, whatever
 /// `threads` is. kOverBudget where the budget is too small for the fewest cards that hold the hair.
 [[nodiscard]] tl::expected<SourceModel, ToolError> model_of_cards(const Groom& groom, const CardsBudget& budget,
-                                                                  unsigned threads);
+                                                                  const Threads& threads);
 
 }  // namespace coif

@@ -3,6 +3,7 @@
 #include "cards/card_strip.h"
 #include "cards/even_strands.h"
 #include "cards/wisps.h"
+#include "platform/stop.h"
 
 #include <cstddef>
 #include <vector>
@@ -17,10 +18,10 @@ struct ChosenCards {
 
 /// How badly strips stand for their strands: how far these lie off them, mean over strands and stations, metres squared
 /// (distance_to()), where what lies off since strips are straight between their edges counts twice.
-[[nodiscard]] double strands_off_strips(const EvenStrands& strands, const ChosenCards& cards, unsigned threads);
+[[nodiscard]] double strands_off_strips(const EvenStrands& strands, const ChosenCards& cards, const Threads& threads);
 
 /// As many wisps, and as long strips, as triangles are best spent on: more cards lie nearer to their strands where
 /// these are straight, more edges each where they bend. Repeats for equal input, whatever `threads` is.
-[[nodiscard]] ChosenCards choose_cards(const EvenStrands& strands, std::size_t triangles, unsigned threads);
+[[nodiscard]] ChosenCards choose_cards(const EvenStrands& strands, std::size_t triangles, const Threads& threads);
 
 }  // namespace coif

@@ -2,6 +2,7 @@
 
 #include "base/parallel_for.h"
 #include "cards/spread_seeds.h"
+#include "platform/stop.h"
 
 #include <algorithm>
 #include <array>
@@ -23,7 +24,7 @@ class PointClusters {
   /// The numbers of `points` in `count` clusters at most, each ascending, none empty. Repeats for equal input, whatever
   /// `threads` is.
   [[nodiscard]] static std::vector<std::vector<std::uint32_t>> find(const std::vector<Point>& points, std::size_t count,
-                                                                    unsigned threads) {
+                                                                    const Threads& threads) {
     if (points.empty() || count == 0) return {};
     const std::vector<Point> middles = middles_of(sample_of(points), count, threads);
     std::vector<std::vector<std::uint32_t>> clusters(middles.size());
@@ -62,7 +63,7 @@ class PointClusters {
   }
 
   static Nearest nearest_middles(const std::vector<Point>& points, const std::vector<Point>& middles,
-                                 unsigned threads) {
+                                 const Threads& threads) {
     Nearest found{std::vector<std::uint32_t>(points.size()), 0};
     std::vector<float> distances(points.size(), std::numeric_limits<float>::max());
     parallel_for(points.size(), threads, [&](std::size_t i) {
@@ -92,7 +93,7 @@ class PointClusters {
     }
   }
 
-  static std::vector<Point> middles_of(const std::vector<Point>& sample, std::size_t count, unsigned threads) {
+  static std::vector<Point> middles_of(const std::vector<Point>& sample, std::size_t count, const Threads& threads) {
     const auto apart = [&](std::uint32_t i, std::uint32_t k) { return squared_distance(sample[i], sample[k]); };
     std::vector<Point> middles;
     for (const std::uint32_t seed : spread_seeds(sample.size(), std::min(count, sample.size()), apart))

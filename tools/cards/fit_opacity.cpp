@@ -83,12 +83,12 @@ class AtlasChange {
 /// Cards whose opacity changes, round by round.
 class OpacityRounds {
  public:
-  OpacityRounds(FitTarget& target, Cards& cards, unsigned threads)
+  OpacityRounds(FitTarget& target, Cards& cards, const Threads& threads)
       : target_(target),
         cards_(cards),
-        threads_(std::max(threads, 1u)),
+        threads_(threads),
         change_(cards.plan.width, cards.plan.height),
-        views_(threads_) {
+        views_(threads.count) {
     for (const CardStrip& strip : cards.strips) {
       first_triangle_.push_back(first_triangle_.back() + std::uint32_t(strip.triangles()));
       last_change_.emplace_back();
@@ -152,7 +152,7 @@ class OpacityRounds {
 
   FitTarget& target_;
   Cards& cards_;
-  unsigned threads_;
+  Threads threads_;
   std::vector<std::uint32_t> first_triangle_{0};
   AtlasChange change_;
   std::vector<std::vector<float>> last_change_;  ///< Of each card's texels.
@@ -167,7 +167,7 @@ std::vector<std::vector<float>> opacities_of(const Cards& cards) {
 
 }  // namespace
 
-OpacityFit fit_opacity(FitTarget& target, int rounds, Cards& cards, unsigned threads) {
+OpacityFit fit_opacity(FitTarget& target, int rounds, Cards& cards, const Threads& threads) {
   OpacityFit fit;
   if (rounds <= 0) return fit;
   OpacityRounds fitting(target, cards, threads);

@@ -2,6 +2,7 @@
 
 #include "cards/fit_target.h"
 #include "cards/make_cards.h"
+#include "platform/stop.h"
 
 #include <vector>
 
@@ -21,6 +22,6 @@ struct OpacityFit {
 /// Andersen and Kak 1984), spread along the card, where strands lie. A part of each round's change is made again in the
 /// next (Polyak 1964, the heavy ball), which takes half as many rounds. Ends when a round gains too little, or after so
 /// many. Repeats for equal input, whatever `threads` is.
-OpacityFit fit_opacity(FitTarget& target, int rounds, Cards& cards, unsigned threads);
+OpacityFit fit_opacity(FitTarget& target, int rounds, Cards& cards, const Threads& threads);
 
 }  // namespace coif

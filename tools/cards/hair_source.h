@@ -4,6 +4,7 @@
 #include "cook/recipe/recipe.h"
 #include "import/import.h"
 #include "import/source_model.h"
+#include "platform/stop.h"
 
 #include <tl/expected.hpp>
 
@@ -17,7 +18,7 @@ namespace coif {
 struct HairSourceSettings {
   ImportSettings import;                   ///< Its unit and axis are those of the source.
   std::filesystem::path recipe_directory;  ///< CookSettings::recipe_directory.
-  unsigned threads = 1;                    ///< The model does not depend on it.
+  Threads threads = 1;                     ///< The model does not depend on it.
   /// Called before each part of the work with its name, "import" or "cards". May be empty, and may throw.
   std::function<void(const char* part)> progress{};
 };

@@ -35,7 +35,7 @@ struct ChosenLevel {
 };
 
 ChosenLevel choose_level(const Groom& groom, const GroomShape& shape, std::size_t triangles, float caps,
-                         unsigned threads) {
+                         const Threads& threads) {
   ChosenLevel level;
   const auto for_scalp = std::size_t(caps * float(triangles));
   level.scalp = find_scalp_cards(groom, shape.is_reversed, shape.strands, for_scalp, threads);
@@ -53,7 +53,8 @@ std::vector<CardSize> sizes_of(const ChosenLevel& level, float scalp_share, floa
 }
 
 /// Cards at their places in the atlas, those of the scalp behind the others.
-Cards draw_level(const Groom& groom, const GroomShape& shape, ChosenLevel level, AtlasPlan plan, unsigned threads) {
+Cards draw_level(const Groom& groom, const GroomShape& shape, ChosenLevel level, AtlasPlan plan,
+                 const Threads& threads) {
   Cards cards{std::move(level.cards.wisps), std::move(level.cards.strips), std::move(plan), {}};
   const std::size_t above_scalp = cards.wisps.size();
   cards.wisps.insert(cards.wisps.end(), level.scalp.wisps.begin(), level.scalp.wisps.end());
@@ -86,7 +87,7 @@ AtlasPlan plan_within(std::span<const CardSize> sizes, const CardsBudget& budget
 /// All of them in one atlas.
 tl::expected<std::vector<Cards>, ToolError> draw_levels(const Groom& groom, const GroomShape& shape,
                                                         std::vector<ChosenLevel> levels, const CardsBudget& budget,
-                                                        unsigned threads) {
+                                                        const Threads& threads) {
   std::vector<CardSize> sizes;
   std::vector<std::size_t> ends;
   for (const ChosenLevel& level : levels) {
@@ -159,7 +160,7 @@ GroomShape shape_of(const Groom& groom, float strand_width) {
 }
 
 tl::expected<Cards, ToolError> texture_cards(const Groom& groom, const GroomShape& shape, ChosenCards cards,
-                                             std::size_t texels, unsigned threads) {
+                                             std::size_t texels, const Threads& threads) {
   std::vector<ChosenLevel> level(1);
   level[0].cards = std::move(cards);
   auto drawn = draw_levels(groom, shape, std::move(level), {.texels = texels, .caps = 0}, threads);
@@ -168,7 +169,7 @@ tl::expected<Cards, ToolError> texture_cards(const Groom& groom, const GroomShap
 }
 
 tl::expected<std::vector<Cards>, ToolError> make_card_levels(const Groom& groom, const GroomShape& shape,
-                                                             const CardsBudget& budget, unsigned threads) {
+                                                             const CardsBudget& budget, const Threads& threads) {
   if (budget.triangles < 2 || budget.texels < kFewestTexels) {
     return file_failure(ToolError::Kind::kOverBudget, groom.path,
                         "cards need 2 triangles and {} texels at least; allow them more", kFewestTexels);
@@ -187,7 +188,7 @@ tl::expected<std::vector<Cards>, ToolError> make_card_levels(const Groom& groom,
 }
 
 tl::expected<Cards, ToolError> make_cards(const Groom& groom, const GroomShape& shape, const CardsBudget& budget,
-                                          unsigned threads) {
+                                          const Threads& threads) {
   CardsBudget one = budget;
   one.levels = 1;
   auto made = make_card_levels(groom, shape, one, threads);

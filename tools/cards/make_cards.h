@@ -10,6 +10,7 @@
 #include "cards/scalp_cards.h"
 #include "cards/wisps.h"
 #include "groom/groom.h"
+#include "platform/stop.h"
 
 #include <tl/expected.hpp>
 
@@ -52,18 +53,20 @@ struct Cards {
 
 /// Textures for cards that are there. kOverBudget where the texels are too few for them.
 [[nodiscard]] tl::expected<Cards, ToolError> texture_cards(const Groom& groom, const GroomShape& shape,
-                                                           ChosenCards cards, std::size_t texels, unsigned threads);
+                                                           ChosenCards cards, std::size_t texels,
+                                                           const Threads& threads);
 
 /// Cards in place of the strands, of one level of detail. Repeats for equal input, whatever `threads` is. kOverBudget
 /// where the budget is too small for the fewest cards that hold the hair.
 [[nodiscard]] tl::expected<Cards, ToolError> make_cards(const Groom& groom, const GroomShape& shape,
-                                                        const CardsBudget& budget, unsigned threads);
+                                                        const CardsBudget& budget, const Threads& threads);
 
 /// The same for as many levels of detail as the budget says, the finest first, each made from the strands. They share
 /// the texels, in one atlas: a level is for pictures in which hair is so much smaller as it has fewer triangles, and
 /// has texels for these. Levels end before one that would have no triangles.
 [[nodiscard]] tl::expected<std::vector<Cards>, ToolError> make_card_levels(const Groom& groom, const GroomShape& shape,
-                                                                           const CardsBudget& budget, unsigned threads);
+                                                                           const CardsBudget& budget,
+                                                                           const Threads& threads);
 
 /// As they are drawn, strip by strip, two vertices at each of its stations.
 [[nodiscard]] CardSurface surface_of(const Cards& cards);

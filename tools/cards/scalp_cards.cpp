@@ -94,7 +94,7 @@ CardStrip strip_of(std::uint32_t wisp) {
 }  // namespace
 
 ScalpCards find_scalp_cards(const Groom& groom, std::span<const std::uint8_t> is_reversed, const EvenStrands& strands,
-                            std::size_t triangles, unsigned threads) {
+                            std::size_t triangles, const Threads& threads) {
   ScalpCards cards;
   const std::size_t count = std::min(triangles / (2 * kQuadsOfScalpCard), kMostScalpCards);
   Scalp scalp = find_scalp(groom, is_reversed, strands, count, threads);

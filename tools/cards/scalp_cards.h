@@ -6,6 +6,7 @@
 #include "cards/even_strands.h"
 #include "cards/wisps.h"
 #include "groom/groom.h"
+#include "platform/stop.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +28,7 @@ struct ScalpCards {
 /// (scalp_patches.h); none in places whose roots do not lie on a surface or would not cover it. Repeats for equal
 /// input, whatever `threads` is.
 [[nodiscard]] ScalpCards find_scalp_cards(const Groom& groom, std::span<const std::uint8_t> is_reversed,
-                                          const EvenStrands& strands, std::size_t triangles, unsigned threads);
+                                          const EvenStrands& strands, std::size_t triangles, const Threads& threads);
 
 /// draw_on_card() of one, which ends in single strands on all sides, so that no straight edge is seen. `width`: of
 /// strands whose groom says none.

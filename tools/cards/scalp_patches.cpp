@@ -55,7 +55,7 @@ RootPart root_part(const Groom& groom, bool is_reversed, std::size_t strand, flo
 
 /// By place and direction.
 std::vector<std::vector<std::uint32_t>> group_roots(const std::vector<RootPart>& parts, float reach, float apart,
-                                                    std::size_t count, unsigned threads) {
+                                                    std::size_t count, const Threads& threads) {
   using Roots = PointClusters<8>;
   std::vector<Roots::Point> roots(parts.size(), Roots::Point{});
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -152,7 +152,7 @@ Vector3f ScalpPatch::normal(float x, float y) const {
 }
 
 Scalp find_scalp(const Groom& groom, std::span<const std::uint8_t> is_reversed, const EvenStrands& strands,
-                 std::size_t count, unsigned threads) {
+                 std::size_t count, const Threads& threads) {
   Scalp scalp;
   count = std::min(count, strands.count() / kFewestRoots);
   if (count == 0) return scalp;

@@ -2,6 +2,7 @@
 
 #include "cards/even_strands.h"
 #include "groom/groom.h"
+#include "platform/stop.h"
 
 #include <Eigen/Core>
 
@@ -48,6 +49,6 @@ struct Scalp {
 /// longer than its roots lie apart, or so few roots that nothing is known of the skin between them. Repeats for equal
 /// input, whatever `threads` is.
 [[nodiscard]] Scalp find_scalp(const Groom& groom, std::span<const std::uint8_t> is_reversed,
-                               const EvenStrands& strands, std::size_t count, unsigned threads);
+                               const EvenStrands& strands, std::size_t count, const Threads& threads);
 
 }  // namespace coif

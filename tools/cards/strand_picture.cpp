@@ -137,7 +137,7 @@ void develop(const Band& band, const std::vector<Piece>& pieces, std::uint32_t f
 
 }  // namespace
 
-HairPicture draw_strands(const Groom& groom, const PictureFrame& frame, float width, unsigned threads,
+HairPicture draw_strands(const Groom& groom, const PictureFrame& frame, float width, const Threads& threads,
                          std::uint32_t side) {
   HairPicture picture = blank_picture(frame.size);
   const std::vector<Piece> pieces = pieces_of(groom, frame, width, int(side));

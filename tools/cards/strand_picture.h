@@ -2,6 +2,7 @@
 
 #include "cards/picture_frame.h"
 #include "groom/groom.h"
+#include "platform/stop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,7 @@ struct HairPicture {
 /// Strands with round cross sections of `width` metres where the groom says none, each pixel by `side` x `side`
 /// samples, the nearest strand in each. Which sample a strand covers is exact, so that a strand thinner than a sample
 /// covers as many as its width is worth.
-[[nodiscard]] HairPicture draw_strands(const Groom& groom, const PictureFrame& frame, float width, unsigned threads,
-                                       std::uint32_t side = 8);
+[[nodiscard]] HairPicture draw_strands(const Groom& groom, const PictureFrame& frame, float width,
+                                       const Threads& threads, std::uint32_t side = 8);
 
 }  // namespace coif

@@ -2,6 +2,7 @@
 
 #include "cards/even_strands.h"
 #include "cards/ribbon.h"
+#include "platform/stop.h"
 
 #include <cstdint>
 #include <vector>
@@ -18,6 +19,6 @@ struct Wisp {
 /// whose card it loses least, and cards are the best of their strands (Lloyd 1982, with ribbons in place of points; the
 /// first ones by Arthur and Vassilvitskii 2007, "k-means++"). Of very many strands a sample finds the cards. Repeats
 /// for equal input, whatever `threads` is.
-[[nodiscard]] std::vector<Wisp> find_wisps(const EvenStrands& strands, std::size_t count, unsigned threads);
+[[nodiscard]] std::vector<Wisp> find_wisps(const EvenStrands& strands, std::size_t count, const Threads& threads);
 
 }  // namespace coif

@@ -2,8 +2,8 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "cli/batch_job.h"
 #include "cli/messages.h"
-#include "process/child_process.h"
 
 #include <fmt/format.h>
 
@@ -148,53 +148,6 @@ std::string batch_text(const Outcomes& outcomes) {
   return text + sentence(count(outcomes)) + "\n";
 }
 
-tl::expected<CookSummary, FailedCook> cook_one(const CookOptions& options, const CookRequest& request, unsigned threads,
-                                               const Messages& messages) {
-  auto choice = held_recipe(request.source, request.recipe, options.limits.requires_sandbox, options.roots, messages,
-                            {options.preset, ""});
-  if (!choice) return tl::unexpected(failed_by_recipe(choice.error()));
-  choose_body(options.body, *choice);
-  if (auto known = acknowledge(options, *choice); !known) return tl::unexpected(failed_by_recipe(known.error()));
-  std::error_code told_by_the_cook;
-  fs::create_directories(fs::path(request.output).parent_path(), told_by_the_cook);
-  CookOptions alone = options;
-  alone.sources = {request.source};
-  alone.output = request.output;
-  alone.report.clear();
-  alone.end = {};
-  alone.threads = threads;
-  alone.shows_progress = false;
-  return run_cook_job(alone, *choice, messages);
-}
-
-constexpr const char* kInputs = "input_identities";  ///< file_identity() of what a cook read; it is told to nobody.
-
-/// What a process sends home: the lines of the result, as JSON, and kInputs.
-ordered_json outcome_of(const CookOptions& options, const CookRequest& request, unsigned threads,
-                        const Messages& messages) {
-  const auto begin = std::chrono::steady_clock::now();
-  const auto summary = cook_one(options, request, threads, messages);
-  const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
-  ordered_json outcome{{"source", request.source},
-                       {"output", request.output},
-                       {"status", status_word(Exit::kOk)},
-                       {"exit_code", int(Exit::kOk)},
-                       {"ms", elapsed.count()}};
-  if (summary) {
-    outcome.update(cook_json(*summary));
-    for (const auto* const files : {&summary->files, &summary->named}) {
-      for (const fs::path& file : *files) outcome[kInputs].push_back(file_identity(file));
-    }
-    return outcome;
-  }
-  messages.error(summary.error().message);
-  CookOptions alone = options;
-  alone.sources = {request.source};
-  alone.output = request.output;
-  outcome.update(failed_cook_json(alone, summary.error()));
-  return outcome;
-}
-
 /// Of a process that never answered.
 ordered_json crashed(const CookRequest& request, const Messages& messages) {
   const std::string text = request.source + ": the cook crashed; cook it alone, and report it with the file";
@@ -207,14 +160,14 @@ ordered_json crashed(const CookRequest& request, const Messages& messages) {
           {"error", text}};
 }
 
-/// Takes kInputs out of the outcomes. True where one of them is the report.
+/// Takes kInputIdentities out of the outcomes. True where one of them is the report.
 bool take_inputs(Outcomes& outcomes, const std::string& report) {
   const std::string place = file_identity(report);
   bool is_input = false;
   for (auto& outcome : outcomes) {
-    if (!outcome.contains(kInputs)) continue;
-    for (const auto& input : outcome[kInputs]) is_input = is_input || (!place.empty() && input == place);
-    outcome.erase(kInputs);
+    if (!outcome.contains(kInputIdentities)) continue;
+    for (const auto& input : outcome[kInputIdentities]) is_input = is_input || (!place.empty() && input == place);
+    outcome.erase(kInputIdentities);
   }
   return is_input;
 }
@@ -233,13 +186,11 @@ tl::expected<Exit, ToolError> run_cook_batch(const CookOptions& options, const M
   if (!options.limits.requires_sandbox) tell_of_missing_sandbox(messages);
   const auto cooks = unsigned(std::clamp<std::size_t>(requests->size(), 1, options.jobs));
   const unsigned threads = options.threads.value_or(std::max(1u, all_threads() / cooks));
-  const auto answers = run_in_processes(requests->size(), options.jobs, [&](std::size_t i) {
-    return json_text(outcome_of(options, (*requests)[i], threads, messages));
-  });
+  const auto answers = cook_each(options, *requests, threads);
   auto outcomes = Outcomes::array();
   int worst = 0;
   for (std::size_t i = 0; i < answers.size(); ++i) {
-    outcomes.push_back(answers[i] ? ordered_json::parse(*answers[i]) : crashed((*requests)[i], messages));
+    outcomes.push_back(answers[i] ? *answers[i] : crashed((*requests)[i], messages));
     worst = std::max(worst, outcomes.back()["exit_code"].get<int>());
   }
   if (take_inputs(outcomes, options.report)) {

@@ -35,7 +35,7 @@ struct BatchCounts {
 tl::expected<Exit, ToolError> run_cook_batch(const CookOptions& options, const Messages& messages);
 
 /// The outcomes as an HTML page, failures first, with a picture of each asset that can be drawn. Draws up to `jobs` at
-/// once, each in a process of its own; call it while no other child is waited for.
+/// once, each in a process of its own.
 [[nodiscard]] std::string batch_page(const Outcomes& outcomes, unsigned jobs);
 
 }  // namespace coif

@@ -2,9 +2,7 @@
 
 #include "base/encodings.h"
 #include "base/text.h"
-#include "cli/input_files.h"
-#include "process/child_process.h"
-#include "render/picture.h"
+#include "cli/batch_job.h"
 #include "report/page/report_page.h"
 
 #include <fmt/format.h>
@@ -16,33 +14,7 @@
 namespace coif {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
-
-constexpr std::uint32_t kThumbnailPixels = 144;
-
-/// The bytes of a PNG file; nothing where the asset cannot be drawn, or not here.
-std::string thumbnail(const std::string& path) {
-  const auto file = AssetFile::open(path);
-  if (!file) return {};
-  PictureSettings settings;
-  settings.width = settings.height = kThumbnailPixels;
-  settings.warm_up = false;
-  const auto picture = render_picture(file->asset(), settings);
-  if (!picture) return {};
-  const Bytes png = encode_png(*picture);
-  return {png.begin(), png.end()};
-}
-
 std::string text_of(const Outcomes& file, const char* key) { return file[key].get<std::string>(); }
-
-/// One each, empty where there is none.
-std::vector<Bytes> thumbnails(const std::vector<Outcomes>& files, unsigned jobs) {
-  const auto answers =
-      run_in_processes(files.size(), jobs, [&](std::size_t i) { return thumbnail(text_of(files[i], "output")); });
-  std::vector<Bytes> pictures;
-  for (const auto& answer : answers) pictures.push_back(answer ? Bytes(answer->begin(), answer->end()) : Bytes{});
-  return pictures;
-}
 
 /// Of all paths under `key`, with a slash at its end; nothing where they share none.
 std::string common_folder(const std::vector<Outcomes>& files, const char* key) {
@@ -104,7 +76,9 @@ std::string batch_page(const Outcomes& outcomes, unsigned jobs) {
   const std::vector<Outcomes> files(outcomes.begin(), outcomes.end());
   std::vector<Outcomes> cooked, failed;
   std::ranges::partition_copy(files, std::back_inserter(cooked), std::back_inserter(failed), is_cooked);
-  const std::vector<Bytes> pictures = thumbnails(cooked, jobs);
+  std::vector<std::string> outputs;
+  for (const Outcomes& file : cooked) outputs.push_back(text_of(file, "output"));
+  const std::vector<Bytes> pictures = thumbnails(outputs, jobs);
   const Places places{common_folder(files, "source"), common_folder(files, "output")};
   const auto undrawn = std::size_t(std::ranges::count_if(pictures, &Bytes::empty));
   return page_html({{"title", "coif cook"},

@@ -1,20 +1,19 @@
 #include "base/json.h"
 #include "base/parallel_for.h"
-#include "cards/hair_source.h"
 #include "cli/asset_summary.h"
 #include "cli/batch.h"
 #include "cli/command.h"
 #include "cli/cook_job.h"
+#include "cli/cook_process.h"
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
 #include "cli/patch_listing.h"
 #include "cook/recipe/recipe_preset.h"
+#include "import/model_stream.h"
 
 #include <fmt/format.h>
 
-#include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <span>
 #include <string>
@@ -25,14 +24,15 @@ namespace {
 
 tl::expected<Exit, ToolError> list_source(const CookOptions& options, const RecipeChoice& choice,
                                           const Messages& messages) {
-  const unsigned threads = options.threads.value_or(all_threads());
-  LimitedWork work(options.source(), options.limits, threads, messages, options.end);
-  const auto model = work.run([&] {
-    return read_hair_source(options.source(), draft_of(choice.recipe),
-                            {options.limits.of_import(import_settings(choice.recipe, options.roots), messages),
-                             choice.directory, threads, [&work](const char* part) { work.begin(part); }});
-  });
-  if (!model) return tl::unexpected(model.error());
+  CookOrder order = order_of(options, choice, messages);
+  order.draft = true;
+  order.cooks = false;
+  order.keeps_model = true;
+  const auto answer = cook_in_child(order, limited_call(options));
+  if (!answer) return tl::unexpected<ToolError>(answer.error());
+  ImportOutcome model;
+  if (!decode_model(answer->model, model))
+    return file_failure(ToolError::Kind::kInternal, options.source(), "the process that read it makes no sense");
   print_result(options.format == OutputFormat::kJson ? list_json(*model) : list_text(*model));
   return Exit::kOk;
 }
@@ -89,13 +89,7 @@ void tell_failure(const CookOptions& options, const FailedCook& failed, const Me
 }
 
 tl::expected<Exit, ToolError> run_cook(const CookOptions& given, const Messages& messages) {
-  CookOptions options = with_list_read(given);
-  options.end = [told = options, messages](const ToolError& error) {
-    messages.error(error.message);
-    tell_failure(told, error, messages);
-    std::fflush(stdout);
-    std::_Exit(int(exit_code(error.kind)));  // Nothing else is written yet.
-  };
+  const CookOptions options = with_list_read(given);
   auto done = run_options(options, messages);
   if (done) return *done;
   tell_failure(options, done.error(), messages);

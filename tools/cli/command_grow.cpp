@@ -7,8 +7,10 @@
 #include "cli/messages.h"
 #include "cli/options.h"
 #include "cli/source_limits.h"
+#include "groom/groom_stream.h"
 #include "groom/write_groom.h"
 #include "grow/grow_hair.h"
+#include "import/reader_process.h"
 
 #include <fmt/format.h>
 
@@ -48,16 +50,37 @@ std::filesystem::path body_of(const GrowOptions& options, const RecipeChoice& ch
   return choice.recipe.cards_body.empty() ? std::filesystem::path() : choice.directory / choice.recipe.cards_body;
 }
 
+/// In a child process.
+Bytes answer_grow(const JobCall& call) {
+  const nlohmann::json order = nlohmann::json::from_msgpack(call.request());
+  const auto name = order.at("name").get<std::string>();
+  const Recipe recipe = parse_recipe(order.at("recipe").get<std::string>(), name).value();
+  const Threads threads(order.at("threads").get<unsigned>(), call.stop());
+  ImportSettings import = import_settings_from(order.at("import"));
+  import.stop = threads.stop;
+  const auto body = read_body(order.at("body").get<std::string>(), import);
+  if (!body) return encode_groom(tl::unexpected(body.error()));
+  call.note("grow");
+  return encode_groom(grow_from(recipe, *body, name, threads));
+}
+
+const Job kGrow("grow", answer_grow);
+
 tl::expected<Groom, ToolError> grow(const GrowOptions& options, const RecipeChoice& choice, const Messages& messages) {
   const std::string& name = options.recipe.empty() ? options.output : options.recipe;
-  LimitedWork work(name, options.limits, options.threads, messages);
-  return work.run([&]() -> tl::expected<Groom, ToolError> {
-    const std::filesystem::path file = body_of(options, choice);
-    const auto body = read_body(file, file.empty() ? ImportSettings{} : options.limits.of_import({}, messages));
-    if (!body) return tl::unexpected(body.error());
-    work.begin("grow");
-    return grow_from(choice.recipe, *body, name, options.threads);
-  });
+  const std::filesystem::path file = body_of(options, choice);
+  const ImportSettings import = file.empty() ? ImportSettings{} : options.limits.of_import({}, messages);
+  const Bytes order = nlohmann::json::to_msgpack({{"name", name},
+                                                  {"recipe", print_recipe(choice.recipe)},
+                                                  {"threads", options.threads},
+                                                  {"import", import_document(import)},
+                                                  {"body", file.string()}});
+  const auto answer = run_within_limits(kGrow, order, {name, options.limits, options.threads});
+  if (!answer) return tl::unexpected(answer.error());
+  GroomOutcome groom;
+  if (!decode_groom(*answer, groom))
+    return file_failure(ToolError::Kind::kInternal, name, "the process that grew it makes no sense");
+  return groom;
 }
 
 void print_grown(const GrowOptions& options, const Groom& groom, std::size_t bytes, double seconds) {

@@ -83,11 +83,8 @@ bool is_source_of(const Asset& asset, const std::filesystem::path& file) {
 tl::expected<Body, ToolError> read_body(const RenderOptions& options, const Asset& asset, const Messages& messages) {
   const auto choice = choose_recipe(options.body, options.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
-  LimitedWork work(options.body, options.limits, all_threads(), messages);
-  auto model = work.run([&] {
-    return import_model(options.body,
-                        options.limits.of_import(import_settings(choice->recipe, options.roots), messages));
-  });
+  auto model =
+      import_model(options.body, options.limits.of_import(import_settings(choice->recipe, options.roots), messages));
   if (!model) return tl::unexpected(model.error());
   std::vector<std::filesystem::path> files = files_of(*model);
   const std::vector<std::filesystem::path> of_recipe = files_of(*choice);

@@ -1,25 +1,21 @@
 #include "base/files.h"
 #include "base/parallel_for.h"
 #include "base/text.h"
-#include "cards/hair_source.h"
 #include "cli/command.h"
 #include "cli/cook_job.h"
+#include "cli/cook_process.h"
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
 #include "cli/source_limits.h"
 #include "cli/verdict.h"
 #include "cook/cook.h"
-#include "cook/pack/pack.h"
 #include "import/import.h"
 #include "payload_hash.h"
 #include "validate/find_issues.h"
 #include "validate/issue_codes.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <functional>
 #include <map>
 #include <memory>
 #include <ranges>
@@ -36,8 +32,7 @@ struct OriginOptions {
   std::optional<std::string> recipe;  ///< None: the one beside the source, or the defaults.
   std::vector<fs::path> roots;        ///< ImportSettings::roots.
   SourceLimits limits;
-  bool recook = false;                          ///< Compare with the bytes of a new cook, too.
-  std::function<void(const ToolError&)> end{};  ///< LimitedWork calls it.
+  bool recook = false;  ///< Compare with the bytes of a new cook, too.
 };
 
 struct ValidateOptions {
@@ -52,39 +47,41 @@ struct ValidateOptions {
 constexpr Choice<Severity> kSeverities[] = {
     {"error", Severity::kError}, {"warning", Severity::kWarning}, {"info", Severity::kInfo}};
 
-Found compare_with_new_cook(const Asset& asset, const SourceModel& model, const RecipeChoice& choice,
-                            std::uint64_t source_hash, LimitedWork& work) {
-  CookSettings settings;
-  settings.threads = all_threads();
-  settings.recipe_directory = choice.directory;
-  settings.source_hash = source_hash;
-  settings.progress = [&work](const char* pass) { work.begin(pass); };
-  const auto result = cook(model, choice.recipe, settings);
-  if (!result) return tl::unexpected(result.error());
-  const FileBytes bytes = FileBytes::copy(result->asset);
+Found compare_with_new_cook(const Asset& asset, std::span<const std::byte> cooked) {
+  const FileBytes bytes = FileBytes::copy(cooked);
   Asset cooked_anew;
   const LoadStatus opened = open_whole(bytes.span(), cooked_anew);
   if (!opened) return tl::unexpected(ToolError{ToolError::Kind::kInternal, describe_text(opened)});
   return find_recook_issues(asset, cooked_anew);
 }
 
+/// What a child process is to make of a source, and within what limits.
+CookOrder order_of(const std::string& source, const RecipeChoice& choice, const OriginOptions& options,
+                   const Messages& messages) {
+  CookOrder order;
+  order.source = source;
+  order.recipe = choice.recipe;
+  order.recipe_directory = choice.directory;
+  order.import = options.limits.of_import(import_settings(choice.recipe, options.roots), messages);
+  order.threads = all_threads();
+  return order;
+}
+
 /// Whether the asset still is what a cook of the source would give. Errors: those of reading source and recipe; with
 /// `recook` those of the cook.
-Found compare_with_origin(const Asset& asset, const OriginOptions& options, const Messages& messages,
-                          LimitedWork& work) {
+Found compare_with_origin(const Asset& asset, const OriginOptions& options, const Messages& messages) {
   const auto bytes = FileBytes::read(options.source);
   if (!bytes) return tl::unexpected(bytes.error());
   auto choice = held_recipe(options.source, options.recipe, options.limits.requires_sandbox, options.roots, messages);
   if (!choice) return tl::unexpected(choice.error());
-  const auto model =
-      read_hair_source(options.source, choice->recipe,
-                       {options.limits.of_import(import_settings(choice->recipe, options.roots), messages),
-                        choice->directory, all_threads(), [&work](const char* part) { work.begin(part); }});
-  if (!model) return tl::unexpected(model.error());
-  const ProvenanceRecord now = make_provenance(*model, recipe_hash(choice->recipe), xxh64(bytes->span()));
-  std::vector<Issue> issues = find_origin_issues(asset, now);
+  CookOrder order = order_of(options.source, *choice, options, messages);
+  order.source_hash = xxh64(bytes->span());
+  order.cooks = options.recook;
+  const auto answer = cook_in_child(order, {options.source, options.limits, all_threads()});
+  if (!answer) return tl::unexpected<ToolError>(answer.error());
+  std::vector<Issue> issues = find_origin_issues(asset, answer->provenance);
   if (!options.recook) return issues;
-  auto differences = compare_with_new_cook(asset, *model, *choice, now.source_hash, work);
+  auto differences = compare_with_new_cook(asset, answer->result.asset);
   if (!differences) return tl::unexpected(differences.error());
   issues.insert(issues.end(), differences->begin(), differences->end());
   return issues;
@@ -96,41 +93,31 @@ Found validate_asset(std::span<const std::byte> bytes, const OriginOptions& orig
   if (!status) return std::vector{refusal_issue(status)};
   std::vector<Issue> issues = find_asset_issues(asset);
   if (origin.source.empty()) return issues;
-  LimitedWork work(origin.source, origin.limits, all_threads(), messages, origin.end);
-  auto differences = work.run([&] { return compare_with_origin(asset, origin, messages, work); });
+  auto differences = compare_with_origin(asset, origin, messages);
   if (!differences) return differences;
   issues.insert(issues.end(), differences->begin(), differences->end());
   return issues;
 }
 
 /// Cooks it, but for what takes longest and warns of nothing: the search for draw orders.
-std::vector<Issue> issues_of_a_cook(const fs::path& path, Recipe recipe, const fs::path& recipe_directory,
-                                    const OriginOptions& options, const Messages& messages) {
-  recipe.order_method = OrderMethod::kHead;
-  recipe.occlusion_strength = 0;
-  LimitedWork work(path.string(), options.limits, all_threads(), messages, options.end);
-  CookSettings settings;
-  settings.threads = all_threads();
-  settings.recipe_directory = recipe_directory;
-  settings.progress = [&work](const char* part) { work.begin(part); };
-  auto found = work.run([&]() -> Found {
-    const auto model = read_hair_source(path, recipe,
-                                        {options.limits.of_import(import_settings(recipe, options.roots), messages),
-                                         recipe_directory, all_threads(), settings.progress});
-    if (!model) return std::vector{import_issue(model.error())};
-    return find_source_issues(*model, recipe, cook(*model, recipe, settings));
-  });
-  return found ? std::move(*found) : std::vector{import_issue(found.error())};
+std::vector<Issue> issues_of_a_cook(const fs::path& path, RecipeChoice choice, const OriginOptions& options,
+                                    const Messages& messages) {
+  choice.recipe.order_method = OrderMethod::kHead;
+  choice.recipe.occlusion_strength = 0;
+  CookOrder order = order_of(path.string(), choice, options, messages);
+  order.finds_issues = true;
+  auto answer = cook_in_child(order, {path.string(), options.limits, all_threads()});
+  return answer ? std::move(answer->issues) : std::vector{import_issue(answer.error())};
 }
 
 std::vector<Issue> validate_source(const fs::path& path, const OriginOptions& options, const Messages& messages) {
   const auto choice = held_recipe(path, options.recipe, options.limits.requires_sandbox, options.roots, messages);
-  const Recipe used = choice ? choice->recipe : default_recipe();
+  const RecipeChoice used = choice ? *choice : RecipeChoice{default_recipe(), {}, {}};
   std::vector<Issue> issues;
   if (!choice) issues.push_back(make_issue("S103", choice.error().message, "recipe"));
-  if (const auto known = check_ignored(used.acknowledged_warnings, "\"warnings.acknowledged\""); !known)
+  if (const auto known = check_ignored(used.recipe.acknowledged_warnings, "\"warnings.acknowledged\""); !known)
     issues.push_back(make_issue("S103", known.error().message, "recipe"));
-  const auto found = issues_of_a_cook(path, used, choice ? choice->directory : fs::path(), options, messages);
+  const auto found = issues_of_a_cook(path, used, options, messages);
   issues.insert(issues.end(), found.begin(), found.end());
   return issues;
 }
@@ -228,20 +215,6 @@ tl::expected<Exit, ToolError> publish(const std::vector<Verdict>& verdicts, cons
   return exit_of(verdicts);
 }
 
-/// Ends the program because work on the file `path` exceeded its limits, with the verdicts of all files up to that one.
-[[noreturn]] void end_at(const std::string& path, const ToolError& error, std::vector<Verdict> verdicts,
-                         const ValidateOptions& options, const Messages& messages) {
-  verdicts.push_back({path, true, judge({import_issue(error)}, options.policy), {}});
-  tell(verdicts.back(), messages);
-  if (const std::size_t left = options.files.size() - verdicts.size(); left > 0)
-    messages.error(fmt::format("{} not checked, since the work on {} had to be ended",
-                               counted(left, "file was", "files were"), path));
-  const auto code = publish(verdicts, options);
-  if (!code) messages.error(code.error().message);
-  std::fflush(stdout);
-  std::_Exit(int(code ? *code : exit_code(code.error().kind)));
-}
-
 tl::expected<Exit, ToolError> run_validate(const ValidateOptions& options, const Messages& messages) {
   if (const auto checked = check_usage(options); !checked) return tl::unexpected(checked.error());
   if (options.list_codes) {
@@ -250,9 +223,7 @@ tl::expected<Exit, ToolError> run_validate(const ValidateOptions& options, const
   }
   std::vector<Verdict> verdicts;
   for (const std::string& path : options.files) {
-    ValidateOptions of_file = options;
-    of_file.origin.end = [&](const ToolError& error) { end_at(path, error, verdicts, options, messages); };
-    auto verdict = validate_file(path, of_file, messages);
+    auto verdict = validate_file(path, options, messages);
     if (!verdict) return tl::unexpected(verdict.error());
     verdicts.push_back(std::move(*verdict));
     tell(verdicts.back(), messages);

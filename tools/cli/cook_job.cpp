@@ -5,11 +5,12 @@
 #include "base/parallel_for.h"
 #include "cache/cook_cache.h"
 #include "cache/manifest.h"
-#include "cards/hair_source.h"
 #include "cli/command.h"
+#include "cli/cook_process.h"
 #include "cli/messages.h"
 #include "cook/cook.h"
 #include "payload_hash.h"
+#include "platform/program.h"
 #include "validate/find_issues.h"
 
 #include <coif/version.h>
@@ -35,12 +36,8 @@ tl::expected<void, ToolError> check_cook_outputs(const CookOptions& options, con
 
 /// The version alone would not tell apart two builds of it.
 std::string tool_identity() {
-  const auto program = FileBytes::read("/proc/self/exe");
+  const auto program = FileBytes::read(program_path());
   return fmt::format("coif {} {}", COIF_VERSION, program ? content_digits(program->span()) : "");
-}
-
-LimitedWork work_on(const CookOptions& options, const Messages& messages) {
-  return {options.source(), options.limits, options.threads.value_or(all_threads()), messages, options.end};
 }
 
 struct FinishedCook {
@@ -50,42 +47,26 @@ struct FinishedCook {
 
 /// Cooks as if there were no cache.
 tl::expected<CookResult, FailedCook> cook_source(const CookOptions& options, const RecipeChoice& choice,
-                                                 std::span<const std::byte> bytes, const Messages& messages,
-                                                 LimitedWork& work) {
+                                                 std::span<const std::byte> bytes, const Messages& messages) {
   std::optional<ProgressLine> progress;
   if (options.shows_progress && !options.quiet) progress.emplace(options.source());
-  const auto show = [&](const char* pass) {
-    work.begin(pass);
-    if (progress) progress->show(pass);
-  };
-  show("import");
-  const auto begin = std::chrono::steady_clock::now();
-  const unsigned threads = options.threads.value_or(all_threads());
-  const auto model =
-      read_hair_source(options.source(), options.draft ? draft_of(choice.recipe) : choice.recipe,
-                       {options.limits.of_import(import_settings(choice.recipe, options.roots), messages),
-                        choice.directory, threads, show});
-  if (!model) return tl::unexpected(model.error());
-  const std::chrono::duration<double, std::milli> import_ms = std::chrono::steady_clock::now() - begin;
-  CookSettings settings;
-  settings.threads = threads;
-  settings.recipe_directory = choice.directory;
-  settings.source_hash = xxh64(bytes);
-  settings.progress = show;
-  settings.draft = options.draft;
-  settings.list_patches = options.list_patches;
-  auto result = cook(*model, choice.recipe, settings);
-  if (!result) return tl::unexpected(FailedCook(result.error(), find_source_issues(*model, choice.recipe, result)));
-  result->report.passes.insert(result->report.passes.begin(), {"import", import_ms.count()});
-  return result;
+  CookOrder order = order_of(options, choice, messages);
+  order.source_hash = xxh64(bytes);
+  order.draft = options.draft;
+  order.list_patches = options.list_patches;
+  LimitedCall call = limited_call(options);
+  if (progress) call.on_part = [&progress](const char* part) { progress->show(part); };
+  auto answer = cook_in_child(order, call);
+  if (!answer) return tl::unexpected(answer.error());
+  return std::move(answer->result);
 }
 
 tl::expected<FinishedCook, FailedCook> cook_or_find(const CookOptions& options, const RecipeChoice& choice,
-                                                    const Messages& messages, LimitedWork& work) {
-  const auto begin = file_time_now();
+                                                    const Messages& messages) {
+  const auto begin = file_clock_now();
   const auto bytes = FileBytes::read(options.source());
   if (!bytes) return tl::unexpected(FailedCook(bytes.error(), {make_issue("F101", bytes.error().message)}));
-  const auto fresh = [&] { return cook_source(options, choice, bytes->span(), messages, work); };
+  const auto fresh = [&] { return cook_source(options, choice, bytes->span(), messages); };
   if (options.cache.empty()) {
     return fresh().map([](CookResult result) { return FinishedCook{std::move(result), false}; });
   }
@@ -121,6 +102,20 @@ FailedCook failed_by_recipe(const ToolError& error) {
   return {error, {make_issue("S103", error.message, "recipe")}};
 }
 
+CookOrder order_of(const CookOptions& options, const RecipeChoice& choice, const Messages& messages) {
+  CookOrder order;
+  order.source = options.source();
+  order.recipe = choice.recipe;
+  order.recipe_directory = choice.directory;
+  order.import = options.limits.of_import(import_settings(choice.recipe, options.roots), messages);
+  order.threads = options.threads.value_or(all_threads());
+  return order;
+}
+
+LimitedCall limited_call(const CookOptions& options) {
+  return {options.source(), options.limits, options.threads.value_or(all_threads())};
+}
+
 tl::expected<void, ToolError> acknowledge(const CookOptions& options, RecipeChoice& choice) {
   std::vector<std::string>& codes = choice.recipe.acknowledged_warnings;
   if (auto known = check_ignored(codes, "recipe key \"warnings.acknowledged\""); !known)
@@ -131,19 +126,17 @@ tl::expected<void, ToolError> acknowledge(const CookOptions& options, RecipeChoi
 
 tl::expected<CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice,
                                                const Messages& messages) {
-  LimitedWork work = work_on(options, messages);
-  return work.run([&]() -> tl::expected<CookResult, FailedCook> {
-    const auto bytes = FileBytes::read(options.source());
-    if (!bytes) return tl::unexpected(bytes.error());
-    return cook_source(options, choice, bytes->span(), messages, work);
-  });
+  const auto bytes = FileBytes::read(options.source());
+  if (!bytes) return tl::unexpected(bytes.error());
+  auto result = cook_source(options, choice, bytes->span(), messages);
+  if (!result) return tl::unexpected<ToolError>(result.error());
+  return std::move(*result);
 }
 
 tl::expected<CookSummary, FailedCook> run_cook_job(const CookOptions& options, const RecipeChoice& choice,
                                                    const Messages& messages) {
   if (auto checked = check_cook_outputs(options, choice, {}); !checked) return tl::unexpected(checked.error());
-  LimitedWork work = work_on(options, messages);
-  const auto cooked = work.run([&] { return cook_or_find(options, choice, messages, work); });
+  const auto cooked = cook_or_find(options, choice, messages);
   if (!cooked) return tl::unexpected(cooked.error());
   const CookResult& result = cooked->result;
   if (auto checked = check_cook_outputs(options, choice, result.inputs); !checked)

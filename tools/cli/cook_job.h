@@ -57,7 +57,6 @@ struct CookOptions {
   unsigned jobs = all_threads();
   std::optional<unsigned> threads;  ///< Of each cook.
   SourceLimits limits;
-  std::function<void(const ToolError&)> end;  ///< LimitedWork calls it.
   OutputFormat format = OutputFormat::kText;
   bool shows_progress = true;
   bool quiet = false;  ///< Errors and warnings only, and what was asked for as JSON.
@@ -91,6 +90,14 @@ struct FailedCook : ToolError {
 /// Writes that to --report, where one is asked for: in place of an earlier report or where there is no file, and never
 /// over anything else, since a failed cook does not know all that its source names.
 void report_failed_cook(const CookOptions& options, const FailedCook& failed, const Messages& messages);
+
+struct CookOrder;
+
+/// What a child process is asked to make of the first of `options.sources`, but for its hash. Says once in the process
+/// that models are read without a sandbox, where that is so.
+[[nodiscard]] CookOrder order_of(const CookOptions& options, const RecipeChoice& choice, const Messages& messages);
+/// Within what limits.
+[[nodiscard]] LimitedCall limited_call(const CookOptions& options);
 
 /// Adds the codes that the command line ignores to those that the recipe does. Error (kUsage, kBadInput): one is no
 /// warning.

@@ -1,16 +1,16 @@
 #include "cli/live_source.h"
 
 #include "base/files.h"
-#include "base/parallel_for.h"
+#include "cli/cook_process.h"
 #include "cli/input_files.h"
 #include "cli/moved_page.h"
+#include "platform/program.h"
 #include "view/server/live_page.h"
 #include "view/server/live_view.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <csignal>
 #include <system_error>
 #include <utility>
 
@@ -55,23 +55,26 @@ tl::expected<void, ToolError> find_source(LiveOptions& options) {
 LiveCooking cooking_of(const LiveOptions& options, const Messages& messages) {
   LiveCooking cooking;
   cooking.draft = options.draft;
-  cooking.threads = all_threads();
   cooking.roots = options.roots;
   cooking.import_settings = [messages, limits = options.limits](const Recipe& recipe,
                                                                 const std::vector<fs::path>& roots) {
     return limits.of_import(import_settings(recipe, roots), messages);
   };
-  const auto work = std::make_shared<std::optional<LimitedWork>>();  // One cook runs at a time.
-  cooking.within_limits = [messages, work, limits = options.limits](const std::string& source, const auto& cook) {
-    work->emplace(source, limits, all_threads(), messages);
-    return (*work)->run(cook);
-  };
-  cooking.cook = [work](const std::string&, const SourceModel& model, const Recipe& recipe, CookSettings settings) {
-    settings.progress = [work, show = std::move(settings.progress)](const char* pass) {
-      (*work)->begin(pass);
-      show(pass);
-    };
-    return cook(model, recipe, settings);
+  cooking.cook = [limits = options.limits](const LiveOrder& live,
+                                           const std::stop_token& stop) -> tl::expected<LiveCooked, ToolError> {
+    CookOrder order;
+    order.source = live.source.string();
+    order.recipe = live.recipe;
+    order.recipe_directory = live.recipe_directory;
+    order.import = live.import;
+    order.source_hash = live.source_hash;
+    order.threads = all_threads();
+    order.draft = live.draft;
+    order.model = live.model;
+    order.keeps_model = live.model.empty();
+    auto answer = cook_in_child(order, {order.source, limits, {all_threads(), stop}});
+    if (!answer) return tl::unexpected<ToolError>(answer.error());
+    return LiveCooked{std::move(answer->result), std::move(answer->model)};
   };
   cooking.cooked = [messages](const LiveResult& result) {
     for (const std::string& warning : result.warnings) messages.warning(fmt::format("{}: {}", result.name, warning));
@@ -80,22 +83,6 @@ LiveCooking cooking_of(const LiveOptions& options, const Messages& messages) {
   };
   cooking.failed = [messages](const std::string& problem) { messages.error(problem); };
   return cooking;
-}
-
-/// Signals that end the program wait for wait_for_end(), in this thread and in those that it starts.
-sigset_t hold_back_signals() {
-  sigset_t ends;
-  sigemptyset(&ends);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&ends, number);
-  pthread_sigmask(SIG_BLOCK, &ends, nullptr);
-  std::signal(SIGPIPE, SIG_IGN);  // pages go whenever they want
-  return ends;
-}
-
-void wait_for_end(const sigset_t& ends) {
-  int number = 0;
-  while (sigwait(&ends, &number) != 0) {
-  }
 }
 
 std::string address_text(const LiveOptions& options, const std::string& address) {
@@ -122,12 +109,12 @@ tl::expected<Exit, ToolError> view_live(LiveOptions options, const Messages& mes
   LiveViewSettings settings{options.file, options.recipe, cooking_of(options, messages), {}};
   settings.server.port = options.port;
   settings.server.page = *page;
-  const sigset_t ends = hold_back_signals();
+  EndSignals ends;
   const auto view = LiveView::start(std::move(settings));
   if (!view) return tl::unexpected(view.error());
   print_result(address_text(options, (*view)->address()));
   std::fflush(stdout);
-  wait_for_end(ends);
+  ends.wait();
   return Exit::kOk;
 }
 

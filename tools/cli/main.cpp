@@ -3,17 +3,16 @@
 #include "cli/asset_summary.h"
 #include "cli/command.h"
 #include "cli/third_party_notices.h"
+#include "platform/job.h"
+#include "platform/program.h"
 
 #include <coif/version.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <fcntl.h>
-#include <unistd.h>
 #include <algorithm>
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -85,22 +84,6 @@ Exit run(const Command& command) {
   return flush_results(*result, messages);
 }
 
-/// Files that are opened later must not take the places of streams that nobody opened: messages would be written into
-/// them. What is written to such a stream fails as before.
-void fill_standard_streams() {
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
-    if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0)
-      return;  // Takes the lowest number that is free.
-  }
-}
-
-/// What cannot be written is an error where it is written, not the end of the program with half a file left behind.
-void ignore_signals_of_writing() {
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
-}
-
 Exit run_program(int argc, char** argv) {
   fill_standard_streams();
   ignore_signals_of_writing();
@@ -147,6 +130,7 @@ Exit run_program(int argc, char** argv) {
 }  // namespace coif
 
 int main(int argc, char** argv) try {
+  coif::run_named_job(argc, argv);
   return static_cast<int>(coif::run_program(argc, argv));
 } catch (const std::exception& error) {
   std::fprintf(stderr, "coif: internal error: %s\n", error.what());

@@ -2,10 +2,10 @@
 
 #include "base/text.h"
 #include "cli/command.h"
+#include "platform/program.h"
 
 #include <fmt/format.h>
 
-#include <unistd.h>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -41,7 +41,7 @@ constexpr const char* kEraseLine = "\r\033[K";
 
 bool is_watched(std::FILE* stream) {
   const char* const terminal = std::getenv("TERM");
-  return isatty(fileno(stream)) == 1 && terminal != nullptr && std::string_view(terminal) != "dumb";
+  return is_terminal(stream) && terminal != nullptr && std::string_view(terminal) != "dumb";
 }
 
 }  // namespace

@@ -32,10 +32,7 @@ tl::expected<ReportStrands, ToolError> read_report_strands(const ReportOptions& 
   settings.caps = float(choice->recipe.cards_caps);
   const auto bytes = FileBytes::read(source);
   if (!bytes) return tl::unexpected(bytes.error());
-  LimitedWork work(source, options.cards.limits, all_threads(), messages);
-  auto groom = work.run([&] {
-    return read_groom(source, options.cards.limits.of_import(import_settings(choice->recipe, {}), messages));
-  });
+  auto groom = read_groom(source, options.cards.limits.of_import(import_settings(choice->recipe, {}), messages));
   if (!groom) return tl::unexpected(groom.error());
   for (const std::string& warning : groom->warnings) messages.warning(source + ": " + warning);
   return ReportStrands{std::move(*groom), xxh64(bytes->span()), std::move(settings)};

@@ -2,12 +2,15 @@
 
 #include "cli/command.h"
 #include "cli/options.h"
-#include "process/child_process.h"
+#include "platform/child_process.h"
+#include "platform/sandbox.h"
 
 #include <fmt/format.h>
 
-#include <chrono>
-#include <cstdlib>
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <string_view>
 #include <utility>
 
 namespace coif {
@@ -19,7 +22,7 @@ constexpr std::uint32_t kUsualSeconds = 1800;
 }  // namespace
 
 ImportSettings SourceLimits::of_import(ImportSettings settings, const Messages& messages) const {
-  if (!requires_sandbox) tell_of_missing_sandbox(messages);
+  if (!requires_sandbox && tells_of_sandbox) tell_of_missing_sandbox(messages);
   settings.max_file_bytes = max_source_mb << 20;
   settings.max_memory_bytes = max_memory_mb << 20;
   settings.max_seconds = max_seconds.value_or(settings.max_seconds);
@@ -58,42 +61,70 @@ void tell_of_missing_sandbox(const Messages& messages) {
                   missing));
 }
 
-LimitedWork::LimitedWork(std::string source, const SourceLimits& limits, unsigned threads, const Messages& messages,
-                         std::function<void(const ToolError&)> end)
-    : source_(std::move(source)), limits_(limits), end_(std::move(end)) {
-  if (!end_) {
-    end_ = [messages](const ToolError& error) {
-      messages.error(error.message);
-      std::_Exit(int(exit_code(error.kind)));  // Nothing is written yet.
-    };
-  }
-  const std::chrono::seconds whole(limits.max_seconds.value_or(kUsualSeconds));
-  const std::chrono::seconds part(limits.max_pass_seconds.value_or(std::uint32_t(whole.count())));
-  allowance_ = {limits.max_memory_mb << 20, whole, part, threads};
+namespace {
+
+/// Address space that a thread reserves for its stack and its share of the heap, used or not.
+constexpr std::uint64_t kBytesOfAThread = std::uint64_t{80} << 20;
+
+ChildLimits child_limits(const LimitedCall& call) {
+  const std::uint32_t whole = call.limits.max_seconds.value_or(kUsualSeconds);
+  const std::uint32_t part = call.limits.max_pass_seconds.value_or(whole);
+  const std::uint64_t threads = call.threads.count + 1;  // and the one that JobCall::stop() starts
+  return {.memory_bytes = (call.limits.max_memory_mb << 20) + threads * kBytesOfAThread,
+          .seconds = whole,
+          .part_seconds = part < whole ? part : ChildLimits::kForever};
 }
 
-void LimitedWork::begin(const char* part) {
-  part_ = part;
-  WorkLimit::check();
-  WorkLimit::begin_part();
-}
-
-ToolError LimitedWork::late(bool is_of_part) const {
-  const auto& allowed = is_of_part ? allowance_.pass : allowance_.whole;
-  const std::string what = is_of_part
-                               ? fmt::format("the pass '{}' exceeded {} s", part_.load(), allowed.count())
-                               : fmt::format("the cook exceeded {} s, in the pass '{}'", allowed.count(), part_.load());
+ToolError too_slow(const LimitedCall& call, const std::string& part, bool is_of_part) {
+  const std::uint32_t allowed =
+      is_of_part ? *call.limits.max_pass_seconds : call.limits.max_seconds.value_or(kUsualSeconds);
+  const std::string what = is_of_part ? fmt::format("the pass '{}' exceeded {} s", part, allowed)
+                                      : fmt::format("the cook exceeded {} s, in the pass '{}'", allowed, part);
   return {ToolError::Kind::kBadInput,
-          fmt::format("{}: {}; use fewer triangles or strands, or allow more with --max-{}seconds", source_, what,
+          fmt::format("{}: {}; use fewer triangles or strands, or allow more with --max-{}seconds", call.source, what,
                       is_of_part ? "pass-" : "")};
 }
 
-ToolError LimitedWork::too_large() const {
+ToolError too_large(const LimitedCall& call, const std::string& part) {
   return {
       ToolError::Kind::kBadInput,
       fmt::format("{}: the cook exceeded {} MiB of memory, in the pass '{}'; use fewer triangles or strands, or allow "
                   "more with --max-memory-mb",
-                  source_, limits_.max_memory_mb, part_.load())};
+                  call.source, call.limits.max_memory_mb, part)};
+}
+
+ToolError not_started(const LimitedCall& call, int error) {
+  const bool is_short = error == EMFILE || error == ENFILE;
+  return {is_short ? ToolError::Kind::kFileAccess : ToolError::Kind::kInternal,
+          fmt::format("{}: cannot start the process that works on it: {}{}", call.source, std::strerror(error),
+                      is_short ? "; nothing is wrong with the file: allow more open files ('ulimit -n')" : "")};
+}
+
+ToolError explain(const ChildResult& result, const LimitedCall& call, const std::string& part) {
+  switch (result.end) {
+    case ChildResult::End::kTooSlow: return too_slow(call, part, result.is_part);
+    case ChildResult::End::kOutOfMemory: return too_large(call, part);
+    case ChildResult::End::kNotStarted: return not_started(call, result.code);
+    default: break;
+  }
+  return {ToolError::Kind::kInternal,
+          fmt::format("{}: the cook crashed ({} {}), in the pass '{}'; report it with the file", call.source,
+                      result.by_signal ? "signal" : "exit status", result.code, part)};
+}
+
+}  // namespace
+
+tl::expected<Bytes, ToolError> run_within_limits(const Job& job, std::span<const std::uint8_t> request,
+                                                 const LimitedCall& call) {
+  std::string part = "import";
+  const auto begin_part = [&](std::string_view name) {
+    part = name;
+    if (call.on_part) call.on_part(part.c_str());
+  };
+  ChildResult result =
+      run_in_child(job, request, {ChildKind::kWorker, child_limits(call), call.threads.stop, begin_part});
+  if (result.end == ChildResult::End::kFinished) return std::move(result.output);
+  return tl::unexpected(explain(result, call, part));
 }
 
 }  // namespace coif

@@ -1,19 +1,18 @@
 #pragma once
 
 #include "base/tool_error.h"
-#include "base/work_limit.h"
-#include "cli/cook_limits.h"
 #include "cli/messages.h"
 #include "import/import.h"
+#include "platform/job.h"
+#include "platform/stop.h"
 
 #include <CLI/CLI.hpp>
 #include <tl/expected.hpp>
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
-#include <new>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,50 +25,31 @@ struct SourceLimits {
   std::optional<std::uint32_t> max_seconds;       ///< From before the source is read; none: half an hour.
   std::optional<std::uint32_t> max_pass_seconds;  ///< Of each part of the work; none: as the whole.
   bool requires_sandbox = false;                  ///< ImportSettings::requires_sandbox, and check_named_files().
+  bool tells_of_sandbox = true;                   ///< Where models are read without one; false: somebody said so.
 
-  /// `settings` within these limits. Says once in the process that models are read without a sandbox, where that is so.
+  /// `settings` within these limits. tell_of_missing_sandbox(), where `tells_of_sandbox`.
   [[nodiscard]] ImportSettings of_import(ImportSettings settings, const Messages& messages) const;
 };
 
 /// --max-source-mb, --max-memory-mb, --max-seconds and --require-sandbox.
 std::vector<const CLI::Option*> add_source_limits(CLI::App& app, SourceLimits& limits);
 
-/// Says it, before processes are forked that would each say it.
+/// Says once in the process that models are read without a sandbox, where that is so.
 void tell_of_missing_sandbox(const Messages& messages);
 
-/// One piece of work on a source that keeps to its limits. What exceeds one becomes an error that names the source and
-/// the part of the work. Code that does not look at the clock (CookLimits) is ended by `end`, with the same error,
-/// which must not return.
-class LimitedWork {
- public:
-  LimitedWork(std::string source, const SourceLimits& limits, unsigned threads, const Messages& messages,
-              std::function<void(const ToolError&)> end = {});
-
-  /// The part that is worked on from now on, for messages; the first is "import". `part` must live on.
-  void begin(const char* part);
-
-  /// Errors: those of `work`, and kBadInput where a limit is exceeded.
-  template <typename Work>
-  auto run(const Work& work) -> decltype(work()) {
-    try {
-      const CookLimits limits(allowance_, [this] { end_(late(false)); });
-      return work();
-    } catch (const TookTooLong& late_part) {
-      return tl::unexpected(late(late_part.is_part));
-    } catch (const std::bad_alloc&) {
-      return tl::unexpected(too_large());
-    }
-  }
-
- private:
-  [[nodiscard]] ToolError late(bool is_of_part) const;
-  [[nodiscard]] ToolError too_large() const;
-
-  std::string source_;
-  SourceLimits limits_;
-  CookAllowance allowance_;
-  std::function<void(const ToolError&)> end_;
-  std::atomic<const char*> part_ = "import";
+/// Work on a source that a child process does.
+struct LimitedCall {
+  std::string source;  ///< For messages.
+  SourceLimits limits;
+  Threads threads = 1;                              ///< Of the work, which may take memory for each; and when to end.
+  std::function<void(const char* part)> on_part{};  ///< Called as each part of the work begins. May be empty.
 };
+
+/// Asks for a job that notes the name of each part of its work as it begins it (JobCall::note()), in a child process
+/// that keeps to the limits, and returns its answer. Errors: kBadInput, which names the source and the part of the
+/// work, where a limit is exceeded; kFileAccess or kInternal where the process cannot be started or crashed. Throws
+/// Stopped, the child gone, where call.threads.stop is requested.
+[[nodiscard]] tl::expected<Bytes, ToolError> run_within_limits(const Job& job, std::span<const std::uint8_t> request,
+                                                               const LimitedCall& call);
 
 }  // namespace coif

@@ -42,6 +42,7 @@ struct CookResult {
 };
 
 /// Runs the five stages on a source model (cook/stages). Pure: same model, recipe and settings give the same bytes.
+/// Throws Stopped, and nothing else, where settings.threads.stop is requested.
 tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe& recipe, const CookSettings& settings);
 
 }  // namespace coif

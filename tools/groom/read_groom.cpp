@@ -2,10 +2,10 @@
 
 #include "base/files.h"
 #include "base/text.h"
-#include "base/work_limit.h"
 #include "groom/groom_stream.h"
 #include "groom/strand_files.h"
 #include "import/reader_process.h"
+#include "platform/stop.h"
 
 #include <fmt/format.h>
 
@@ -87,6 +87,13 @@ GroomOutcome read_here(const fs::path& path, const StrandFormat& format, const I
   return std::move(*groom);
 }
 
+/// Their suffix is one of kFormats.
+const Job kReadStrands("read strands", [](const JobCall& call) {
+  return answer_read(call, [](const fs::path& path, const ImportSettings& settings) {
+    return encode_groom(read_here(path, *format_of(path), settings));
+  });
+});
+
 tl::expected<Groom, ToolError> read_checked(const fs::path& path, const ImportSettings& settings) {
   if (auto checked = check_readable(path, settings.max_file_bytes); !checked) return tl::unexpected(checked.error());
   const StrandFormat* const format = format_of(path);
@@ -95,7 +102,7 @@ tl::expected<Groom, ToolError> read_checked(const fs::path& path, const ImportSe
                         "'{}' holds no strands that can be read; export as one of {}", path.extension().string(),
                         strand_suffixes());
   }
-  const auto answer = read_in_child(path, settings, [&] { return encode_groom(read_here(path, *format, settings)); });
+  const auto answer = read_in_child(kReadStrands, path, settings);
   if (!answer) return tl::unexpected(answer.error());
   GroomOutcome outcome;
   if (!decode_groom(*answer, outcome)) return senseless_answer(path);
@@ -116,7 +123,7 @@ tl::expected<Groom, ToolError> read_groom(const fs::path& path, const ImportSett
   return read_checked(path, settings);
 } catch (const std::bad_alloc&) {
   return file_failure(ToolError::Kind::kBadInput, path, "not enough memory for these strands");
-} catch (const TookTooLong&) {
+} catch (const Stopped&) {
   throw;
 } catch (const std::exception& thrown) {
   return file_failure(ToolError::Kind::kInternal, path, "{}", thrown.what());

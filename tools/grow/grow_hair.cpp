@@ -126,7 +126,7 @@ SourceModel sample_body() {
 }
 
 tl::expected<Groom, ToolError> grow_hair(const HairStyle& style, const GrowGround& ground, const std::string& name,
-                                         unsigned threads) {
+                                         const Threads& threads) {
   using Kind = ToolError::Kind;
   const float turn = ground.body.facing == Facing::kBackwards ? -1.0f : 1.0f;
   const grow::BodySurface surface = surface_of(ground.body, turn);
@@ -178,7 +178,7 @@ tl::expected<SourceModel, ToolError> read_body(const std::filesystem::path& path
 }
 
 tl::expected<Groom, ToolError> grow_from(const Recipe& recipe, const SourceModel& body, const std::string& name,
-                                         unsigned threads) {
+                                         const Threads& threads) {
   return grow_hair(recipe, {body, recipe.head_center, recipe.head_radii}, name, threads);
 }
 

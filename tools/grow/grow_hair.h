@@ -6,6 +6,7 @@
 #include "groom/groom.h"
 #include "import/import.h"
 #include "import/source_model.h"
+#include "platform/stop.h"
 
 #include <tl/expected.hpp>
 
@@ -30,7 +31,7 @@ struct GrowGround {
 /// messages. Repeats for equal input, whatever `threads` is. Errors (kBadInput): no head is found, or the hairline
 /// leaves no room for a strand; kOverBudget: more points than a groom may have.
 [[nodiscard]] tl::expected<Groom, ToolError> grow_hair(const HairStyle& style, const GrowGround& ground,
-                                                       const std::string& name, unsigned threads);
+                                                       const std::string& name, const Threads& threads);
 
 /// A model with the head and body that hair belongs to; the sample's bust where `path` is empty. Errors: those of
 /// import_model().
@@ -39,6 +40,6 @@ struct GrowGround {
 
 /// The hair of a recipe on a body, with the head where the recipe says. Errors: those of grow_hair().
 [[nodiscard]] tl::expected<Groom, ToolError> grow_from(const Recipe& recipe, const SourceModel& body,
-                                                       const std::string& name, unsigned threads);
+                                                       const std::string& name, const Threads& threads);
 
 }  // namespace coif

@@ -102,7 +102,8 @@ float hairline(const HairStyle& style, float azimuth) {
                  std::abs(azimuth));
 }
 
-std::vector<Root> spread_roots(const HairStyle& style, const HeadFrame& head, const BodyField& body, unsigned threads) {
+std::vector<Root> spread_roots(const HairStyle& style, const HeadFrame& head, const BodyField& body,
+                               const Threads& threads) {
   constexpr std::size_t kTrial = 16384;
   const Flow flow(style, head);
   const std::size_t wanted = style.grow_strands, sample = hairy(kTrial, style, flow).size();

@@ -3,6 +3,7 @@
 #include "cook/recipe/hair_style.h"
 #include "grow/body_field.h"
 #include "grow/head_frame.h"
+#include "platform/stop.h"
 
 #include <Eigen/Core>
 
@@ -25,6 +26,6 @@ struct Root {
 /// As many as the style asks for, evenly over the scalp but for where it thins out towards the hairline. Fewer, or
 /// none, where the hairline leaves no room.
 [[nodiscard]] std::vector<Root> spread_roots(const HairStyle& style, const HeadFrame& head, const BodyField& body,
-                                             unsigned threads);
+                                             const Threads& threads);
 
 }  // namespace coif::grow

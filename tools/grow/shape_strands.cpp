@@ -62,7 +62,7 @@ class UntwistedFrames {
 
 class Shaper {
  public:
-  Shaper(const Ground& ground, StrandPaths& paths, unsigned threads)
+  Shaper(const Ground& ground, StrandPaths& paths, const Threads& threads)
       : ground_(ground), style_(ground.style), paths_(paths), threads_(threads), scale_(ground.head.scale()) {
     for (std::size_t i = 0; i < paths.count(); ++i) {
       float length = 0;
@@ -193,14 +193,16 @@ class Shaper {
   const Ground& ground_;
   const HairStyle& style_;
   StrandPaths& paths_;
-  unsigned threads_;
+  Threads threads_;
   float scale_;
   std::vector<float> lengths_;
 };
 
 }  // namespace
 
-void shape_strands(const Ground& ground, StrandPaths& paths, unsigned threads) { Shaper(ground, paths, threads).run(); }
+void shape_strands(const Ground& ground, StrandPaths& paths, const Threads& threads) {
+  Shaper(ground, paths, threads).run();
+}
 
 std::vector<std::uint32_t> cut_level(const Ground& ground, StrandPaths& paths) {
   std::vector<std::uint32_t> sizes(paths.count(), std::uint32_t(paths.stations));

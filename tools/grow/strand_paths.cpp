@@ -136,7 +136,7 @@ void advance(const Ground& ground, const Vector3f& turn, float length, float wan
   tip.place = place;
 }
 
-StrandPaths grow_open(const Ground& ground, std::span<const Root> roots, std::size_t stations, unsigned threads) {
+StrandPaths grow_open(const Ground& ground, std::span<const Root> roots, std::size_t stations, const Threads& threads) {
   const Flow flow(ground.style, ground.head);
   StrandPaths paths{stations, std::vector<Vector3f>(roots.size() * stations)};
   parallel_for(roots.size(), threads,

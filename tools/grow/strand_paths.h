@@ -4,6 +4,7 @@
 #include "grow/body_field.h"
 #include "grow/head_frame.h"
 #include "grow/scalp.h"
+#include "platform/stop.h"
 
 #include <Eigen/Core>
 
@@ -39,11 +40,11 @@ inline constexpr float kLeastClearance = 0.002f;  ///< Metres from the skin on a
 /// How hair falls that nothing shapes but comb and weight: step by step, turned towards the comb's way near the skin,
 /// downwards by its weight, kept off the skin and above the hair below it.
 [[nodiscard]] StrandPaths grow_open(const Ground& ground, std::span<const Root> roots, std::size_t stations,
-                                    unsigned threads);
+                                    const Threads& threads);
 
 /// The same drawn to a tie along the skin, from where it falls as one tail.
 [[nodiscard]] StrandPaths grow_tied(const Ground& ground, std::span<const Root> roots, std::size_t stations,
-                                    unsigned threads);
+                                    const Threads& threads);
 
 // What both have in common.
 

@@ -123,7 +123,7 @@ float length_of(std::span<const Vector3f> line) {
 
 }  // namespace
 
-StrandPaths grow_tied(const Ground& ground, std::span<const Root> roots, std::size_t stations, unsigned threads) {
+StrandPaths grow_tied(const Ground& ground, std::span<const Root> roots, std::size_t stations, const Threads& threads) {
   float longest = 0;
   for (const Root& root : roots) longest = std::max(longest, root.length);
   const Tail tail(ground, longest);

@@ -1,11 +1,11 @@
 #include "import/import.h"
 
 #include "base/files.h"
-#include "base/work_limit.h"
 #include "import/assimp_scene.h"
 #include "import/gltf_scene.h"
 #include "import/model_stream.h"
 #include "import/reader_process.h"
+#include "platform/stop.h"
 
 #include <fmt/format.h>
 
@@ -19,11 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-tl::expected<SourceModel, ToolError> read_here(const fs::path& path, const SourceSuffix& suffix,
-                                               const ImportSettings& settings) {
-  return suffix.format == SourceFormat::kGltf ? read_gltf_model(path, settings)
-                                              : read_with_assimp(path, suffix, settings);
+/// The suffix is one that is known.
+Bytes read_here(const fs::path& path, const ImportSettings& settings) {
+  const SourceSuffix suffix = find_suffix(path).value();
+  return encode_outcome(suffix.format == SourceFormat::kGltf ? read_gltf_model(path, settings)
+                                                             : read_with_assimp(path, suffix, settings));
 }
+
+const Job kReadModel("read model", [](const JobCall& call) { return answer_read(call, read_here); });
 
 tl::expected<SourceModel, ToolError> import_checked(const fs::path& path, const ImportSettings& settings) {
   if (auto checked = check_readable(path, settings.max_file_bytes); !checked) return tl::unexpected(checked.error());
@@ -36,7 +39,7 @@ tl::expected<SourceModel, ToolError> import_checked(const fs::path& path, const 
     return file_failure(ToolError::Kind::kUnsupported, path,
                         "{} holds strands, and a mesh is wanted here; export as .glb", format_name(suffix->format));
   }
-  auto answer = read_in_child(path, settings, [&] { return encode_outcome(read_here(path, *suffix, settings)); });
+  auto answer = read_in_child(kReadModel, path, settings);
   if (!answer) return tl::unexpected(answer.error());
   ImportOutcome outcome;
   if (!decode_outcome(*answer, outcome)) return senseless_answer(path);
@@ -50,7 +53,7 @@ tl::expected<SourceModel, ToolError> import_model(const fs::path& path, const Im
   return import_checked(path, settings);
 } catch (const std::bad_alloc&) {
   return file_failure(ToolError::Kind::kBadInput, path, "not enough memory for this model");
-} catch (const TookTooLong&) {
+} catch (const Stopped&) {
   throw;
 } catch (const std::exception& thrown) {
   return file_failure(ToolError::Kind::kInternal, path, "{}", thrown.what());

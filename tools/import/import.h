@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,7 @@ struct ImportSettings {
   std::uint32_t max_seconds = 120;                          ///< Processor and wall-clock time.
   std::uint64_t max_file_bytes = std::uint64_t{1} << 30;
   bool requires_sandbox = false;  ///< Where this machine cannot lock up the child process, nothing is read.
+  std::stop_token stop{};         ///< Requested: the child process is ended, and Stopped thrown.
 };
 
 /// Name and version of the library that reads sources, for example "assimp 5.2.4".
@@ -41,9 +43,9 @@ struct ImportSettings {
 void set_importer(SourceModel& model);
 
 /// Reads the meshes of an FBX, glTF, GLB, VRM, OBJ or DAE. The parser runs in a child process under limits: third-party
-/// importers crash on hostile files. Throws TookTooLong alone, where the time of this process (base/work_limit.h) is
-/// over. Errors: kFileAccess (absent, unreadable), kBadInput (not parseable, crash, limit, no triangles), kUnsupported
-/// (suffix or variant not known). Blocks; costs a fork, so call it before starting threads where you can.
+/// importers crash on hostile files. Errors: kFileAccess (absent, unreadable), kBadInput (not parseable, crash, limit,
+/// no triangles), kUnsupported (suffix or variant not known). Throws Stopped alone, where settings.stop is requested.
+/// Blocks. The program's main() calls run_named_job() (platform/job.h).
 tl::expected<SourceModel, ToolError> import_model(const std::filesystem::path& path,
                                                   const ImportSettings& settings = {});
 

@@ -8,6 +8,7 @@ namespace coif {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x31464D49u;  // so that a stray write into the pipe is not taken for a model
+constexpr std::uint32_t kWholeMagic = 0x31574D49u;
 
 // One list of fields serves both directions: see stream_parts.h.
 
@@ -87,6 +88,30 @@ constexpr auto transfer_model = [](auto& archive, auto& model) {
          archive.list(model.named_images, kCount, transfer_text);
 };
 
+constexpr auto transfer_level = [](auto& archive, auto& level) {
+  return transfer_mesh(archive, level.mesh) && archive.sequence(level.along) && archive.sequence(level.place) &&
+         archive.sequence(level.strip_of);
+};
+
+bool transfer_roots(ByteEncoder& archive, const std::vector<std::filesystem::path>& roots) {
+  return archive.list(roots, sizeof(std::uint64_t), [](auto& out, auto& root) { return out.sequence(root.native()); });
+}
+bool transfer_roots(ByteDecoder& archive, std::vector<std::filesystem::path>& roots) {
+  return archive.list(roots, sizeof(std::uint64_t), [](auto& in, auto& root) {
+    std::string text;
+    if (!in.sequence(text)) return false;
+    root = text;
+    return true;
+  });
+}
+
+constexpr auto transfer_whole_model = [](auto& archive, auto& model) {
+  constexpr std::size_t kCount = sizeof(std::uint64_t);
+  return transfer_model(archive, model) && transfer_roots(archive, model.roots) &&
+         transfer_flag(archive, model.made_from_strands) &&
+         archive.list(model.coarser, 11 * kCount + 16, transfer_level) && archive.plain(model.scalp_radius);
+};
+
 }  // namespace
 
 std::vector<std::uint8_t> encode_outcome(const ImportOutcome& outcome) {
@@ -95,6 +120,14 @@ std::vector<std::uint8_t> encode_outcome(const ImportOutcome& outcome) {
 
 bool decode_outcome(std::span<const std::uint8_t> bytes, ImportOutcome& outcome) {
   return decode_framed(kMagic, bytes, outcome, transfer_model, find_model_fault);
+}
+
+std::vector<std::uint8_t> encode_model(const ImportOutcome& outcome) {
+  return encode_framed(kWholeMagic, outcome, transfer_whole_model);
+}
+
+bool decode_model(std::span<const std::uint8_t> bytes, ImportOutcome& outcome) {
+  return decode_framed(kWholeMagic, bytes, outcome, transfer_whole_model, find_model_fault);
 }
 
 }  // namespace coif

@@ -22,4 +22,9 @@ using ImportOutcome = tl::expected<SourceModel, ToolError>;
 /// source_model.h. Allocates at most a small multiple of the bytes given.
 [[nodiscard]] bool decode_outcome(std::span<const std::uint8_t> bytes, ImportOutcome& outcome);
 
+/// The same for models that went through more hands than a reader's: all of one, those parts too that no reader makes
+/// (cards of strands, roots). For bytes that this program wrote itself.
+[[nodiscard]] std::vector<std::uint8_t> encode_model(const ImportOutcome& outcome);
+[[nodiscard]] bool decode_model(std::span<const std::uint8_t> bytes, ImportOutcome& outcome);
+
 }  // namespace coif

@@ -1,7 +1,9 @@
 #include "import/reader_process.h"
 
 #include "base/files.h"
-#include "process/child_process.h"
+#include "base/json.h"
+#include "platform/child_process.h"
+#include "platform/sandbox.h"
 
 #include <fmt/format.h>
 
@@ -12,6 +14,7 @@ namespace coif {
 namespace {
 
 namespace fs = std::filesystem;
+using nlohmann::json;
 
 tl::unexpected<ToolError> explain(const ChildResult& result, const fs::path& path, const ImportSettings& settings) {
   using Kind = ToolError::Kind;
@@ -39,14 +42,11 @@ tl::unexpected<ToolError> explain(const ChildResult& result, const fs::path& pat
 
 }  // namespace
 
-tl::expected<std::vector<std::uint8_t>, ToolError> read_in_child(
-    const fs::path& path, const ImportSettings& settings, const std::function<std::vector<std::uint8_t>()>& read) {
-  const ChildLimits limits{settings.max_memory_bytes, settings.max_seconds, settings.max_memory_bytes};
-  ChildResult result = run_in_child(limits, [&]() -> std::vector<std::uint8_t> {
-    const bool is_locked_up = lock_up(folders_of_source(path, settings.roots), path);
-    if (!is_locked_up && settings.requires_sandbox) return {};
-    return read();
-  });
+tl::expected<Bytes, ToolError> read_in_child(const Job& job, const fs::path& path, const ImportSettings& settings) {
+  const Bytes request = json::to_msgpack({{"path", path.string()}, {"settings", import_document(settings)}});
+  const ChildSettings child{
+      ChildKind::kReader, {settings.max_memory_bytes, settings.max_seconds, settings.max_memory_bytes}, settings.stop};
+  ChildResult result = run_in_child(job, request, child);
   const bool is_finished = result.end == ChildResult::End::kFinished;
   if (is_finished && result.output.empty() && settings.requires_sandbox) {
     const std::string missing = missing_sandbox();
@@ -58,6 +58,43 @@ tl::expected<std::vector<std::uint8_t>, ToolError> read_in_child(
   }
   if (is_finished) return std::move(result.output);
   return explain(result, path, settings);
+}
+
+Bytes answer_read(const JobCall& call, Bytes (*read)(const fs::path& path, const ImportSettings& settings)) {
+  const json request = json::from_msgpack(call.request());
+  const fs::path path = request.at("path").get<std::string>();
+  const ImportSettings settings = import_settings_from(request.at("settings"));
+  const bool is_locked_up = lock_up(folders_of_source(path, settings.roots), path);
+  if (!is_locked_up && settings.requires_sandbox) return {};
+  return read(path, settings);
+}
+
+json import_document(const ImportSettings& s) {
+  std::vector<std::string> roots;
+  for (const fs::path& root : s.roots) roots.push_back(root.string());
+  return {{"metres_per_unit", s.metres_per_unit ? json(*s.metres_per_unit) : json(nullptr)},
+          {"up_axis", s.up_axis ? json(int(*s.up_axis)) : json(nullptr)},
+          {"roots", roots},
+          {"variant", s.variant},
+          {"meshes", s.meshes},
+          {"max_memory_bytes", s.max_memory_bytes},
+          {"max_seconds", s.max_seconds},
+          {"max_file_bytes", s.max_file_bytes},
+          {"requires_sandbox", s.requires_sandbox}};
+}
+
+ImportSettings import_settings_from(const json& document) {
+  ImportSettings s;
+  if (const json& unit = document.at("metres_per_unit"); !unit.is_null()) s.metres_per_unit = unit.get<double>();
+  if (const json& axis = document.at("up_axis"); !axis.is_null()) s.up_axis = UpAxis(axis.get<int>());
+  for (const json& root : document.at("roots")) s.roots.emplace_back(root.get<std::string>());
+  document.at("variant").get_to(s.variant);
+  document.at("meshes").get_to(s.meshes);
+  document.at("max_memory_bytes").get_to(s.max_memory_bytes);
+  document.at("max_seconds").get_to(s.max_seconds);
+  document.at("max_file_bytes").get_to(s.max_file_bytes);
+  document.at("requires_sandbox").get_to(s.requires_sandbox);
+  return s;
 }
 
 tl::unexpected<ToolError> senseless_answer(const fs::path& path) {

@@ -3,9 +3,9 @@
 // What the answers of all reading processes have in common. One list of fields serves both directions: `Archive` is
 // ByteEncoder with a const object, or ByteDecoder with a mutable one.
 
+#include "base/byte_archive.h"
 #include "base/tool_error.h"
 #include "import/source_model.h"
-#include "process/byte_archive.h"
 
 #include <tl/expected.hpp>
 

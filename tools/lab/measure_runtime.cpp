@@ -1,8 +1,8 @@
 #include "lab/measure_runtime.h"
 
-#include "base/work_limit.h"
 #include "lab/hair_segment.h"
 #include "lab/runtime_solver.h"
+#include "platform/stop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +55,7 @@ double worst_second(std::span<const double> mean_squares, double frames_per_seco
 }
 
 RuntimeError measure_runtime(const Asset& asset, const Rig& rig, const KnownMotion& motion, std::uint32_t rate,
-                             std::uint32_t substeps) {
+                             std::uint32_t substeps, const std::stop_token& stop) {
   const ReferenceRun& reference = motion.reference;
   const auto path = path_of(motion.motion);
   RuntimeSolver solver(asset, {}, kCoifSolver, int(substeps));
@@ -65,7 +65,7 @@ RuntimeError measure_runtime(const Asset& asset, const Rig& rig, const KnownMoti
   std::vector<double> squares;  // of each frame, a mean over the tips
   std::size_t sample = 0;
   for (std::uint32_t frame = 1;; ++frame) {
-    WorkLimit::check();
+    throw_if_stopped(stop);
     const double time = double(frame) / rate;
     while (sample < reference.times.size() && reference.times[sample] < time - kSameTime) ++sample;
     if (sample == reference.times.size()) break;

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace coif {
@@ -37,6 +38,7 @@ struct RuntimeError {
 /// Runs `motion` from rest at `rate` frames per second with so many sub-steps, and looks at every frame of which the
 /// reference tells. `rig` is the asset's.
 [[nodiscard]] RuntimeError measure_runtime(const Asset& asset, const Rig& rig, const KnownMotion& motion,
-                                           std::uint32_t rate, std::uint32_t substeps);
+                                           std::uint32_t rate, std::uint32_t substeps,
+                                           const std::stop_token& stop = {});
 
 }  // namespace coif

@@ -1,13 +1,11 @@
 #include "lab/reference_solver.h"
 
-#include "base/work_limit.h"
+#include "base/parallel_for.h"
 #include "lab/reference_model.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
-#include <thread>
 #include <utility>
 
 namespace coif {
@@ -60,8 +58,8 @@ using TipPaths = std::vector<Vector3d>;
 /// Follows one tree through all stops.
 class TreeRun {
  public:
-  TreeRun(ReferenceTree& tree, const HeadPath& path, std::span<const Stop> stops)
-      : tree_(tree), path_(path), stops_(stops), ends_(tree.members().size()) {}
+  TreeRun(ReferenceTree& tree, const HeadPath& path, std::span<const Stop> stops, const std::stop_token& stop)
+      : tree_(tree), path_(path), stops_(stops), stop_(stop), ends_(tree.members().size()) {}
 
   /// `fineness`: how many times shorter the steps are than those of the first run, cut ones included; else two runs
   /// could agree because they took the same steps. Ends where steps() would exceed `most_steps`: then is_over() is
@@ -75,7 +73,7 @@ class TreeRun {
     double now = 0;
     std::size_t sample = 0;
     for (const Stop& stop : stops_) {
-      WorkLimit::check();
+      throw_if_stopped(stop_);
       go(now, stop, coarse_rate);
       if (is_over()) return {};
       now = stop.seconds;
@@ -123,6 +121,7 @@ class TreeRun {
   double fineness_ = 1;
   std::uint64_t steps_ = 0, most_steps_ = 0;
   std::span<const Stop> stops_;
+  const std::stop_token& stop_;
   std::vector<Vector3d> ends_;
 };
 
@@ -179,7 +178,7 @@ void write_tree(const TreeTips& tips, std::span<const TipAgreement> agreement, c
 std::uint64_t solve_tree(ReferenceTree tree, const TreeTips& tips, const HeadPath& path, std::span<const Stop> stops,
                          const ReferenceSettings& settings, ReferenceRun& result) {
   const std::size_t samples = result.times.size();
-  TreeRun runner(tree, path, stops);
+  TreeRun runner(tree, path, stops, settings.threads.stop);
   const double coarse_rate = first_rate(tree, settings);
   double fineness = 1;
   const std::uint64_t most_steps = most_steps_of(settings, coarse_rate);
@@ -262,16 +261,9 @@ ReferenceRun solve_reference(const Rig& rig, const SolverScene& scene, const Hea
   result.places.resize(rig.tips.size() * result.times.size());
 
   std::vector<std::uint64_t> steps(trees.size(), 0);
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < trees.size(); i = next++) {
-      steps[i] = solve_tree(ReferenceTree(rig, trees[i], scene), tips[i], path, stops, settings, result);
-    }
-  };
-  std::vector<std::jthread> others;
-  for (unsigned i = 1; i < settings.threads && i < trees.size(); ++i) others.emplace_back(work);
-  work();
-  others.clear();
+  parallel_for(trees.size(), settings.threads, [&](std::size_t i) {
+    steps[i] = solve_tree(ReferenceTree(rig, trees[i], scene), tips[i], path, stops, settings, result);
+  });
   for (std::size_t i = 0; i < trees.size(); ++i) result.bone_steps += steps[i] * trees[i].size();
   return result;
 }

@@ -3,6 +3,7 @@
 #include "lab/rig.h"
 #include "lab/runtime_solver.h"
 #include "motion/head_path.h"
+#include "platform/stop.h"
 
 #include <cstdint>
 #include <span>
@@ -15,7 +16,7 @@ struct ReferenceSettings {
   double steps_per_second = 720;             ///< At least; bones that are too stiff for it get more.
   double most_steps_per_second = 11520;      ///< Of the finer of the two runs that are compared, if not more is needed.
   double wanted_self_difference_pct = 0.05;  ///< RMS over a tree of bones; finer steps are taken until it is met.
-  unsigned threads = 1;
+  Threads threads = 1;                       ///< solve_reference() throws Stopped where its token is requested.
   /// So many times the steps of its first run (first_run_work()) may one tree of bones take, over all its runs: a bound
   /// of the work that is the same on every machine. Finer steps that would need more are not taken; a tree whose first
   /// two runs need more is not solved. The second has twice as many steps as the first, and hair that whips round needs

@@ -2,6 +2,7 @@
 
 #include "base/encodings.h"
 #include "base/text.h"
+#include "platform/program.h"
 
 #include <cstdint>
 #include <system_error>
@@ -20,9 +21,8 @@ bool is_file(const std::filesystem::path& path) {
 
 /// From the folder of the program that runs.
 std::filesystem::path installed_page() {
-  std::error_code error;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  return error ? std::filesystem::path() : program.parent_path() / COIF_VIEW_PAGE_FROM_PROGRAM;
+  const std::filesystem::path program = program_path();
+  return program.empty() ? program : program.parent_path() / COIF_VIEW_PAGE_FROM_PROGRAM;
 }
 
 }  // namespace

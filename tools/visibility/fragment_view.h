@@ -1,5 +1,6 @@
 #pragma once
 
+#include "platform/stop.h"
 #include "visibility/hair_surface.h"
 
 #include <array>
@@ -131,7 +132,7 @@ struct SampleSettings {
   std::size_t lines = 3000;   ///< Wanted per view.
   float solid_alpha = 0.95f;  ///< Layers behind one of at least this alpha do not matter.
   float pixel = 0.001f;       ///< Metres; as ViewGrid.
-  unsigned threads = 1;       ///< Of sample_views(); without influence on the result.
+  Threads threads = 1;        ///< Of sample_views(); without influence on the result.
 };
 
 /// Metres between lines of sight, so that about so many of them meet hair in this pose.

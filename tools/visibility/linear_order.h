@@ -1,5 +1,6 @@
 #pragma once
 
+#include "platform/stop.h"
 #include "visibility/hair_surface.h"
 #include "visibility/order_error.h"
 
@@ -42,7 +43,7 @@ struct CellOrders {
   std::array<std::uint8_t, kViewCells> order_of{};
 
   /// The votes of all cells that draw with one of them.
-  [[nodiscard]] std::vector<Vote> votes_on(std::size_t order, const CellVotes& cells, unsigned threads = 1) const;
+  [[nodiscard]] std::vector<Vote> votes_on(std::size_t order, const CellVotes& cells, const Threads& threads = 1) const;
 };
 
 /// At most `count` orders for all cells, of the units that `start` has. The cells whose own order would save most of
@@ -50,17 +51,17 @@ struct CellOrders {
 /// improved for their cells, until neither changes anything (Lloyd's iteration, with votes for distances). Never loses
 /// more votes than `start` does; the same for every number of threads.
 [[nodiscard]] CellOrders cluster_orders(const CellVotes& cells, const UnitOrder& start, std::size_t count,
-                                        unsigned threads);
+                                        const Threads& threads);
 
 /// The second half of that alone, from the orders of `found`, which other votes led to.
-[[nodiscard]] CellOrders refine_clusters(const CellVotes& cells, CellOrders found, unsigned threads);
+[[nodiscard]] CellOrders refine_clusters(const CellVotes& cells, CellOrders found, const Threads& threads);
 
 /// Each order found once more for the votes of its cells, from its triangles as they lie along the mean of the cells'
 /// directions, the furthest first; then as refine_clusters(). Pairs of triangles that no vote was seen for end in the
 /// order of their depth, which is mostly right, and fewer votes are lost as well than from an order of whole patches.
 /// `positions` of all vertices.
 [[nodiscard]] CellOrders refine_from_depth(const HairSurface& hair, std::span<const Eigen::Vector3f> positions,
-                                           const CellVotes& cells, CellOrders found, unsigned threads);
+                                           const CellVotes& cells, CellOrders found, const Threads& threads);
 
 /// Triangles of `order` in an order that shares vertices between neighbours as far as the votes allow: two triangles
 /// that have a vote on each other stay in the order they have, all others may move. What no vote was seen for moves

@@ -14,7 +14,7 @@ constexpr int kMostRounds = 8;
 
 class Clustering {
  public:
-  Clustering(const CellVotes& cells, unsigned threads) : cells_(cells), threads_(threads) {}
+  Clustering(const CellVotes& cells, const Threads& threads) : cells_(cells), threads_(threads) {}
 
   /// Lloyd's iteration.
   CellOrders refine(CellOrders found) {
@@ -118,7 +118,7 @@ class Clustering {
       const std::size_t k = by_work[i];
       const bool is_used = std::ranges::find(result_.order_of, std::uint8_t(k)) != result_.order_of.end();
       if (!is_used || !has_changed(k)) return;
-      result_.orders[k] = improve_order(result_.votes_on(k, cells_, threads_ / std::uint32_t(result_.orders.size())),
+      result_.orders[k] = improve_order(result_.votes_on(k, cells_, threads_.divided_by(result_.orders.size())),
                                         std::move(result_.orders[k]));
     });
     improved_for_.assign(result_.order_of.begin(), result_.order_of.end());
@@ -147,14 +147,14 @@ class Clustering {
   }
 
   const CellVotes& cells_;
-  unsigned threads_;
+  Threads threads_;
   CellOrders result_;
   std::vector<std::uint8_t> improved_for_;  ///< CellOrders::order_of when the orders were improved last; empty: never.
 };
 
 }  // namespace
 
-std::vector<Vote> CellOrders::votes_on(std::size_t order, const CellVotes& cells, unsigned threads) const {
+std::vector<Vote> CellOrders::votes_on(std::size_t order, const CellVotes& cells, const Threads& threads) const {
   std::vector<std::span<const Vote>> votes;
   for (std::size_t cell = 0; cell < kViewCells; ++cell) {
     if (order_of[cell] == order) votes.emplace_back(cells[cell]);
@@ -162,12 +162,12 @@ std::vector<Vote> CellOrders::votes_on(std::size_t order, const CellVotes& cells
   return sum_of(votes, threads);
 }
 
-CellOrders cluster_orders(const CellVotes& cells, const UnitOrder& start, std::size_t count, unsigned threads) {
+CellOrders cluster_orders(const CellVotes& cells, const UnitOrder& start, std::size_t count, const Threads& threads) {
   Clustering clustering(cells, threads);
   return clustering.refine(clustering.found_clusters(start, std::clamp<std::size_t>(count, 1, kMaxOrders)));
 }
 
-CellOrders refine_clusters(const CellVotes& cells, CellOrders found, unsigned threads) {
+CellOrders refine_clusters(const CellVotes& cells, CellOrders found, const Threads& threads) {
   return Clustering(cells, threads).refine(std::move(found));
 }
 
@@ -201,7 +201,7 @@ UnitOrder by_depth(const HairSurface& hair, std::span<const Eigen::Vector3f> pos
 }  // namespace
 
 CellOrders refine_from_depth(const HairSurface& hair, std::span<const Eigen::Vector3f> positions,
-                             const CellVotes& cells, CellOrders found, unsigned threads) {
+                             const CellVotes& cells, CellOrders found, const Threads& threads) {
   if (found.orders.size() < 2) return found;  // one for all directions: none of them is its own
   for (std::size_t k = 0; k < found.orders.size(); ++k) {
     found.orders[k] = by_depth(hair, positions, mean_direction(found, k));

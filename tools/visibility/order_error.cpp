@@ -159,7 +159,7 @@ std::vector<Vote> sum_of_part(VoteLists lists) {
 
 }  // namespace
 
-std::vector<Vote> sum_of(VoteLists lists, unsigned threads) {
+std::vector<Vote> sum_of(VoteLists lists, const Threads& threads) {
   if (count_of(lists) <= kVotesOfPart) return sum_of_part(lists);
   const std::vector<std::uint32_t> bounds = part_bounds(lists);
   std::vector<std::vector<Vote>> parts(bounds.size() - 1);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "platform/stop.h"
 #include "visibility/fragment_view.h"
 
 #include <cstdint>
@@ -39,6 +40,6 @@ struct Vote {
 [[nodiscard]] std::vector<Vote> votes_of_groups(std::span<const Vote> votes, std::span<const std::uint32_t> group_of);
 
 /// The sums of several lists of votes, each as votes_of() makes it. `threads`: without influence on the result.
-[[nodiscard]] std::vector<Vote> sum_of(std::span<const std::span<const Vote>> lists, unsigned threads = 1);
+[[nodiscard]] std::vector<Vote> sum_of(std::span<const std::span<const Vote>> lists, const Threads& threads = 1);
 
 }  // namespace coif

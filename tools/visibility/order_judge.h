@@ -1,5 +1,6 @@
 #pragma once
 
+#include "platform/stop.h"
 #include "visibility/fragment_view.h"
 #include "visibility/linear_order.h"
 #include "visibility/seen_lines.h"
@@ -46,7 +47,7 @@ class JudgedHair {
 struct JudgeSettings {
   float least_threshold = 0.95f;   ///< Rules that are judged must have no lower opaque threshold.
   std::size_t views_per_cell = 1;  ///< The first of those that there are.
-  unsigned threads = 1;            ///< Without influence on the result.
+  Threads threads = 1;             ///< Without influence on the result.
 };
 
 /// Judges orders by views that none of them was found from.
@@ -72,7 +73,7 @@ class OrderJudge {
   [[nodiscard]] std::size_t pixels() const;
 
   std::vector<View> views_;
-  unsigned threads_;
+  Threads threads_;
 };
 
 }  // namespace coif

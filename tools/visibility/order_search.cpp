@@ -214,7 +214,7 @@ class OrderSearch {
   /// The same, as far as votes tell, with more vertices shared between triangles.
   [[nodiscard]] CellOrders for_cache(const CellOrders& clusters, const CellVotes& cells) const {
     CellOrders shared = clusters;
-    const unsigned inner = settings_.threads / unsigned(shared.orders.size());
+    const Threads inner = settings_.threads.divided_by(shared.orders.size());
     parallel_for(shared.orders.size(), settings_.threads, [&](std::size_t k) {
       shared.orders[k] = order_for_cache(hair_, clusters.votes_on(k, cells, inner), shared.orders[k]);
     });

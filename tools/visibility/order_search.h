@@ -1,5 +1,6 @@
 #pragma once
 
+#include "platform/stop.h"
 #include "visibility/fragment_view.h"
 #include "visibility/linear_order.h"
 #include "visibility/order_error.h"
@@ -24,7 +25,7 @@ struct OrderSearchSettings {
   std::size_t views_per_cell = 32;     ///< That orders are found from; time grows with both, and what is missed falls.
   std::size_t judge_views_per_cell = 2;  ///< That orders are judged by: others; no more than the judged hair has.
   std::size_t lines_per_view = 4000;
-  unsigned threads = 1;  ///< Without influence on the result.
+  Threads threads = 1;  ///< Without influence on the result.
 };
 
 /// How to draw the hair, and how good that is.

@@ -3,6 +3,7 @@
 
 #include "import/gltf_builder.h"
 #include "import/import.h"
+#include "platform/job.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -123,6 +124,7 @@ int write_matrix(const std::filesystem::path& folder) {
 }  // namespace coif
 
 int main(int count, char** arguments) {
+  coif::run_named_job(count, arguments);
   if (count == 3 && std::string(arguments[1]) == "--matrix") return coif::write_matrix(arguments[2]);
   if (count == 2) return coif::print(arguments[1]);
   std::fputs("print_model FILE | --matrix FOLDER\n", stderr);

@@ -20,8 +20,9 @@ constexpr double kMostSelfDifferencePct = 0.1;
 constexpr double kMostRuntimeError = 0.05;
 constexpr double kMostGrowth = 1.0e4;  ///< No need to compute what amplifies a rounding error into sight.
 
-ReferenceSettings trial_settings(double most_steps_per_second = 11520) {
+ReferenceSettings trial_settings(const std::stop_token& stop, double most_steps_per_second = 11520) {
   ReferenceSettings settings;
+  settings.threads = {1, stop};
   settings.sample_times = trial_times();
   settings.steps_per_second = kCoarsestSteps;
   settings.most_steps_per_second = most_steps_per_second;
@@ -29,11 +30,12 @@ ReferenceSettings trial_settings(double most_steps_per_second = 11520) {
   return settings;
 }
 
-ChainFinding examine_motion(const OpenedAsset& opened, const Rig& rig, const KnownMotion& known) {
+ChainFinding examine_motion(const OpenedAsset& opened, const Rig& rig, const KnownMotion& known,
+                            const std::stop_token& stop) {
   ChainFinding finding{true, known.motion, known.reference.self_difference_pct(), 0};
   finding.is_good = finding.self_difference_pct <= kMostSelfDifferencePct;  // false for NaN
   if (!finding.is_good) return finding;
-  finding.runtime_error = measure_runtime(opened.asset(), rig, known, kTrialRate, kTrialSubsteps).rms;
+  finding.runtime_error = measure_runtime(opened.asset(), rig, known, kTrialRate, kTrialSubsteps, stop).rms;
   finding.is_good = finding.runtime_error <= kMostRuntimeError;
   return finding;
 }
@@ -45,36 +47,36 @@ std::vector<double> trial_times() {
   return frame_times(kSampled, kTrialSeconds);
 }
 
-ReferenceRun solve_trial(const Rig& rig, Motion motion) {
+ReferenceRun solve_trial(const Rig& rig, Motion motion, const std::stop_token& stop) {
   // What is far from agreeing with coarse steps would not with fine ones: those are left.
   constexpr double kCoarse = 2880, kHopelessPct = 3;
-  ReferenceRun run = solve_reference(rig, {}, *path_of(motion), trial_settings(kCoarse));
+  ReferenceRun run = solve_reference(rig, {}, *path_of(motion), trial_settings(stop, kCoarse));
   const double difference = run.self_difference_pct();
   if (difference <= kMostSelfDifferencePct || !(difference <= kHopelessPct)) return run;
-  return solve_reference(rig, {}, *path_of(motion), trial_settings());
+  return solve_reference(rig, {}, *path_of(motion), trial_settings(stop));
 }
 
 bool grows_beyond_hope(const AssetContents& alone) {
   return alone.chains[0].model == ChainModel::kCascade && chain_growth(alone, 0) > kMostGrowth;
 }
 
-ChainTrial try_chain(const AssetContents& alone, unsigned threads) {
+ChainTrial try_chain(const AssetContents& alone, const Threads& threads) {
   if (!grows_beyond_hope(alone)) return try_any_chain(alone, threads);
   return {{.is_good = false, .growth = chain_growth(alone, 0)}, {}};
 }
 
-ChainTrial try_any_chain(const AssetContents& alone, unsigned threads) {
+ChainTrial try_any_chain(const AssetContents& alone, const Threads& threads) {
   const OpenedAsset opened(alone);
   const Rig rig = rig_of(opened.asset());
   ChainTrial trial;
   // A few motions at a time: after one that fails none is needed.
-  for (std::size_t first = 0; first < std::size(kTrialMotions); first += threads) {
-    std::vector<KnownMotion> known(std::min<std::size_t>(threads, std::size(kTrialMotions) - first));
+  for (std::size_t first = 0; first < std::size(kTrialMotions); first += threads.count) {
+    std::vector<KnownMotion> known(std::min<std::size_t>(threads.count, std::size(kTrialMotions) - first));
     std::vector<ChainFinding> findings(known.size());
     parallel_for(known.size(), threads, [&](std::size_t i) {
       const Motion motion = kTrialMotions[first + i];
-      known[i] = {motion, solve_trial(rig, motion)};
-      findings[i] = examine_motion(opened, rig, known[i]);
+      known[i] = {motion, solve_trial(rig, motion, threads.stop)};
+      findings[i] = examine_motion(opened, rig, known[i], threads.stop);
     });
     for (std::size_t i = 0; i < known.size(); ++i) {
       trial.finding = findings[i];

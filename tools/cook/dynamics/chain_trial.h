@@ -2,6 +2,7 @@
 
 #include "lab/reference_solver.h"
 #include "motion/head_path.h"
+#include "platform/stop.h"
 #include "write/asset_writer.h"
 
 #include <cstdint>
@@ -50,16 +51,16 @@ struct ChainTrial {
 [[nodiscard]] std::vector<double> trial_times();
 
 /// The motion of all that moves, as finely as it takes, or as coarsely as shows that there is none.
-[[nodiscard]] ReferenceRun solve_trial(const Rig& rig, Motion motion);
+[[nodiscard]] ReferenceRun solve_trial(const Rig& rig, Motion motion, const std::stop_token& stop = {});
 
 /// True where a cascade amplifies rounding into sight: there is no need to compute it.
 [[nodiscard]] bool grows_beyond_hope(const AssetContents& alone);
 
 /// Of contents with one chain (chains_alone()), in the model that they are meant for. `threads`: without influence on
 /// the result.
-[[nodiscard]] ChainTrial try_chain(const AssetContents& alone, unsigned threads);
+[[nodiscard]] ChainTrial try_chain(const AssetContents& alone, const Threads& threads);
 /// The same, however hopeless it is.
-[[nodiscard]] ChainTrial try_any_chain(const AssetContents& alone, unsigned threads);
+[[nodiscard]] ChainTrial try_any_chain(const AssetContents& alone, const Threads& threads);
 
 /// RMS over all samples of the runs of one chain, share of its length; what was not finite is as far off as can be.
 /// `rig` has the chain's tips, and both have the same motions.

@@ -4,6 +4,7 @@
 #include "cook/dynamics/chain_groups.h"
 #include "cook/dynamics/chain_trial.h"
 #include "cook/recipe/findings.h"
+#include "platform/stop.h"
 #include "write/asset_writer.h"
 
 #include <cstdint>
@@ -26,7 +27,7 @@ struct ModelChoice {
 };
 
 /// The cascades of `contents` that have no one motion (chain_trial.h); of chains alike, the telling ones are run.
-[[nodiscard]] std::vector<IllPosedChains> find_ill_posed(const AssetContents& contents, unsigned threads);
+[[nodiscard]] std::vector<IllPosedChains> find_ill_posed(const AssetContents& contents, const Threads& threads);
 
 /// By which model each chain moves where nothing is run: as "dynamics.model" says; if that leaves it open, a chain with
 /// a bone that a preset moves by the passive one, others as a cascade.
@@ -43,6 +44,6 @@ struct ModelChoice {
 ///   to swing.
 /// Notes say why. `contents` as settle_model() wants it.
 [[nodiscard]] ModelChoice choose_models(const RigRecipe& recipe, const SaidMotion& said, const AssetContents& contents,
-                                        unsigned threads, Findings& findings);
+                                        const Threads& threads, Findings& findings);
 
 }  // namespace coif

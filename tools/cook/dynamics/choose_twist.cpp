@@ -74,7 +74,7 @@ std::vector<double> folds_during(const AssetContents& contents, const Asset& ass
 }
 
 /// Per chain, over the whole suite; 0 where none can bend that far.
-std::vector<double> largest_folds(const AssetContents& contents, unsigned threads) {
+std::vector<double> largest_folds(const AssetContents& contents, const Threads& threads) {
   std::vector<double> largest(contents.chains.size(), 0);
   const auto may = [&](const ChainRecord& chain) { return may_fold(contents, chain); };
   if (std::ranges::none_of(contents.chains, may)) return largest;
@@ -118,7 +118,7 @@ LeftOut twist_left_out(const AssetContents& before, const AssetContents& after, 
 
 }  // namespace
 
-std::vector<DynamicsRecord> choose_twist(const AssetContents& contents, unsigned threads, Findings& findings) {
+std::vector<DynamicsRecord> choose_twist(const AssetContents& contents, const Threads& threads, Findings& findings) {
   const std::vector<double> folds = largest_folds(contents, threads);
   AssetContents chosen = contents;
   std::vector<std::uint32_t> kept;

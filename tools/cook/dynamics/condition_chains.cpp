@@ -57,11 +57,12 @@ void apply(const Conditioning& rung, AssetContents& contents, std::uint32_t chai
   }
 }
 
-ChainTrial examine(const AssetContents& contents, std::uint32_t chain, const Conditioning& candidate) {
+ChainTrial examine(const AssetContents& contents, std::uint32_t chain, const Conditioning& candidate,
+                   const std::stop_token& stop) {
   AssetContents alone = chains_alone(contents, std::array{chain});
   apply(candidate, alone, 0);
   const bool is_last = &candidate == std::end(kCandidates) - 1;
-  return is_last ? try_any_chain(alone, 1) : try_chain(alone, 1);
+  return is_last ? try_any_chain(alone, {1, stop}) : try_chain(alone, {1, stop});
 }
 
 /// The motion as Algorithm 1 has it at the rate that an artist tunes at; by numbers that it does not know, the
@@ -91,14 +92,14 @@ struct AskedMotions {
 };
 
 /// The chain's motions as it is, where there are any.
-AskedMotions artists_motions(const AssetContents& contents, std::uint32_t chain, unsigned threads) {
+AskedMotions artists_motions(const AssetContents& contents, std::uint32_t chain, const Threads& threads) {
   const AssetContents alone = chains_alone(contents, std::array{chain});
   const OpenedAsset opened(alone);
   const Rig rig = rig_of(opened.asset());
   const bool may_exist = !grows_beyond_hope(alone);
   std::vector<ReferenceRun> runs(std::size(kTrialMotions));
   parallel_for(runs.size(), threads, [&](std::size_t m) {
-    if (may_exist) runs[m] = solve_trial(rig, kTrialMotions[m]);
+    if (may_exist) runs[m] = solve_trial(rig, kTrialMotions[m], threads.stop);
     if (may_exist && runs[m].self_difference_pct() <= kMostSelfDifferenceOfArtistPct) return;
     runs[m] = run_by_steps(opened, rig, kTrialMotions[m]);
   });
@@ -115,13 +116,13 @@ struct Examined {
 /// not good.
 std::vector<Examined> examine_group(const AssetContents& contents, const ChainGroup& group,
                                     std::span<const AskedMotions> asked, std::span<const Conditioning> candidates,
-                                    unsigned threads) {
+                                    const Threads& threads) {
   std::vector<std::atomic<bool>> is_bad(candidates.size());
   std::vector<double> differences(candidates.size() * group.telling.size(), 0);
   parallel_for(differences.size(), threads, [&](std::size_t task) {
     const std::size_t k = task / candidates.size(), i = task % candidates.size();
     if (is_bad[i]) return;
-    const ChainTrial trial = examine(contents, group.telling[k], candidates[i]);
+    const ChainTrial trial = examine(contents, group.telling[k], candidates[i], threads.stop);
     if (!trial.finding.is_good) {
       is_bad[i] = true;
     } else {
@@ -141,15 +142,15 @@ std::vector<Examined> examine_group(const AssetContents& contents, const ChainGr
 /// Of the candidates under which every telling chain is good, the one that changes its motion least. As many are
 /// examined at a time as there are threads, and what they find counts in the order of the candidates: it does not
 /// depend on how many there are.
-Outcome search(const AssetContents& contents, const ChainGroup& group, unsigned threads) {
+Outcome search(const AssetContents& contents, const ChainGroup& group, const Threads& threads) {
   std::vector<AskedMotions> asked;
   for (const std::uint32_t chain : group.telling) asked.push_back(artists_motions(contents, chain, threads));
   Outcome outcome;
   std::size_t good = 0;
   const std::size_t enough = enough_good(contents.chains[group.telling[0]].bone_count);
-  for (std::size_t first = 0; first < std::size(kCandidates) && good < enough; first += threads) {
+  for (std::size_t first = 0; first < std::size(kCandidates) && good < enough; first += threads.count) {
     const std::span<const Conditioning> all(kCandidates);
-    const auto tried = all.subspan(first, std::min<std::size_t>(threads, all.size() - first));
+    const auto tried = all.subspan(first, std::min<std::size_t>(threads.count, all.size() - first));
     const std::vector<Examined> batch = examine_group(contents, group, asked, tried, threads);
     for (std::size_t i = 0; i < batch.size() && good < enough; ++i) {
       if (!batch[i].is_good) continue;
@@ -189,9 +190,9 @@ bool can_be_run(const AssetContents& contents) {
 }
 
 std::vector<DynamicsRecord> condition_chains(const AssetContents& contents, std::span<const IllPosedChains> ill_posed,
-                                             unsigned threads, Findings& findings) {
+                                             const Threads& threads, Findings& findings) {
   std::vector<Outcome> outcomes(ill_posed.size());
-  const unsigned of_group = std::max(1u, threads / unsigned(std::max<std::size_t>(ill_posed.size(), 1)));
+  const Threads of_group = threads.divided_by(ill_posed.size());
   parallel_for(ill_posed.size(), threads,
                [&](std::size_t g) { outcomes[g] = search(contents, ill_posed[g].group, of_group); });
   AssetContents conditioned = contents;

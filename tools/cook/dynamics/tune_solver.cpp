@@ -151,7 +151,7 @@ std::vector<MotionNameRecord> suite_names() {
 }  // namespace
 
 tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, const RigRecipe& recipe,
-                                                 unsigned threads, Findings& findings) {
+                                                 const Threads& threads, Findings& findings) {
   if (contents.chains.empty()) return TunedSolver{};
   const std::vector<std::uint32_t> rates = frame_rates(recipe);
   TuningBench bench(contents, rates, threads);

@@ -86,11 +86,11 @@ std::size_t twisting_bones(const AssetContents& contents, const ChainRecord& cha
 
 }  // namespace
 
-TuningBench::TuningBench(const AssetContents& contents, std::span<const std::uint32_t> rates, unsigned threads)
+TuningBench::TuningBench(const AssetContents& contents, std::span<const std::uint32_t> rates, const Threads& threads)
     : TuningBench(contents, chains_to_run(contents, rates), rates, threads) {}
 
 TuningBench::TuningBench(const AssetContents& contents, const ChainsToRun& run, std::span<const std::uint32_t> rates,
-                         unsigned threads)
+                         const Threads& threads)
     : opened_(chains_alone(contents, run.chains)), rig_(rig_of(opened_.asset())), threads_(threads) {
   for (const ChainRecord& chain : contents.chains) {
     bones_ += chain.bone_count;
@@ -110,6 +110,7 @@ TuningBench::TuningBench(const AssetContents& contents, const ChainsToRun& run, 
 void TuningBench::solve(std::span<const std::uint32_t> rates) {
   ReferenceSettings settings = reference_settings(rates);
   settings.most_work = kMostReferenceWork / (double(std::size(kCookSuite)) * first_run_work(rig_, {}, settings));
+  settings.threads = {1, threads_.stop};
   known_.resize(std::size(kCookSuite));
   parallel_for(known_.size(), threads_, [&](std::size_t m) {
     known_[m] = {kCookSuite[m], solve_reference(rig_, {}, *path_of(kCookSuite[m]), settings)};
@@ -175,7 +176,8 @@ std::vector<QualityRecord> TuningBench::table() const {
 MeasuredRate TuningBench::measure(std::uint32_t rate, std::uint32_t parts) const {
   std::vector<RuntimeError> errors(known_.size());
   parallel_for(known_.size(), threads_, [&](std::size_t m) {
-    if (known_[m].reference.is_solved()) errors[m] = measure_runtime(opened_.asset(), rig_, known_[m], rate, parts);
+    if (known_[m].reference.is_solved())
+      errors[m] = measure_runtime(opened_.asset(), rig_, known_[m], rate, parts, threads_.stop);
   });
   MeasuredRate measured{};
   QualityRecord& row = measured.quality;

@@ -2,6 +2,7 @@
 
 #include "lab/measure_runtime.h"
 #include "lab/rig.h"
+#include "platform/stop.h"
 #include "write/asset_writer.h"
 
 #include <cstddef>
@@ -34,7 +35,7 @@ struct ChainsToRun {
 /// left_out() says all of it.
 class TuningBench {
  public:
-  TuningBench(const AssetContents& contents, std::span<const std::uint32_t> rates, unsigned threads);
+  TuningBench(const AssetContents& contents, std::span<const std::uint32_t> rates, const Threads& threads);
 
   const MeasuredRate& at(std::uint32_t rate, std::uint32_t parts);
 
@@ -49,7 +50,7 @@ class TuningBench {
 
  private:
   TuningBench(const AssetContents& contents, const ChainsToRun& run, std::span<const std::uint32_t> rates,
-              unsigned threads);
+              const Threads& threads);
   void solve(std::span<const std::uint32_t> rates);
   void say_what_is_left_out();
   [[nodiscard]] std::uint64_t work_of(std::uint32_t rate, std::uint32_t parts) const;
@@ -57,7 +58,7 @@ class TuningBench {
 
   OpenedAsset opened_;
   Rig rig_;
-  unsigned threads_;
+  Threads threads_;
   std::size_t bones_ = 0, passive_ = 0, twisting_ = 0;
   std::uint64_t work_ = 0;          ///< Steps of the runtime so far, times bones.
   std::vector<KnownMotion> known_;  ///< One for each motion of the suite.

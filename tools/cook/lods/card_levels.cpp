@@ -106,7 +106,7 @@ void append_patches(const SourceLevel& level, std::uint32_t first_vertex, std::s
   }
 }
 
-DetailLevel append_level(const SourceLevel& level, const FinestCards& finest, unsigned threads, HairStrips& hair,
+DetailLevel append_level(const SourceLevel& level, const FinestCards& finest, const Threads& threads, HairStrips& hair,
                          HairRig& rig) {
   const auto first_vertex = std::uint32_t(hair.mesh.positions.size());
   const std::size_t first_triangle = hair.mesh.triangle_count();
@@ -124,8 +124,8 @@ struct Distances {
 };
 
 /// How far one level's vertices are from another's cards.
-void add_distances(const HairMesh& mesh, const DetailLevel& of, const DetailLevel& from, double reach, unsigned threads,
-                   Distances& distances) {
+void add_distances(const HairMesh& mesh, const DetailLevel& of, const DetailLevel& from, double reach,
+                   const Threads& threads, Distances& distances) {
   const std::vector<std::uint32_t> triangles = indices_of(from);
   const TriangleGrid grid(mesh.positions, triangles, reach);
   const std::vector<std::uint32_t> vertices = vertices_of(of);

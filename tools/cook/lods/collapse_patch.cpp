@@ -1,8 +1,8 @@
 #include "cook/lods/collapse_patch.h"
 
-#include "base/work_limit.h"
 #include "cook/lods/patch_surface.h"
 #include "cook/select/triangle_distance.h"
+#include "platform/stop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,9 +56,10 @@ std::vector<SurfaceQuadric> find_quadrics(const PatchSurface& surface) {
 
 class Collapser {
  public:
-  Collapser(const PatchSurface& surface, const CollapseLimits& limits)
+  Collapser(const PatchSurface& surface, const CollapseLimits& limits, const std::stop_token& stop)
       : surface_(surface),
         limits_(limits),
+        stop_(stop),
         shrinking_(surface),
         quadrics_(find_quadrics(surface)),
         gone_into_(surface.points()),
@@ -77,6 +78,7 @@ class Collapser {
 
   const PatchSurface& surface_;
   CollapseLimits limits_;
+  const std::stop_token& stop_;
   ShrinkingSurface shrinking_;
   std::vector<SurfaceQuadric> quadrics_;               ///< Per pose and point, as PatchSurface::positions.
   std::vector<std::vector<std::uint32_t>> gone_into_;  ///< Per point; points that were collapsed into it.
@@ -158,7 +160,7 @@ CollapseSequence Collapser::run() {
   const double fewest = limits_.fewest_share * shrinking_.triangles_left();
   std::vector<std::uint32_t> around;
   while (!queue_.empty() && shrinking_.triangles_left() > fewest) {
-    WorkLimit::check();
+    throw_if_stopped(stop_);
     const Candidate best = queue_.top();
     queue_.pop();
     if (best.version != version_[best.from]) continue;
@@ -181,8 +183,9 @@ CollapseSequence Collapser::run() {
 
 }  // namespace
 
-CollapseSequence collapse_patch(const PatchSurface& surface, const CollapseLimits& limits) {
-  return Collapser(surface, limits).run();
+CollapseSequence collapse_patch(const PatchSurface& surface, const CollapseLimits& limits,
+                                const std::stop_token& stop) {
+  return Collapser(surface, limits, stop).run();
 }
 
 }  // namespace coif

@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <stop_token>
+
 namespace coif {
 
 /// The squared distances of a point from several planes, each times a weight, as one polynomial (Garland and Heckbert
@@ -107,7 +109,8 @@ struct CollapseLimits {
 ///
 /// A step's error is measured: how far the points that are gone lie from the triangles now around where they went.
 /// Near-linear in the triangles.
-[[nodiscard]] CollapseSequence collapse_patch(const PatchSurface& surface, const CollapseLimits& limits);
+[[nodiscard]] CollapseSequence collapse_patch(const PatchSurface& surface, const CollapseLimits& limits,
+                                              const std::stop_token& stop = {});
 
 /// The patch after its first `steps` steps: for each corner the one that it has become.
 [[nodiscard]] std::vector<std::uint32_t> collapsed_corners(const PatchSurface& surface,

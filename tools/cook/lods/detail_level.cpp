@@ -64,7 +64,7 @@ std::string cost_in_bytes(std::span<const DetailLevel> levels) {
 
 }  // namespace
 
-LodSettings lod_settings(const DrawnRecipe& recipe, unsigned threads) {
+LodSettings lod_settings(const DrawnRecipe& recipe, const Threads& threads) {
   LodSettings settings;
   settings.levels = recipe.lod_levels;
   settings.ratio = recipe.lod_ratio;

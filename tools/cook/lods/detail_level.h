@@ -3,6 +3,7 @@
 #include "cook/recipe/findings.h"
 #include "cook/rig/skeleton.h"
 #include "cook/strands/hair_strips.h"
+#include "platform/stop.h"
 
 #include <cstdint>
 #include <span>
@@ -36,10 +37,10 @@ struct LodSettings {
   double max_error = 0.01;   ///< Metres.
   double pixel_error = 1;    ///< Pixels that the error may be on a screen of kScreenLines lines.
   double still_pixels = 24;  ///< Hair that hangs free for less than this on such a screen is rigid.
-  unsigned threads = 1;      ///< The result does not depend on it.
+  Threads threads = 1;       ///< The result does not depend on it.
 };
 
-[[nodiscard]] LodSettings lod_settings(const DrawnRecipe& recipe, unsigned threads);
+[[nodiscard]] LodSettings lod_settings(const DrawnRecipe& recipe, const Threads& threads);
 
 inline constexpr double kScreenLines = 1080;
 

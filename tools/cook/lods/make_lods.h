@@ -6,6 +6,7 @@
 #include "cook/select/head.h"
 #include "cook/select/triangle_distance.h"
 #include "cook/texture/patch_coverage.h"
+#include "platform/stop.h"
 
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace coif {
 class PatchDropper {
  public:
   /// Left-out hair lies within `reach` (metres) of hair that stays. Keeps references.
-  PatchDropper(const HairStrips& hair, const AlphaTest& alpha, double reach, unsigned threads);
+  PatchDropper(const HairStrips& hair, const AlphaTest& alpha, double reach, const Threads& threads);
 
   /// Drops patches of `drawn` until `excess` triangles are gone or nothing more may go: the least seen for their
   /// `triangles` first, and none that leaves holes. `triangles[p]`: how many patch p has at this level. Returns the
@@ -40,7 +41,7 @@ class PatchDropper {
 class SimplifiedPatches {
  public:
   SimplifiedPatches(const HairStrips& hair, std::span<const Pose> poses, const CollapseLimits& limits,
-                    unsigned threads);
+                    const Threads& threads);
 
   [[nodiscard]] std::size_t count() const { return patches_.size(); }
   [[nodiscard]] std::size_t finest_triangles(std::size_t patch) const { return patches_[patch].originals.size() / 3; }

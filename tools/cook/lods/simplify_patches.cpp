@@ -8,7 +8,7 @@
 namespace coif {
 
 SimplifiedPatches::SimplifiedPatches(const HairStrips& hair, std::span<const Pose> poses, const CollapseLimits& limits,
-                                     unsigned threads)
+                                     const Threads& threads)
     : patches_(hair.patches.count) {
   const std::vector<PatchView> views = hair.views();
   parallel_for(views.size(), threads, [&](std::size_t p) {
@@ -18,7 +18,7 @@ SimplifiedPatches::SimplifiedPatches(const HairStrips& hair, std::span<const Pos
       patch.originals.insert(patch.originals.end(), first, first + 3);
     }
     patch.surface = make_patch_surface(hair, views[p], poses);
-    patch.sequence = collapse_patch(patch.surface, limits);
+    patch.sequence = collapse_patch(patch.surface, limits, threads.stop);
   });
 }
 
@@ -67,7 +67,7 @@ constexpr double kAloneAtMost = 0.2;   ///< Of one patch's pixels: a wisp that i
 
 }  // namespace
 
-PatchDropper::PatchDropper(const HairStrips& hair, const AlphaTest& alpha, double reach, unsigned threads)
+PatchDropper::PatchDropper(const HairStrips& hair, const AlphaTest& alpha, double reach, const Threads& threads)
     : mesh_(hair.mesh),
       views_(hair, alpha, threads),
       grid_(mesh_.positions, mesh_.triangles, hair.patches.patch_of, reach),

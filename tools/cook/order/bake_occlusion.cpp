@@ -153,7 +153,7 @@ struct Gathered {
   bool is_coarse = false;      ///< By fewer lines than were wanted.
 };
 
-Gathered gather(const HairSurface& hair, std::span<const Vector3f> positions, unsigned threads) {
+Gathered gather(const HairSurface& hair, std::span<const Vector3f> positions, const Threads& threads) {
   std::vector<Receiver> receivers;
   Eigen::AlignedBox3f box;
   for (const Vector3f& point : positions) {
@@ -209,7 +209,7 @@ void write_level(const Gathered& gathered, double strength, std::vector<VertexRe
 
 }  // namespace
 
-void bake_occlusion(const DrawnRecipe& recipe, unsigned threads, AssetContents& contents, Findings& findings) {
+void bake_occlusion(const DrawnRecipe& recipe, const Threads& threads, AssetContents& contents, Findings& findings) {
   if (contents.vertices.empty() || recipe.occlusion_strength <= 0) return;
   const OpenedAsset opened(contents);
   const Asset& asset = opened.asset();

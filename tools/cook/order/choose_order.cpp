@@ -51,7 +51,7 @@ UnitOrder by_head_distance(std::span<const PatchRecord> patches) {
 class OrderChoice {
  public:
   /// `asset`: the contents, opened.
-  OrderChoice(const DrawnRecipe& recipe, unsigned threads, const AssetContents& contents, const Asset& asset,
+  OrderChoice(const DrawnRecipe& recipe, const Threads& threads, const AssetContents& contents, const Asset& asset,
               std::span<const HairPositions> poses, ThresholdAlpha& alpha)
       : recipe_(recipe),
         contents_(contents),
@@ -239,7 +239,8 @@ class OrderChoice {
 }  // namespace
 
 tl::expected<OrderFigures, ToolError> choose_order(const DrawnRecipe& recipe, std::span<const Image> used,
-                                                   unsigned threads, AssetContents& contents, Findings& findings) {
+                                                   const Threads& threads, AssetContents& contents,
+                                                   Findings& findings) {
   if (recipe.order_method == OrderMethod::kHead || !is_blended(contents)) return {};
   const std::size_t triangles = contents.indices.size() / 3;
   if (recipe.order_method == OrderMethod::kAuto && triangles > kMostTriangles) {

@@ -5,6 +5,7 @@
 #include "cook/recipe/findings.h"
 #include "cook/strands/hair_strips.h"
 #include "cook/texture/image.h"
+#include "platform/stop.h"
 #include "visibility/order_search.h"
 #include "write/asset_writer.h"
 
@@ -40,7 +41,7 @@ void apply_orders(const FoundOrders& found, AssetContents& contents);
 /// triangles of the finest level where they cross (cook/cuts), as far as "order.cut_budget" allows. Notes what was
 /// chosen, with figures. Errors: kBadInput for hair that the runtime cannot simulate.
 tl::expected<OrderFigures, ToolError> choose_order(const DrawnRecipe& recipe, std::span<const Image> used,
-                                                   unsigned threads, AssetContents& contents, Findings& findings);
+                                                   const Threads& threads, AssetContents& contents, Findings& findings);
 
 /// Writes into each vertex which share of the light from everywhere reaches it in the rest pose
 /// (VertexRecord::normal[3]): over the 96 directions of view_cells.h, each as wide as its cell, the mean of what the
@@ -49,6 +50,6 @@ tl::expected<OrderFigures, ToolError> choose_order(const DrawnRecipe& recipe, st
 /// painted, so this comes before keep_coverage(). Recipe: "occlusion.strength". Notes the mean and the least.
 ///
 /// Source of the idea: Zhukov, Iones, Kronin 1998, "An ambient light illumination model".
-void bake_occlusion(const DrawnRecipe& recipe, unsigned threads, AssetContents& contents, Findings& findings);
+void bake_occlusion(const DrawnRecipe& recipe, const Threads& threads, AssetContents& contents, Findings& findings);
 
 }  // namespace coif

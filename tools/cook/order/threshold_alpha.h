@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cook/texture/image.h"
+#include "platform/stop.h"
 #include "visibility/hair_surface.h"
 #include "write/asset_writer.h"
 
@@ -14,7 +15,7 @@ namespace coif {
 class ThresholdAlpha {
  public:
   /// `plain`: of the contents as they are. Keeps references to contents and `used`, whose texels must not change.
-  ThresholdAlpha(const AssetContents& contents, std::span<const Image> used, AlphaTexture plain, unsigned threads)
+  ThresholdAlpha(const AssetContents& contents, std::span<const Image> used, AlphaTexture plain, const Threads& threads)
       : contents_(contents), used_(used), plain_(std::move(plain)), threads_(threads) {}
 
   /// Makes those that are missing, beside each other.
@@ -26,7 +27,7 @@ class ThresholdAlpha {
   const AssetContents& contents_;
   std::span<const Image> used_;
   AlphaTexture plain_;
-  unsigned threads_;
+  Threads threads_;
   std::map<float, AlphaTexture> made_;
 };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "platform/stop.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -8,7 +10,7 @@ namespace coif {
 
 /// What the caller of a cook says beside the recipe.
 struct CookSettings {
-  unsigned threads = 1;                              ///< The result's bytes do not depend on it.
+  Threads threads = 1;                               ///< The result's bytes do not depend on it.
   std::filesystem::path recipe_directory{};          ///< Where texture paths of the recipe start.
   std::uint64_t source_hash = 0;                     ///< XXH64 of the source file, for the provenance record.
   std::function<void(const char* pass)> progress{};  ///< Called before each pass, where set.

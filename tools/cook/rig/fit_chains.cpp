@@ -132,14 +132,14 @@ std::string describe(const FittedChain& chain) {
 }  // namespace
 
 HairRig fit_chains(const SourceModel& source, const HairStrips& hair, const FittedHead& head, const Skeleton& rigid,
-                   const RigRecipe& recipe, Findings& findings) {
+                   const RigRecipe& recipe, Findings& findings, const std::stop_token& stop) {
   const double radius = head.radii.mean();
   const std::vector<bool> movable = movable_triangles(source, hair, recipe);
   const std::vector<bool> is_rigid = rigid_vertices(hair, movable);
-  HairCells cells = make_hair_cells(hair, movable, head.center, kCellSize * radius);
+  HairCells cells = make_hair_cells(hair, movable, head.center, kCellSize * radius, stop);
   const std::vector<std::uint32_t> held = held_cells(cells, is_rigid);
   const HangingHair hanging = find_hanging_hair(std::move(cells), head, held);
-  std::vector<HairLock> locks = group_locks(hanging, radius, recipe);
+  std::vector<HairLock> locks = group_locks(hanging, radius, recipe, stop);
 
   HairRig rig;
   rig.skeleton = rigid;

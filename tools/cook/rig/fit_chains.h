@@ -5,6 +5,7 @@
 #include "cook/rig/skeleton.h"
 #include "cook/select/head.h"
 
+#include <stop_token>
 #include <vector>
 
 namespace coif {
@@ -27,7 +28,8 @@ struct HairLock {
 /// local maximum of depth) has a strand, its way to the scalp. Strands are one lock where they run together: near each
 /// other on the average of their common length, and nearer where the hair between them has gaps. Then the nearest and
 /// shortest are merged until the budget holds. `head_radius` in metres sets the scale.
-[[nodiscard]] std::vector<HairLock> group_locks(const HangingHair& hair, double head_radius, const RigRecipe& recipe);
+[[nodiscard]] std::vector<HairLock> group_locks(const HangingHair& hair, double head_radius, const RigRecipe& recipe,
+                                                const std::stop_token& stop);
 
 /// The bones of one lock as a line of joints: bone i goes from joint i to joint i + 1.
 struct LockCurve {
@@ -52,6 +54,7 @@ struct LockCurve {
 /// to its tip, and blends skin weights along and between chains. `rigid` has the head bone, the file's map from nodes
 /// to it, and nothing that moves. Notes what was fitted where.
 [[nodiscard]] HairRig fit_chains(const SourceModel& source, const HairStrips& hair, const FittedHead& head,
-                                 const Skeleton& rigid, const RigRecipe& recipe, Findings& findings);
+                                 const Skeleton& rigid, const RigRecipe& recipe, Findings& findings,
+                                 const std::stop_token& stop = {});
 
 }  // namespace coif

@@ -1,8 +1,8 @@
-#include "base/work_limit.h"
 #include "cook/recipe/rig_recipe.h"
 #include "cook/rig/fit_chains.h"
 #include "cook/rig/hair_cells.h"
 #include "cook/select/mesh_topology.h"
+#include "platform/stop.h"
 
 #include <algorithm>
 #include <array>
@@ -81,8 +81,8 @@ double distance_of(const Strand& a, const Strand& b, double head_radius, double 
 class StrandGroups {
  public:
   template <typename Distance>
-  StrandGroups(std::vector<double> length, const Distance& distance)
-      : length_(std::move(length)), group_(length_.size()), distance_(length_.size() * length_.size(), 0) {
+  StrandGroups(std::vector<double> length, const Distance& distance, const std::stop_token& stop)
+      : stop_(stop), length_(std::move(length)), group_(length_.size()), distance_(length_.size() * length_.size(), 0) {
     for (std::size_t i = 0; i < length_.size(); ++i) {
       group_[i] = i;
       for (std::size_t j = 0; j < i; ++j) at(i, j) = at(j, i) = distance(i, j);
@@ -91,14 +91,14 @@ class StrandGroups {
 
   void merge_up_to(double limit) {
     const auto distance = [&](std::size_t i, std::size_t j) { return at(i, j); };
-    while (merge_best(distance, limit, 0)) WorkLimit::check();
+    while (merge_best(distance, limit, 0)) throw_if_stopped(stop_);
   }
 
   /// Merges what is near and short first until at most `most` groups are longer than `shortest`.
   void merge_down_to(std::size_t most, double shortest) {
     const auto loss = [&](std::size_t i, std::size_t j) { return at(i, j) * std::min(length_[i], length_[j]); };
     while (count_longer(shortest) > most && merge_best(loss, std::numeric_limits<double>::max(), shortest))
-      WorkLimit::check();
+      throw_if_stopped(stop_);
   }
 
   [[nodiscard]] std::size_t group_of(std::size_t strand) const { return group_[strand]; }
@@ -141,6 +141,7 @@ class StrandGroups {
     length_[into] = std::max(length_[into], length_[from]);
   }
 
+  const std::stop_token& stop_;
   std::vector<double> length_;
   std::vector<std::size_t> group_;  ///< Of each strand, the group's first strand.
   std::vector<double> distance_;
@@ -174,7 +175,8 @@ std::vector<HairLock> collect_locks(const HangingHair& hair, const StrandTips& t
 
 }  // namespace
 
-std::vector<HairLock> group_locks(const HangingHair& hair, double head_radius, const RigRecipe& recipe) {
+std::vector<HairLock> group_locks(const HangingHair& hair, double head_radius, const RigRecipe& recipe,
+                                  const std::stop_token& stop) {
   const StrandTips tips = find_strand_tips(hair, kTipsApart * head_radius, kMostTips);
   if (tips.cell.empty()) return {};
   const double step = std::max(hair.depth[tips.cell.front()] / double(kLevels), 1.0e-9);
@@ -186,7 +188,8 @@ std::vector<HairLock> group_locks(const HangingHair& hair, double head_radius, c
     length.push_back(hair.depth[tip]);
   }
   StrandGroups groups(
-      length, [&](std::size_t i, std::size_t j) { return distance_of(strands[i], strands[j], head_radius, step); });
+      length, [&](std::size_t i, std::size_t j) { return distance_of(strands[i], strands[j], head_radius, step); },
+      stop);
   groups.merge_up_to(1);
   groups.merge_down_to(recipe.chain_max_count, recipe.chain_shortest);
   return collect_locks(hair, tips, groups, recipe.chain_shortest);

@@ -1,8 +1,8 @@
 #include "cook/rig/hair_cells.h"
 
-#include "base/work_limit.h"
 #include "cook/select/mesh_topology.h"
 #include "payload_hash.h"
+#include "platform/stop.h"
 
 #include <Eigen/Geometry>
 
@@ -61,8 +61,9 @@ Corner between(const Corner& a, const Corner& b, double share) {
 
 class CellBuilder {
  public:
-  CellBuilder(const HairStrips& hair, const std::vector<bool>& movable, const Vector3d& origin, double size)
-      : hair_(hair), movable_(movable) {
+  CellBuilder(const HairStrips& hair, const std::vector<bool>& movable, const Vector3d& origin, double size,
+              const std::stop_token& stop)
+      : hair_(hair), movable_(movable), stop_(stop) {
     cells_.origin = origin;
     cells_.size = std::max({size, std::sqrt(total_area() / kMostCells), total_length() / kMostSteps});
     cells_.of_vertex.assign(hair.mesh.positions.size(), kNoIndex);
@@ -128,7 +129,7 @@ class CellBuilder {
     const auto columns = std::max(1, int(std::ceil(base / step)));
     const auto rows = base > 0 ? std::max(1, int(std::ceil(doubled / base / step))) : 1;
     for (int row = 0; row < rows; ++row) {
-      WorkLimit::check();
+      throw_if_stopped(stop_);
       const double up = (row + 0.5) / rows;
       for (int column = 0; column < columns; ++column) {
         const Corner sample = between(between(a, b, (column + 0.5) / columns), c, up);
@@ -156,6 +157,7 @@ class CellBuilder {
 
   const HairStrips& hair_;
   const std::vector<bool>& movable_;
+  const std::stop_token& stop_;
   std::unordered_map<HairCells::Index, std::uint32_t, IndexHash> cell_at_;
   HairCells cells_;
 };
@@ -176,9 +178,9 @@ double HairCells::share_at(std::uint32_t cell, const Vector3d& point) const {
   return share;
 }
 
-HairCells make_hair_cells(const HairStrips& hair, const std::vector<bool>& movable, const Vector3d& origin,
-                          double size) {
-  return CellBuilder(hair, movable, origin, size).build();
+HairCells make_hair_cells(const HairStrips& hair, const std::vector<bool>& movable, const Vector3d& origin, double size,
+                          const std::stop_token& stop) {
+  return CellBuilder(hair, movable, origin, size, stop).build();
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #include "cook/strands/hair_strips.h"
 
 #include <array>
+#include <stop_token>
 #include <vector>
 
 namespace coif {
@@ -40,7 +41,7 @@ struct HairCells {
 
 /// Cells of about `size` metres for the triangles with `movable`; larger where there would be too many of them.
 [[nodiscard]] HairCells make_hair_cells(const HairStrips& hair, const std::vector<bool>& movable,
-                                        const Eigen::Vector3d& origin, double size);
+                                        const Eigen::Vector3d& origin, double size, const std::stop_token& stop);
 
 /// The connected piece that each cell belongs to: the piece's first cell in the order of a disjoint set.
 [[nodiscard]] std::vector<std::uint32_t> connected_pieces(const HairCells& cells);

@@ -9,6 +9,7 @@
 #include <tl/expected.hpp>
 
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -73,6 +74,6 @@ struct HeadSign {
 /// moved and resized until the hair agrees (fit_head_room()) and then shrunk until hardly any hair is inside. Notes
 /// where it is and how much hair is inside; warns where that is much.
 [[nodiscard]] FittedHead fit_head(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone,
-                                  const HairRecipe& recipe, Findings& findings);
+                                  const HairRecipe& recipe, Findings& findings, const std::stop_token& stop = {});
 
 }  // namespace coif

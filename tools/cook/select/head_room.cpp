@@ -1,7 +1,7 @@
 #include "cook/select/head_room.h"
 
 #include "base/geometry.h"
-#include "base/work_limit.h"
+#include "platform/stop.h"
 
 #include <Eigen/Geometry>
 
@@ -145,11 +145,11 @@ HeadEllipsoid descend(HeadEllipsoid head, std::span<const Seen> seen, const Head
 
 }  // namespace
 
-HeadEllipsoid fit_head_room(const HairMesh& hair, const HeadGuess& guess) {
+HeadEllipsoid fit_head_room(const HairMesh& hair, const HeadGuess& guess, const std::stop_token& stop) {
   const std::vector<Vector3d> samples = sample_surface(hair);
   HeadEllipsoid head = guess.shape;
   for (int round = 0; round < kRounds; ++round) {
-    WorkLimit::check();
+    throw_if_stopped(stop);
     head = descend(head, look_around(samples, head.center), guess, round == 0 ? kFirstStep : kLaterStep);
   }
   return head;

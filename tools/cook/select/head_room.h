@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <stop_token>
+
 namespace coif {
 
 /// An ellipsoid whose semi-axes lie along the model's axes; metres, model space.
@@ -33,7 +35,8 @@ struct HeadGuess {
 /// The head that a guess and the hair agree on best. Seen from the head's middle, the innermost hair lies close to the
 /// head all around; a little of it is sunk in, as roots are, which counts for far more than that some of it hovers; and
 /// nowhere does the head come out through the outermost. Deterministic; bounded work, whatever the mesh.
-[[nodiscard]] HeadEllipsoid fit_head_room(const HairMesh& hair, const HeadGuess& guess);
+[[nodiscard]] HeadEllipsoid fit_head_room(const HairMesh& hair, const HeadGuess& guess,
+                                          const std::stop_token& stop = {});
 
 /// How much of the hair a head has inside it, shares 0..1.
 struct HairInside {

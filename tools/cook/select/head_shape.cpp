@@ -190,7 +190,7 @@ HeadSign first_sign_of_head(const SourceModel& source, const HairMesh& hair, con
 }
 
 FittedHead fit_head(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone,
-                    const HairRecipe& recipe, Findings& findings) {
+                    const HairRecipe& recipe, Findings& findings, const std::stop_token& stop) {
   FittedHead head;
   head.shape = recipe.head_shape;
   double least = 1;
@@ -203,7 +203,7 @@ FittedHead fit_head(const SourceModel& source, const HairMesh& hair, const HeadB
     FirstGuess guess = guess_head(source, hair, head_bone);
     guess.like.shape.radii = guess.like.shape.radii.cwiseMax(kSmallestRadius);
     head.origin = guess.origin;
-    static_cast<HeadEllipsoid&>(head) = fit_head_room(hair, guess.like);
+    static_cast<HeadEllipsoid&>(head) = fit_head_room(hair, guess.like, stop);
     least = guess.is_mesh ? kLeastOfMesh : kLeastOfHair;
   }
   if (head.shape == HeadShape::kSphere) head.radii.setConstant(head.radii.mean());

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "base/work_limit.h"
 #include "cook/order/order_figures.h"
 #include "cook/recipe/cook_settings.h"
 #include "cook/recipe/findings.h"
+#include "platform/stop.h"
 
 #include <chrono>
 #include <cstdint>
@@ -36,7 +36,8 @@ class CookLog {
  public:
   CookLog(const CookSettings& settings, CookReport& report) : settings_(settings), report_(report) {}
 
-  /// Calls `pass`, and returns what it does. Throws TookTooLong where the time for the cook is over.
+  /// Calls `pass`, and returns what it does. Throws Stopped instead where settings.threads.stop
+  /// is requested.
   auto pass(const char* name, const auto& pass) {
     const Timer timer(*this, name);
     return pass();
@@ -50,9 +51,8 @@ class CookLog {
   class Timer {
    public:
     Timer(CookLog& log, const char* name) : log_(log), name_(name) {
+      throw_if_stopped(log.settings_.threads.stop);
       if (log.settings_.progress) log.settings_.progress(name);
-      WorkLimit::check();
-      WorkLimit::begin_part();
     }
     ~Timer() {
       const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start_;

@@ -34,13 +34,14 @@ Done find_all_patches(const SourceModel& source, const HairRecipe& welding, cons
 }
 
 /// The head that the hair grows on.
-Done find_head(const SourceModel& source, const HairRecipe& recipe, Strips& strips, CookLog& log) {
+Done find_head(const SourceModel& source, const HairRecipe& recipe, const std::stop_token& stop, Strips& strips,
+               CookLog& log) {
   const HairMesh& mesh = strips.hair.mesh;
   auto bone = log.pass("head bone", [&] { return find_head_bone(source, mesh, recipe.head_bone); });
   if (!bone) return tl::unexpected(bone.error());
   strips.head_bone = std::move(*bone);
   log.pass("head", [&] {
-    strips.head = fit_head(source, mesh, strips.head_bone, recipe, log.findings());
+    strips.head = fit_head(source, mesh, strips.head_bone, recipe, log.findings(), stop);
     strips.head.faces_backwards = faces_backwards(source, mesh, strips.head);
     if (strips.head.faces_backwards)
       log.findings().note("the model looks along -Z; pictures are taken from there, and chains named by it");
@@ -52,7 +53,7 @@ Done find_head(const SourceModel& source, const HairRecipe& recipe, Strips& stri
 /// Which way the strands run.
 class StrandFinder {
  public:
-  StrandFinder(const SourceModel& source, const BaseColor& color, const StripRecipe& recipe, unsigned threads)
+  StrandFinder(const SourceModel& source, const BaseColor& color, const StripRecipe& recipe, const Threads& threads)
       : source_(source), color_(color), recipe_(recipe), threads_(threads) {}
 
   void find(Strips& strips, Findings& findings) const {
@@ -84,7 +85,7 @@ class StrandFinder {
   const SourceModel& source_;
   const BaseColor& color_;
   const StripRecipe& recipe_;
-  unsigned threads_;
+  Threads threads_;
 };
 
 }  // namespace
@@ -95,7 +96,7 @@ tl::expected<Strips, ToolError> find_strips(const SourceModel& source, HairMesh 
   Strips strips;
   strips.hair.mesh = std::move(hair);
   Done done = find_all_patches(source, of_head, recipe, settings.list_patches, strips, log);
-  if (done) done = find_head(source, of_head, strips, log);
+  if (done) done = find_head(source, of_head, settings.threads.stop, strips, log);
   if (done) {
     done = log.pass("face hair",
                     [&] { return choose_face_hair(source, recipe, strips.head, strips.hair, log.findings()); });
@@ -105,7 +106,9 @@ tl::expected<Strips, ToolError> find_strips(const SourceModel& source, HairMesh 
   log.pass("normals", [&] { strips.hair.complete_normals(); });
   const StrandFinder strands(source, color, recipe, settings.threads);
   log.pass("strands", [&] { strands.find(strips, log.findings()); });
-  log.pass("shells", [&] { split_shells(strips.hair, widest_patch(recipe, strips.head), log.findings()); });
+  log.pass("shells", [&] {
+    split_shells(strips.hair, widest_patch(recipe, strips.head), log.findings(), settings.threads.stop);
+  });
   return strips;
 }
 

@@ -51,8 +51,10 @@ class RigMaker {
       return keep(rig_of_file(source_, strips_.hair, strips_.head_bone, recipe_, findings_), made_.rig);
     });
     if (!done || !wants_fitted_chains(recipe_, skeleton())) return done;
-    log_.pass("chains",
-              [&] { made_.rig = fit_chains(source_, strips_.hair, strips_.head, skeleton(), recipe_, findings_); });
+    log_.pass("chains", [&] {
+      made_.rig =
+          fit_chains(source_, strips_.hair, strips_.head, skeleton(), recipe_, findings_, settings_.threads.stop);
+    });
     return {};
   }
 

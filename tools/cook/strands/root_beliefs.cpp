@@ -1,6 +1,6 @@
 #include "cook/strands/root_beliefs.h"
 
-#include "base/work_limit.h"
+#include "platform/stop.h"
 
 #include <algorithm>
 #include <array>
@@ -89,12 +89,12 @@ class TextureConsensus {
 
 std::vector<float> settle_beliefs(const HairMesh& mesh, const std::vector<PatchView>& views,
                                   std::span<const RootVote> votes,
-                                  const std::vector<std::vector<Neighbour>>& neighbours) {
+                                  const std::vector<std::vector<Neighbour>>& neighbours, const std::stop_token& stop) {
   TextureConsensus texture(mesh, views, votes);
   std::vector<float> belief(votes.size()), next(votes.size());
   for (std::size_t p = 0; p < votes.size(); ++p) belief[p] = std::tanh(votes[p].evidence);
   for (int round = 0; round < kBeliefRounds; ++round) {
-    WorkLimit::check();
+    throw_if_stopped(stop);
     texture.gather(belief);
     for (std::size_t p = 0; p < votes.size(); ++p) {
       float sum = votes[p].evidence + texture.about(p, belief[p]);

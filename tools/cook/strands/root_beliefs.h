@@ -3,6 +3,7 @@
 #include "cook/strands/strand_evidence.h"
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace coif {
@@ -21,6 +22,7 @@ struct RootVote {
 /// Mean-field iteration on that graph: few rounds carry a belief across a head.
 [[nodiscard]] std::vector<float> settle_beliefs(const HairMesh& mesh, const std::vector<PatchView>& views,
                                                 std::span<const RootVote> votes,
-                                                const std::vector<std::vector<Neighbour>>& neighbours);
+                                                const std::vector<std::vector<Neighbour>>& neighbours,
+                                                const std::stop_token& stop);
 
 }  // namespace coif

@@ -1,8 +1,8 @@
-#include "base/work_limit.h"
 #include "cook/recipe/strip_recipe.h"
 #include "cook/select/mesh_topology.h"
 #include "cook/strands/strand_direction.h"
 #include "cook/strands/strand_evidence.h"
+#include "platform/stop.h"
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
@@ -148,10 +148,10 @@ class RibbonMerger {
     neighbours_[b].push_back(a);
   }
 
-  void run() {
+  void run(const std::stop_token& stop) {
     for (std::uint32_t a = 0; a < neighbours_.size(); ++a) propose_all(a);
     while (!queue_.empty()) {
-      WorkLimit::check();
+      throw_if_stopped(stop);
       const Pair pair = queue_.top();
       queue_.pop();
       // Whoever was joined since has a new proposal in the queue.
@@ -238,7 +238,7 @@ double widest_patch(const StripRecipe& recipe, const FittedHead& head) {
   return recipe.patch_widest > 0 ? recipe.patch_widest : kWidestPatch * head.radii.mean();
 }
 
-ShellSplit split_shells(HairStrips& hair, double widest, Findings& findings) {
+ShellSplit split_shells(HairStrips& hair, double widest, Findings& findings, const std::stop_token& stop) {
   PatchSet& patches = hair.patches;
   const std::uint32_t before = patches.count;
   const auto limit = float(widest);
@@ -253,7 +253,7 @@ ShellSplit split_shells(HairStrips& hair, double widest, Findings& findings) {
   const Ribbons ribbons = find_ribbons(hair, is_shell);
   RibbonMerger merger(extents_of(hair, ribbons.ribbon_of, ribbons.count), limit);
   for (const auto& [a, b] : ribbons.neighbours) merger.add_neighbours(a, b);
-  merger.run();
+  merger.run(stop);
   std::vector<std::uint32_t> part_of = ribbons.ribbon_of;
   for (std::uint32_t& part : part_of) part = part == kNoIndex ? kNoIndex : merger.group_of(part);
   patches.cut(part_of);

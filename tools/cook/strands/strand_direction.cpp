@@ -2,7 +2,6 @@
 
 #include "base/parallel_for.h"
 #include "base/text.h"
-#include "base/work_limit.h"
 #include "cook/recipe/strip_recipe.h"
 #include "cook/strands/root_beliefs.h"
 
@@ -192,8 +191,10 @@ StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head
   });
   parallel_for(views.size(), settings.threads,
                [&](std::size_t p) { write_patch(mesh, views[p], strands[p].axis, field); });
-  const std::vector<float> belief = settle_beliefs(
-      mesh, views, votes_of(strands), find_neighbours(mesh, views, field.tangent, kBeside * head.radii.mean()));
+  const std::stop_token& stop = settings.threads.stop;
+  const std::vector<float> belief =
+      settle_beliefs(mesh, views, votes_of(strands),
+                     find_neighbours(mesh, views, field.tangent, kBeside * head.radii.mean(), stop), stop);
   std::size_t sure = 0, known = 0;
   float along_u = 0;
   for (std::uint32_t p = 0; p < views.size(); ++p) {

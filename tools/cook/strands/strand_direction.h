@@ -3,6 +3,7 @@
 #include "cook/recipe/findings.h"
 #include "cook/select/head.h"
 #include "cook/strands/strand_evidence.h"
+#include "platform/stop.h"
 
 #include <cstdint>
 #include <span>
@@ -19,7 +20,7 @@ struct StrandSettings {
   bool trust_texture = true;  ///< False where patches are not unwrapped in one piece.
   std::vector<float> depth_of_node;  ///< Bones between each node of the source and the head bone.
   std::vector<SeenStrands> seen;     ///< Per patch, what images show of it; empty: nothing is known.
-  unsigned threads = 1;              ///< The result does not depend on it.
+  Threads threads = 1;               ///< The result does not depend on it.
 };
 
 /// StrandSettings::roots, of all patches and of each alone: as the recipe says, else as the source knows.
@@ -55,7 +56,7 @@ struct ShellSplit {
 /// front. Cuts follow edges that run along the strands: quads in a row from root to tip stay together as a ribbon, and
 /// neighbouring ribbons join, the narrowest result first, as far as the width allows. Parts are numbered behind the
 /// existing patches. Notes what was cut.
-ShellSplit split_shells(HairStrips& hair, double widest, Findings& findings);
+ShellSplit split_shells(HairStrips& hair, double widest, Findings& findings, const std::stop_token& stop = {});
 
 /// Metres, for split_shells(): the recipe's, else what hides its own back half on a head of this size.
 [[nodiscard]] double widest_patch(const StripRecipe& recipe, const FittedHead& head);

@@ -1,6 +1,6 @@
 #include "cook/strands/strand_evidence.h"
 
-#include "base/work_limit.h"
+#include "platform/stop.h"
 
 #include <algorithm>
 #include <array>
@@ -63,7 +63,8 @@ void for_each_near(const Grid& grid, const Cell& home, const Visit& visit) {
 }  // namespace
 
 std::vector<std::vector<Neighbour>> find_neighbours(const HairMesh& mesh, const std::vector<PatchView>& views,
-                                                    std::span<const Eigen::Vector3f> tangents, double reach) {
+                                                    std::span<const Eigen::Vector3f> tangents, double reach,
+                                                    const std::stop_token& stop) {
   const std::vector<Sample> samples = take_samples(views);
   const Grid grid = fill_grid(mesh, samples, reach);
   std::vector<std::vector<Neighbour>> neighbours(views.size());
@@ -71,7 +72,7 @@ std::vector<std::vector<Neighbour>> find_neighbours(const HairMesh& mesh, const 
   std::vector<std::uint32_t> met;
   float total = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    WorkLimit::check();
+    throw_if_stopped(stop);
     const Sample& sample = samples[i];
     const Eigen::Vector3f& at = mesh.positions[sample.vertex];
     for_each_near(grid, cell_of(at, reach), [&](const Sample& other) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace coif {
@@ -57,7 +58,7 @@ struct Neighbour {
 [[nodiscard]] std::vector<std::vector<Neighbour>> find_neighbours(const HairMesh& mesh,
                                                                   const std::vector<PatchView>& views,
                                                                   std::span<const Eigen::Vector3f> tangents,
-                                                                  double reach);
+                                                                  double reach, const std::stop_token& stop);
 
 /// Where hair is off the head: strands that are combed over the skull to a tail or a bun end beside hair that hangs
 /// free, and those that grow from the skull's skin do not start there.

@@ -203,7 +203,7 @@ class TipEnds {
 }  // namespace
 
 std::vector<std::uint32_t> find_blunt_ends(const HairStrips& hair, const FittedHead& head, const AlphaTest& opaque,
-                                           unsigned threads, Findings& findings) {
+                                           const Threads& threads, Findings& findings) {
   const TipEnds ends(hair, opaque);
   const std::vector<std::vector<RimEdge>> rims = ends.find_rims();
   const std::uint32_t count = hair.patches.count;

@@ -145,7 +145,7 @@ Block read_block(const Image& image, std::uint32_t left, std::uint32_t top, std:
 
 }  // namespace
 
-std::vector<std::uint8_t> encode_eac_rg11(const Image& image, unsigned threads) {
+std::vector<std::uint8_t> encode_eac_rg11(const Image& image, const Threads& threads) {
   const std::uint32_t columns = (image.width + kSide - 1) / kSide, rows = (image.height + kSide - 1) / kSide;
   std::vector<std::uint8_t> bytes(std::size_t(columns) * rows * 2 * kChannelBytes);
   parallel_for(rows, threads, [&](std::size_t row) {

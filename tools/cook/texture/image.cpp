@@ -1,7 +1,8 @@
 #include "cook/texture/image.h"
 
 #include "base/files.h"
-#include "process/child_process.h"
+#include "platform/child_process.h"
+#include "platform/sandbox.h"
 
 #include <fmt/format.h>
 
@@ -69,16 +70,18 @@ tl::expected<Image, std::string> decode_answer(const ChildResult& result) {
   return image;
 }
 
+const Job kDecodeImage("decode image", [](const JobCall& call) {
+  lock_up({}, {});  // As far as this machine can.
+  return encode_answer(decode_texels(call.request()));
+});
+
 }  // namespace
 
 tl::expected<Image, std::string> decode_image(std::span<const std::uint8_t> bytes) {
   if (bytes.size() > kMaxImageBytes) {
     return tl::unexpected(fmt::format("larger than {} MiB; reduce it", kMaxImageBytes >> 20));
   }
-  return decode_answer(run_in_child(kDecoderLimits, [bytes] {
-    lock_up({}, {});  // As far as this machine can.
-    return encode_answer(decode_texels(bytes));
-  }));
+  return decode_answer(run_in_child(kDecodeImage, bytes, {.limits = kDecoderLimits}));
 }
 
 tl::expected<Image, std::string> read_image(const std::filesystem::path& path) {

@@ -144,7 +144,7 @@ PatchCoverage::View PatchCoverage::draw(const HairStrips& hair, const AlphaTest&
   return view;
 }
 
-PatchCoverage::PatchCoverage(const HairStrips& hair, const AlphaTest& alpha, unsigned threads)
+PatchCoverage::PatchCoverage(const HairStrips& hair, const AlphaTest& alpha, const Threads& threads)
     : seen_(hair.patches.count, 0) {
   const int pixels = choose_pixels(hair.mesh);
   parallel_for(kDirections, threads, [&](std::size_t d) { views_[d] = draw(hair, alpha, d, pixels); });

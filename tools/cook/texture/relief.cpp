@@ -42,7 +42,7 @@ TexelFormat two_channel_format(const DrawnRecipe& recipe) {
 }
 
 StoredTextures bake_relief(const Image* normals, const Image* strands, const HairMesh& hair, const DrawnRecipe& recipe,
-                           unsigned threads, Findings& findings) {
+                           const Threads& threads, Findings& findings) {
   StoredTextures stored;
   const TexelFormat format = two_channel_format(recipe);
   const auto keep = [&](TextureRole role, const char* name, Image image) {

@@ -4,6 +4,7 @@
 #include "cook/select/hair_mesh.h"
 #include "cook/texture/image.h"
 #include "cook/texture/stored_textures.h"
+#include "platform/stop.h"
 
 namespace coif {
 
@@ -17,6 +18,6 @@ struct DrawnRecipe;
 /// (SourceMaterial::strand_texture), else from the normals too. Null: there are none. A map that says nothing where the
 /// hair shows it is left out.
 StoredTextures bake_relief(const Image* normals, const Image* strands, const HairMesh& hair, const DrawnRecipe& recipe,
-                           unsigned threads, Findings& findings);
+                           const Threads& threads, Findings& findings);
 
 }  // namespace coif

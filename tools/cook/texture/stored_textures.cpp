@@ -10,7 +10,7 @@ std::uint64_t bytes_with_mips(TexelFormat format, const Image& image) {
   return bytes;
 }
 
-void StoredTextures::append(TextureRole role, TexelFormat format, std::span<const Image> mips, unsigned threads) {
+void StoredTextures::append(TextureRole role, TexelFormat format, std::span<const Image> mips, const Threads& threads) {
   texels.resize((texels.size() + 63) / 64 * 64);
   TextureRecord record{};
   record.role = role;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cook/texture/image.h"
+#include "platform/stop.h"
 
 #include <coif/asset_records.h>
 
@@ -14,7 +15,7 @@ struct StoredTextures {
   std::vector<std::byte> texels;
 
   /// `mips`: largest first. `threads` encode.
-  void append(TextureRole role, TexelFormat format, std::span<const Image> mips, unsigned threads);
+  void append(TextureRole role, TexelFormat format, std::span<const Image> mips, const Threads& threads);
 };
 
 /// Bytes of an image of these dimensions with all its mips.
@@ -24,6 +25,6 @@ struct StoredTextures {
 /// first. Edges that are no multiple of four are padded with texels that the search ignores. The same bytes for any
 /// number of threads. Source of the layout: Khronos Data Format Specification 1.3, "ETC2 Compressed Texture Image
 /// Formats", "Format Unsigned R11 EAC" and "RG11 EAC".
-[[nodiscard]] std::vector<std::uint8_t> encode_eac_rg11(const Image& image, unsigned threads);
+[[nodiscard]] std::vector<std::uint8_t> encode_eac_rg11(const Image& image, const Threads& threads);
 
 }  // namespace coif

@@ -136,7 +136,7 @@ void compare_ends(const HairMesh& mesh, const PatchView& patch, const Image& ima
 
 }  // namespace
 
-std::vector<SeenStrands> find_strand_lines(const HairStrips& hair, const BaseColor& color, unsigned threads) {
+std::vector<SeenStrands> find_strand_lines(const HairStrips& hair, const BaseColor& color, const Threads& threads) {
   if (hair.mesh.uvs.empty() || !(color.image || color.normals)) return {};
   const std::vector<PatchView> views = hair.views();
   std::vector<SeenStrands> seen(views.size());

@@ -2,6 +2,7 @@
 
 #include "cook/strands/strand_evidence.h"
 #include "cook/texture/base_color.h"
+#include "platform/stop.h"
 
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace coif {
 /// vote, so that a few highlights painted across the strands do not outvote them. Towards their tips strands are
 /// painted thinner and fewer: alpha fades.
 [[nodiscard]] std::vector<SeenStrands> find_strand_lines(const HairStrips& hair, const BaseColor& color,
-                                                         unsigned threads);
+                                                         const Threads& threads);
 
 /// Says of each patch for which `roots` (StrandSettings::roots) has "auto" at which end of the texture the map that
 /// grows from root to tip (one channel) has its root. Patches across which it does not grow clearly stay "auto".

@@ -3,6 +3,7 @@
 #include "base/tool_error.h"
 #include "cards/make_cards.h"
 #include "groom/groom.h"
+#include "platform/stop.h"
 #include "report/cards/groom_views.h"
 
 #include <tl/expected.hpp>
@@ -21,7 +22,7 @@ namespace coif {
 /// ascending and not empty: k-means (Lloyd 1982) from seeds by k-means++ (Arthur and Vassilvitskii 2007) on the points
 /// of even strands. Of very many strands a sample finds the middles. Repeats for equal input, whatever `threads` is.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> cluster_strands(const EvenStrands& strands, std::size_t count,
-                                                                      unsigned threads);
+                                                                      const Threads& threads);
 
 /// A straight ribbon in the plane that fits strands best (their first two principal axes), along the first of these:
 /// the rectangle that holds their points. Its first end is the one that most roots are nearer to.
@@ -30,7 +31,7 @@ namespace coif {
 
 /// Baseline "kmeans": a flat card of two triangles for each cluster. kOverBudget as texture_cards().
 [[nodiscard]] tl::expected<Cards, ToolError> make_flat_cards(const Groom& groom, const GroomShape& shape,
-                                                             const CardsBudget& budget, unsigned threads);
+                                                             const CardsBudget& budget, const Threads& threads);
 
 /// From root to tip, as even as a ribbon's stations allow.
 [[nodiscard]] CardStrip even_strip(std::uint32_t wisp, std::size_t segments);
@@ -45,6 +46,6 @@ struct EvenCards {
 /// the strands, by the mean coverage IoU from some of the views. kOverBudget as texture_cards().
 [[nodiscard]] tl::expected<EvenCards, ToolError> make_even_cards(const Groom& groom, const GroomShape& shape,
                                                                  const CardsBudget& budget, const GroomViews& views,
-                                                                 unsigned threads);
+                                                                 const Threads& threads);
 
 }  // namespace coif

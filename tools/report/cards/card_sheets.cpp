@@ -46,7 +46,7 @@ CardsSheet sheet_of(std::string caption, std::span<const SheetSection> sections)
 }  // namespace
 
 CardSheets::CardSheets(const Groom& groom, float width, const Eigen::Matrix3f& turn, bool faces_backwards,
-                       unsigned threads)
+                       const Threads& threads)
     : threads_(threads),
       views_(groom, width, frames_of_sides(groom, turn, faces_backwards), threads),
       sides_(views_.count()) {}

@@ -2,6 +2,7 @@
 
 #include "cards/card_surface.h"
 #include "groom/groom.h"
+#include "platform/stop.h"
 #include "render/picture.h"
 #include "report/cards/cards_report.h"
 #include "report/cards/groom_views.h"
@@ -31,7 +32,8 @@ namespace coif {
 class CardSheets {
  public:
   /// As frames_around() and GroomViews; `faces_backwards`: the hair's front is where -Z points.
-  CardSheets(const Groom& groom, float width, const Eigen::Matrix3f& turn, bool faces_backwards, unsigned threads);
+  CardSheets(const Groom& groom, float width, const Eigen::Matrix3f& turn, bool faces_backwards,
+             const Threads& threads);
 
   /// In the order in which they shall stand.
   void add(const std::string& caption, const CardSurface& surface);
@@ -45,7 +47,7 @@ class CardSheets {
     std::vector<Picture> hair, wires, differences;
   };
 
-  unsigned threads_;
+  Threads threads_;
   GroomViews views_;
   std::vector<std::string> captions_;
   std::vector<Side> sides_;

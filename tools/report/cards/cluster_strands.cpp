@@ -20,7 +20,7 @@ StrandShapes::Point shape_at(const EvenStrands& strands, std::uint32_t i) {
 }  // namespace
 
 std::vector<std::vector<std::uint32_t>> cluster_strands(const EvenStrands& strands, std::size_t count,
-                                                        unsigned threads) {
+                                                        const Threads& threads) {
   std::vector<StrandShapes::Point> shapes(strands.count());
   for (std::uint32_t i = 0; i < shapes.size(); ++i) shapes[i] = shape_at(strands, i);
   return StrandShapes::find(shapes, count, threads);

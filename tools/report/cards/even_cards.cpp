@@ -12,7 +12,7 @@ constexpr std::size_t kSegments[] = {1, 2, 3, 4, 5, 6, 8, 10, 12, 15};
 constexpr std::size_t kChoosingViews = 8;  // about, that choose between them
 
 tl::expected<EvenCards, ToolError> cut_evenly(const Groom& groom, const GroomShape& shape, const CardsBudget& budget,
-                                              std::size_t segments, unsigned threads) {
+                                              std::size_t segments, const Threads& threads) {
   const auto begin = std::chrono::steady_clock::now();
   std::vector<Wisp> wisps = find_wisps(shape.strands, budget.triangles / (2 * segments), threads);
   std::vector<CardStrip> strips;
@@ -42,7 +42,7 @@ CardStrip even_strip(std::uint32_t wisp, std::size_t segments) {
 
 tl::expected<EvenCards, ToolError> make_even_cards(const Groom& groom, const GroomShape& shape,
                                                    const CardsBudget& budget, const GroomViews& views,
-                                                   unsigned threads) {
+                                                   const Threads& threads) {
   std::optional<EvenCards> best;
   std::optional<ToolError> refusal;
   double most = -1;

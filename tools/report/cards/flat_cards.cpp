@@ -59,7 +59,7 @@ Ribbon flat_ribbon_of(const Groom& groom, const EvenStrands& strands, std::span<
 }
 
 tl::expected<Cards, ToolError> make_flat_cards(const Groom& groom, const GroomShape& shape, const CardsBudget& budget,
-                                               unsigned threads) {
+                                               const Threads& threads) {
   const auto clusters = cluster_strands(shape.strands, std::max<std::size_t>(budget.triangles / 2, 1), threads);
   std::vector<Wisp> wisps(clusters.size());
   std::vector<CardStrip> strips(clusters.size());

@@ -50,7 +50,7 @@ PictureFrame closer(PictureFrame frame, const Groom& groom) {
   return frame;
 }
 
-GroomViews::GroomViews(const Groom& groom, float width, std::vector<PictureFrame> frames, unsigned threads)
+GroomViews::GroomViews(const Groom& groom, float width, std::vector<PictureFrame> frames, const Threads& threads)
     : threads_(threads), frames_(std::move(frames)) {
   for (const PictureFrame& frame : frames_) strands_.push_back(draw_strands(groom, frame, width, threads));
 }

@@ -5,6 +5,7 @@
 #include "cards/picture_frame.h"
 #include "cards/strand_picture.h"
 #include "groom/groom.h"
+#include "platform/stop.h"
 
 #include <Eigen/Core>
 
@@ -35,7 +36,7 @@ struct SurfaceCost {
 class GroomViews {
  public:
   /// `width` of strands whose groom says none, metres.
-  GroomViews(const Groom& groom, float width, std::vector<PictureFrame> frames, unsigned threads);
+  GroomViews(const Groom& groom, float width, std::vector<PictureFrame> frames, const Threads& threads);
 
   [[nodiscard]] std::size_t count() const { return frames_.size(); }
   [[nodiscard]] const PictureFrame& frame(std::size_t i) const { return frames_[i]; }
@@ -48,7 +49,7 @@ class GroomViews {
   [[nodiscard]] SurfaceCost cost(const CardSurface& surface) const;
 
  private:
-  unsigned threads_;
+  Threads threads_;
   std::vector<PictureFrame> frames_;
   std::vector<HairPicture> strands_;
 };

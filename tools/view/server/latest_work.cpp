@@ -4,8 +4,7 @@
 
 namespace coif {
 
-LatestWork::LatestWork(Work work, std::function<void()> interrupt)
-    : work_(std::move(work)), interrupt_(std::move(interrupt)), thread_([this] { run(); }) {}
+LatestWork::LatestWork(Work work) : work_(std::move(work)), thread_([this] { run(); }) {}
 
 LatestWork::~LatestWork() {
   {
@@ -29,9 +28,7 @@ std::uint64_t LatestWork::ask() {
 }
 
 void LatestWork::make_obsolete() {
-  if (!is_working_) return;
-  obsolete_ = true;  // before the interruption, so that work which the latter misses still sees it
-  if (interrupt_) interrupt_();
+  if (is_working_) stop_.request_stop();
 }
 
 void LatestWork::run() {
@@ -41,9 +38,10 @@ void LatestWork::run() {
     if (ends_) return;
     const std::uint64_t number = begun_ = wanted_;
     is_working_ = true;
-    obsolete_ = false;
+    stop_ = std::stop_source();
+    const std::stop_token stop = stop_.get_token();
     guard.unlock();
-    work_(number, obsolete_);
+    work_(number, stop);
     guard.lock();
     is_working_ = false;
   }

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <stop_token>
 #include <thread>
 
 namespace coif {
@@ -13,12 +13,10 @@ namespace coif {
 /// asked for. Whoever asks makes what is being done obsolete, and what waits is never more than one piece.
 class LatestWork {
  public:
-  /// `obsolete` becomes true while the work is done, where somebody asked anew; it should then return soon.
-  using Work = std::function<void(std::uint64_t number, const std::atomic<bool>& obsolete)>;
+  /// `stop` is requested while the work is done, where somebody asked anew; the work should then return soon.
+  using Work = std::function<void(std::uint64_t number, const std::stop_token& stop)>;
 
-  /// `interrupt` is called, under a lock, each time that work in progress becomes obsolete: for work that cannot look
-  /// at the flag all the time. May be empty.
-  LatestWork(Work work, std::function<void()> interrupt);
+  explicit LatestWork(Work work);
   /// Makes obsolete what is being done, and waits for its end.
   ~LatestWork();
   LatestWork(const LatestWork&) = delete;
@@ -32,15 +30,14 @@ class LatestWork {
   void make_obsolete();
 
   Work work_;
-  std::function<void()> interrupt_;
   std::mutex lock_;
   std::condition_variable asked_;
   std::uint64_t wanted_ = 0;
   std::uint64_t begun_ = 0;
   bool is_working_ = false;
   bool ends_ = false;
-  std::atomic<bool> obsolete_ = false;
-  std::thread thread_;  ///< Last, so that all else is there when it begins.
+  std::stop_source stop_;  ///< Of the work in progress.
+  std::thread thread_;     ///< Last, so that all else is there when it begins.
 };
 
 }  // namespace coif

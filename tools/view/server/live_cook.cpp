@@ -1,13 +1,11 @@
 #include "view/server/live_cook.h"
 
 #include "base/files.h"
-#include "base/parallel_for.h"
-#include "base/work_limit.h"
 #include "cards/hair_source.h"
 #include "payload_hash.h"
+#include "platform/stop.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <utility>
 
@@ -18,13 +16,6 @@ namespace fs = std::filesystem;
 
 bool is_same(const ImportSettings& a, const ImportSettings& b) {
   return a.metres_per_unit == b.metres_per_unit && a.up_axis == b.up_axis;
-}
-
-/// Ends what is out of date.
-std::function<void(const char*)> stop_if(const std::atomic<bool>& obsolete) {
-  return [&obsolete](const char*) {
-    if (obsolete) throw TookTooLong();
-  };
 }
 
 /// A file that the page brought lies where nobody put it.
@@ -100,15 +91,11 @@ void LiveCook::watch(const Order& order, const CookInputs& inputs, FileWatch::Ti
   watch_.watch(files, since);
 }
 
-void LiveCook::interrupt() { WorkLimit::set(WorkLimit::Duration::zero()); }
-
-void LiveCook::run(std::uint64_t number, const std::atomic<bool>& obsolete) {
-  WorkLimit::lift();  // an interruption may have come when its work had just ended
+void LiveCook::run(std::uint64_t number, const std::stop_token& stop) try {
   const Order current = order();
   state_.begin();
-  const auto work = [&] { return cook(current, obsolete); };
-  auto made = cooking_.within_limits ? cooking_.within_limits(current.source.string(), work) : work();
-  if (obsolete) return;
+  auto made = cook(current, stop);
+  if (stop.stop_requested()) return;
   if (made) {
     cooking_.cooked(*made);
     state_.publish(number, std::move(*made));
@@ -118,56 +105,45 @@ void LiveCook::run(std::uint64_t number, const std::atomic<bool>& obsolete) {
     cooking_.failed(problem);
     state_.fail(number, std::move(problem));
   }
+} catch (const Stopped&) {
 }
 
-tl::expected<LiveResult, ToolError> LiveCook::cook(const Order& order, const std::atomic<bool>& obsolete) try {
+tl::expected<LiveResult, ToolError> LiveCook::cook(const Order& order, const std::stop_token& stop) try {
   const auto begin = std::chrono::steady_clock::now();
   const auto since = FileWatch::Time::clock::now();
-  const fs::path recipe_file = order.recipe_file();
-  auto recipe = live_recipe(recipe_file, order.changes);
+  auto recipe = live_recipe(order.recipe_file(), order.changes);
   if (!recipe) return tl::unexpected(recipe.error());
-  const auto imported = import(order, recipe->recipe, obsolete);
-  if (!imported) return tl::unexpected(imported.error());
-  CookSettings settings;
-  settings.threads = cooking_.threads;
-  settings.recipe_directory = order.recipe_directory();
-  settings.source_hash = (*imported)->hash;
-  settings.draft = cooking_.draft;
-  settings.progress = stop_if(obsolete);
-  auto cooked = cooking_.cook(order.source.string(), (*imported)->model, recipe->recipe, settings);
+  LiveOrder live{order.source, recipe->recipe, order.recipe_directory(),
+                 cooking_.import_settings(recipe->recipe, cooking_.roots)};
+  live.draft = cooking_.draft;
+  std::string values = source_values(recipe->recipe);
+  if (is_imported(live, values)) {
+    live.model = imported_->model;
+    live.source_hash = imported_->hash;
+  } else {
+    imported_.reset();
+    const auto bytes = FileBytes::read(order.source);
+    if (!bytes) return tl::unexpected(bytes.error());
+    live.source_hash = xxh64(bytes->span());
+  }
+  auto cooked = cooking_.cook(live, stop);
   if (!cooked) return tl::unexpected(cooked.error());
-  watch(order, cooked->inputs, since);
+  if (!imported_)
+    imported_ = Imported{order.source, live.import, std::move(values), std::move(cooked->model), live.source_hash};
+  watch(order, cooked->result.inputs, since);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  return LiveResult{order.name,
-                    std::move(cooked->asset),
-                    std::move(recipe->file),
-                    order.changes,
-                    {cooked->report.warnings.begin(), cooked->report.warnings.end()},
-                    seconds.count()};
-} catch (const TookTooLong&) {
-  if (!obsolete && cooking_.within_limits) throw;
-  return failure(ToolError::Kind::kBadInput, "what was cooked is out of date");
+  const auto& warnings = cooked->result.report.warnings;
+  return LiveResult{order.name,    std::move(cooked->result.asset),    std::move(recipe->file),
+                    order.changes, {warnings.begin(), warnings.end()}, seconds.count()};
 } catch (const std::bad_alloc&) {
-  if (cooking_.within_limits) throw;
   return file_failure(ToolError::Kind::kBadInput, order.source, "not enough memory for this");
 }
 
-tl::expected<const LiveCook::Imported*, ToolError> LiveCook::import(const Order& order, const Recipe& recipe,
-                                                                    const std::atomic<bool>& obsolete) {
-  ImportSettings settings = cooking_.import_settings(recipe, cooking_.roots);
+/// Whether the model of the last cook is what this one begins with.
+bool LiveCook::is_imported(const LiveOrder& live, const std::string& values) {
   const bool is_stale = is_stale_.exchange(false);
-  std::string values = source_values(recipe);
-  if (!is_stale && imported_ && imported_->source == order.source && is_same(imported_->settings, settings) &&
-      imported_->values == values)
-    return &*imported_;
-  imported_.reset();
-  const auto bytes = FileBytes::read(order.source);
-  if (!bytes) return tl::unexpected(bytes.error());
-  auto model = read_hair_source(order.source, cooking_.draft ? draft_of(recipe) : recipe,
-                                {settings, order.recipe_directory(), cooking_.threads, stop_if(obsolete)});
-  if (!model) return tl::unexpected(model.error());
-  imported_ = Imported{order.source, std::move(settings), std::move(values), std::move(*model), xxh64(bytes->span())};
-  return &*imported_;
+  return !is_stale && imported_ && imported_->source == live.source && is_same(imported_->settings, live.import) &&
+         imported_->values == values;
 }
 
 }  // namespace coif

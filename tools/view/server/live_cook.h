@@ -4,6 +4,8 @@
 #include "base/tool_error.h"
 #include "cook/cook.h"
 #include "import/import.h"
+#include "platform/job.h"
+#include "platform/stop.h"
 #include "view/server/file_watch.h"
 #include "view/server/live_recipe.h"
 #include "view/server/live_state.h"
@@ -15,26 +17,37 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace coif {
 
+/// What `coif view` wants to have cooked.
+struct LiveOrder {
+  std::filesystem::path source;
+  Recipe recipe;
+  std::filesystem::path recipe_directory;  ///< CookSettings::recipe_directory.
+  ImportSettings import;
+  std::uint64_t source_hash = 0;  ///< CookSettings::source_hash.
+  bool draft = true;              ///< CookSettings::draft.
+  Bytes model{};                  ///< LiveCooked::model of the same source; empty: it is read.
+};
+
+struct LiveCooked {
+  CookResult result;
+  Bytes model;  ///< As it was read, in a form that LiveCook does not look into; empty where the order had it.
+};
+
 /// How `coif view` cooks. The functions are called on the thread of LiveCook::run() alone.
 struct LiveCooking {
   bool draft = true;
-  unsigned threads = 1;
   std::vector<std::filesystem::path> roots;  ///< ImportSettings::roots.
   std::function<ImportSettings(const Recipe& recipe, const std::vector<std::filesystem::path>& roots)> import_settings;
-  /// cook().
-  std::function<tl::expected<CookResult, ToolError>(const std::string& source, const SourceModel& model,
-                                                    const Recipe& recipe, const CookSettings& settings)>
-      cook;
-  /// Calls `work`, which imports and cooks, within limits. Empty: without.
-  std::function<tl::expected<LiveResult, ToolError>(const std::string& source,
-                                                    const std::function<tl::expected<LiveResult, ToolError>()>& work)>
-      within_limits{};
+  /// Reads the source and cooks it in a process of its own, so that no source ends or fills the one that serves. Throws
+  /// Stopped where `stop` is requested.
+  std::function<tl::expected<LiveCooked, ToolError>(const LiveOrder& order, const std::stop_token& stop)> cook;
   // What became of a cook, unless it was obsolete. Always set.
   std::function<void(const LiveResult& result)> cooked;
   std::function<void(const std::string& problem)> failed;
@@ -60,10 +73,8 @@ class LiveCook {
   /// Files that were read and were written since; what must be read anew is. On one thread.
   [[nodiscard]] bool files_changed();
 
-  /// Work of LatestWork. An outcome that is obsolete is told to nobody.
-  void run(std::uint64_t number, const std::atomic<bool>& obsolete);
-  /// To its `interrupt`: what computes or waits for a child process stops soon.
-  static void interrupt();
+  /// Work of LatestWork. What becomes of a cook that was asked to stop is told to nobody.
+  void run(std::uint64_t number, const std::stop_token& stop);
 
  private:
   struct Order {
@@ -84,14 +95,13 @@ class LiveCook {
     std::filesystem::path source;
     ImportSettings settings;
     std::string values;  ///< source_values()
-    SourceModel model;
+    Bytes model;         ///< LiveCooked::model
     std::uint64_t hash = 0;
   };
 
   [[nodiscard]] Order order() const;
-  tl::expected<LiveResult, ToolError> cook(const Order& order, const std::atomic<bool>& obsolete);
-  tl::expected<const Imported*, ToolError> import(const Order& order, const Recipe& recipe,
-                                                  const std::atomic<bool>& obsolete);
+  tl::expected<LiveResult, ToolError> cook(const Order& order, const std::stop_token& stop);
+  [[nodiscard]] bool is_imported(const LiveOrder& live, const std::string& values);
   void watch(const Order& order, const CookInputs& inputs, FileWatch::Time since);
 
   LiveCooking cooking_;

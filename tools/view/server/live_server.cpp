@@ -3,12 +3,12 @@
 #include "base/text.h"
 #include "cook/recipe/recipe_keys_json.h"
 #include "import/import.h"
+#include "platform/program.h"
 #include "view/server/live_page.h"
 #include "view/server/request_guard.h"
 
 #include <fmt/format.h>
 #include <httplib.h>
-#include <sys/socket.h>
 
 #include <atomic>
 #include <chrono>
@@ -67,12 +67,6 @@ void send(Response& response, const char* type, std::shared_ptr<const void> owne
       });
 }
 
-/// The system's own options would let another program listen at the same port.
-void own_port_alone(int socket) {
-  const int yes = 1;
-  setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-}
-
 const char* model_suffix(const std::string& format) {
   const auto known = find_suffix("x." + format);
   return known ? known->suffix : nullptr;
@@ -93,7 +87,7 @@ class LiveServer::Inside {
 
   tl::expected<void, ToolError> start() {
     if (auto page = live_page(settings_.page, "-"); !page) return tl::unexpected(page.error());
-    http_.set_socket_options(own_port_alone);
+    http_.set_socket_options([](socket_t socket) { own_port_alone(std::uintptr_t(socket)); });
     const int port = settings_.port == 0                               ? http_.bind_to_any_port("127.0.0.1")
                      : http_.bind_to_port("127.0.0.1", settings_.port) ? settings_.port
                                                                        : -1;

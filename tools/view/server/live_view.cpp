@@ -22,12 +22,14 @@ LiveView::LiveView(LiveViewSettings& settings, ScratchFolder scratch)
     : scratch_(std::move(scratch)),
       state_(settings.cooking.draft ? "draft" : "full"),
       cook_(std::move(settings.cooking), std::move(settings.source), std::move(settings.recipe), state_),
-      work_([this](std::uint64_t number, const std::atomic<bool>& obsolete) { cook_.run(number, obsolete); },
-            LiveCook::interrupt) {}
+      work_([this](std::uint64_t number, const std::stop_token& stop) { cook_.run(number, stop); }) {}
 
 tl::expected<std::unique_ptr<LiveView>, ToolError> LiveView::start(LiveViewSettings settings) {
   auto scratch = ScratchFolder::create();
-  if (!scratch) return tl::unexpected(scratch.error());
+  if (!scratch) {
+    return file_failure(ToolError::Kind::kFileAccess, scratch.error().place,
+                        "cannot make a folder for temporary files: {}", scratch.error().why.message());
+  }
   std::unique_ptr<LiveView> view(new LiveView(settings, std::move(*scratch)));
   LiveView& self = *view;
   LiveRequests requests;

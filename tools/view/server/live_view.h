@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/tool_error.h"
-#include "process/scratch_folder.h"
+#include "platform/scratch_folder.h"
 #include "view/server/latest_work.h"
 #include "view/server/live_cook.h"
 #include "view/server/live_server.h"
@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 
@@ -29,8 +30,8 @@ struct LiveViewSettings {
 /// own until it is destroyed, and leaves no file and no process behind, however this process ends.
 class LiveView {
  public:
-  /// The first cook has begun when this returns, not ended. Forks: call before starting threads. Errors: those of
-  /// ScratchFolder::create() and LiveServer::start().
+  /// The first cook has begun when this returns, not ended. Errors: kFileAccess
+  /// (no place for temporary files), and those of LiveServer::start().
   static tl::expected<std::unique_ptr<LiveView>, ToolError> start(LiveViewSettings settings);
   ~LiveView();
   LiveView(const LiveView&) = delete;

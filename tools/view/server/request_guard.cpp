@@ -1,12 +1,11 @@
 #include "view/server/request_guard.h"
 
+#include "platform/program.h"
+
 #include <fmt/format.h>
-#include <sys/random.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <system_error>
 #include <utility>
 
 namespace coif {
@@ -31,9 +30,7 @@ std::string_view first_segment(std::string_view target) {
 
 std::string random_token() {
   std::array<unsigned char, 16> bytes{};
-  if (getrandom(bytes.data(), bytes.size(), 0) != ssize_t(bytes.size())) {
-    throw std::system_error(errno, std::generic_category(), "getrandom");
-  }
+  fill_with_random_bytes(bytes);
   std::string digits;
   for (const unsigned byte : bytes) digits += fmt::format("{:02x}", byte);
   return digits;

@@ -1,22 +1,26 @@
 #pragma once
 
-#include "base/tool_error.h"
-
 #include <tl/expected.hpp>
 
-#include <sys/types.h>
-
 #include <filesystem>
+#include <memory>
+#include <system_error>
+#include <utility>
 
 namespace coif {
+
+/// Why there is no folder in a place.
+struct FolderFault {
+  std::filesystem::path place;
+  std::error_code why;
+};
 
 /// An empty folder in the system's place for temporary files, which nobody else may read, and which goes with this
 /// object, or with this process, however that ends: a small process of its own waits for that and removes it. Holds
 /// files only.
 class ScratchFolder {
  public:
-  /// Forks: call before starting threads. Errors: kFileAccess.
-  static tl::expected<ScratchFolder, ToolError> create();
+  static tl::expected<ScratchFolder, FolderFault> create();
   ~ScratchFolder();
   ScratchFolder(ScratchFolder&& other) noexcept;
   ScratchFolder& operator=(ScratchFolder&&) = delete;
@@ -24,12 +28,11 @@ class ScratchFolder {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
-  ScratchFolder(std::filesystem::path path, int descriptor, pid_t keeper)
-      : path_(std::move(path)), descriptor_(descriptor), keeper_(keeper) {}
+  class Keeper;
+  ScratchFolder(std::filesystem::path path, std::unique_ptr<Keeper> keeper);
 
   std::filesystem::path path_;
-  int descriptor_;  ///< Of a pipe that the keeper waits to be closed.
-  pid_t keeper_;
+  std::unique_ptr<Keeper> keeper_;
 };
 
 }  // namespace coif

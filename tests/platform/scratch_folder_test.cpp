@@ -1,9 +1,10 @@
-#include "process/scratch_folder.h"
+#include "platform/scratch_folder.h"
+
+#include "platform/child_process.h"
+#include "platform/stop.h"
 
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -29,7 +30,7 @@ TEST(ScratchFolder, GoesWithItsObject) {
   fs::path path;
   {
     auto folder = ScratchFolder::create();
-    ASSERT_TRUE(folder) << folder.error().message;
+    ASSERT_TRUE(folder) << folder.error().why.message();
     const ScratchFolder moved = std::move(*folder);
     path = moved.path();
     struct stat facts {};
@@ -40,28 +41,27 @@ TEST(ScratchFolder, GoesWithItsObject) {
   EXPECT_FALSE(fs::exists(path)) << "at once";
 }
 
+/// Tells where its folder is, and waits for ever.
+const Job kOwner("test.owner of a folder", [](const JobCall& call) -> Bytes {
+  const auto folder = ScratchFolder::create();
+  if (!folder) return {};
+  std::ofstream(folder->path() / "model.glb") << "bytes";
+  call.note(folder->path().string());
+  for (;;) pause();
+});
+
 TEST(ScratchFolder, GoesWhenItsProcessIsKilled) {
-  int ends[2];
-  ASSERT_EQ(pipe(ends), 0);
-  const pid_t owner = fork();
-  if (owner == 0) {
-    auto folder = ScratchFolder::create();
-    const std::string path = folder->path().string();
-    std::ofstream(folder->path() / "model.glb") << "bytes";
-    if (write(ends[1], path.data(), path.size()) < 0) _exit(1);
-    close(ends[1]);
-    for (;;) pause();
-  }
-  close(ends[1]);
-  char text[4096];
-  const ssize_t length = read(ends[0], text, sizeof text);
-  ASSERT_GT(length, 0);
-  const fs::path path(std::string(text, std::size_t(length)));
-  ASSERT_TRUE(fs::exists(path / "model.glb"));
-  kill(owner, SIGKILL);
+  fs::path path;
+  bool was_there = false;
+  std::stop_source stop;
+  const auto kill_owner = [&](std::string_view note) {
+    path = note;
+    was_there = fs::exists(path / "model.glb");
+    stop.request_stop();
+  };
+  EXPECT_THROW((void)run_in_child(kOwner, {}, {ChildKind::kWorker, {}, stop.get_token(), kill_owner}), Stopped);
+  ASSERT_TRUE(was_there) << path;
   EXPECT_TRUE(goes(path));
-  waitpid(owner, nullptr, 0);
-  close(ends[0]);
 }
 
 TEST(ScratchFolder, SaysWhereNoneCanBe) {
@@ -71,7 +71,8 @@ TEST(ScratchFolder, SaysWhereNoneCanBe) {
   const auto folder = ScratchFolder::create();
   before != nullptr ? setenv("TMPDIR", kept.c_str(), 1) : unsetenv("TMPDIR");
   ASSERT_FALSE(folder);
-  EXPECT_EQ(folder.error().kind, ToolError::Kind::kFileAccess);
+  EXPECT_EQ(folder.error().place, "TMPDIR");
+  EXPECT_TRUE(folder.error().why);
 }
 
 }  // namespace

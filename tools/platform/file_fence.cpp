@@ -1,4 +1,5 @@
-#include "process/child_process.h"
+#include "platform/descriptor.h"
+#include "platform/sandbox.h"
 
 #include <linux/landlock.h>
 #include <linux/seccomp.h>
@@ -28,26 +29,11 @@ struct Ruleset {
   std::uint64_t scopes;   // since version 6
 };
 
-class Descriptor {
- public:
-  explicit Descriptor(long number) : number_(int(number)) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0) close(number_);
-  }
-  [[nodiscard]] int get() const { return number_; }
-  [[nodiscard]] bool is_open() const { return number_ >= 0; }
-
- private:
-  int number_;
-};
-
 long landlock_version() { return syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION); }
 
 Descriptor make_ruleset() {
   const long version = landlock_version();
-  if (version < 1) return Descriptor(-1);
+  if (version < 1) return {};
   Ruleset all{kRightsOfVersion1, version >= 4 ? kBindAndConnect : 0, version >= 6 ? kAbstractSockets | kSignals : 0};
   if (version >= 2) all.files |= kRefer;
   if (version >= 3) all.files |= kTruncate;

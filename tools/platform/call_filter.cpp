@@ -1,4 +1,4 @@
-#include "process/child_process.h"
+#include "platform/sandbox.h"
 
 #include <linux/audit.h>
 #include <linux/filter.h>

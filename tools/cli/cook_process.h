@@ -1,0 +1,46 @@
+#pragma once
+
+#include "cli/cook_job.h"
+#include "cli/source_limits.h"
+#include "cook/cook.h"
+#include "import/import.h"
+#include "platform/job.h"
+#include "validate/issue_codes.h"
+
+#include <tl/expected.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace coif {
+
+/// What a child process is to make of a source.
+struct CookOrder {
+  std::string source;
+  Recipe recipe;
+  std::filesystem::path recipe_directory{};  ///< CookSettings::recipe_directory.
+  ImportSettings import{};
+  std::uint64_t source_hash = 0;  ///< CookSettings::source_hash.
+  unsigned threads = 1;
+  bool draft = false;         ///< CookSettings::draft.
+  bool list_patches = false;  ///< CookSettings::list_patches.
+  bool cooks = true;          ///< false: the source is read, and that is all.
+  bool keeps_model = false;   ///< The answer brings the model along.
+  bool finds_issues = false;  ///< The answer brings what `coif validate` says of the source and its cook.
+  Bytes model{};              ///< CookAnswer::model of an earlier answer about this source, which is not read then.
+};
+
+struct CookAnswer {
+  CookResult result;              ///< Passes include the import. Empty unless CookOrder::cooks.
+  ProvenanceRecord provenance{};  ///< Of the source with this recipe, as an asset of a cook would tell it.
+  Issues issues;                  ///< Of CookOrder::finds_issues.
+  Bytes model;                    ///< For decode_model(), of CookOrder::keeps_model.
+};
+
+/// Reads a source and cooks it in a child process that keeps to the limits of `call`. Errors: those of
+/// read_hair_source(), cook() and run_within_limits(), with the issues of a cook that failed. Throws Stopped, the child
+/// gone, where the token of `call` is requested.
+tl::expected<CookAnswer, FailedCook> cook_in_child(const CookOrder& order, const LimitedCall& call);
+
+}  // namespace coif

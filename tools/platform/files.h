@@ -1,0 +1,40 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <system_error>
+
+namespace coif {
+
+/// When what was written is on the disk.
+enum class Durability {
+  kSoon,  ///< When the system finds time. After a loss of power the file may be empty.
+  kNow,   ///< Before the name is taken, which is on the disk as well when the call returns.
+};
+
+/// The same text for two paths that lead to one file on the disk, whatever links and hard links they go through.
+/// Nothing where no file is there.
+[[nodiscard]] std::optional<std::string> file_number(const std::filesystem::path& path);
+
+/// When a file's content, name or rights last changed, as file_clock_now() counts. Nothing where no file is there.
+[[nodiscard]] std::optional<std::chrono::nanoseconds> file_change_time(const std::filesystem::path& path);
+
+/// A moment as file systems stamp it, which is coarser than the clock. Since 1970.
+[[nodiscard]] std::chrono::nanoseconds file_clock_now();
+
+/// Writes a file that is not there yet. Where the file system can do that, the file has no name before it is whole, so
+/// that a killed process leaves nothing behind. Returns why it could not, else nothing.
+[[nodiscard]] std::error_code write_new_file(const std::filesystem::path& path, std::span<const std::byte> bytes,
+                                             Durability durability);
+
+/// Writes to a device or a pipe that is there. Returns why it could not, else nothing.
+[[nodiscard]] std::error_code write_device(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+/// Brings the names that were changed in a folder to the disk. Returns why it could not, else nothing.
+[[nodiscard]] std::error_code sync_folder(const std::filesystem::path& folder);
+
+}  // namespace coif

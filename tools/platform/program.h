@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <span>
+
+namespace coif {
+
+/// The file of the program that runs; empty where the system does not say.
+[[nodiscard]] std::filesystem::path program_path();
+
+/// The system's number of this process.
+[[nodiscard]] std::uint64_t process_number();
+
+/// Whether somebody reads the stream at a terminal.
+[[nodiscard]] bool is_terminal(std::FILE* stream);
+
+/// Files that are opened later must not take the places of standard streams that nobody opened: messages would be
+/// written into them. What is written to such a stream fails as before.
+void fill_standard_streams();
+
+/// What cannot be written is an error where it is written, not the end of the program with half a file left behind.
+void ignore_signals_of_writing();
+
+/// Holds back what ends the program from outside (SIGINT, SIGTERM, SIGHUP), in this thread and those that it starts,
+/// until somebody waits for it. The program ignores closed pipes from then on.
+class EndSignals {
+ public:
+  EndSignals();
+  ~EndSignals();
+  EndSignals(const EndSignals&) = delete;
+  EndSignals& operator=(const EndSignals&) = delete;
+
+  /// Blocks until one comes.
+  void wait();
+
+ private:
+  struct Held;
+  std::unique_ptr<Held> held_;
+};
+
+/// Fills it with bytes that nobody can guess. Throws std::system_error where the system has none.
+void fill_with_random_bytes(std::span<unsigned char> bytes);
+
+/// Keeps other programs from listening at the same port. `socket`: the system's handle of a socket that is not bound
+/// yet.
+void own_port_alone(std::uintptr_t socket);
+
+}  // namespace coif

@@ -1,0 +1,48 @@
+#pragma once
+
+// Inside of this folder only: what both ends of a job's line know.
+
+#include "platform/child_process.h"
+#include "platform/descriptor.h"
+#include "platform/job.h"
+
+#include <sys/types.h>
+
+#include <cstdint>
+
+namespace coif {
+
+inline constexpr int kLineDescriptor = 3;  ///< Of the child, behind its standard streams.
+inline constexpr const char* kJobWord = "--run-job";
+
+// Exit statuses of a child whose job has no answer, outside the range of ordinary programs and of sanitizers.
+inline constexpr int kExitOutOfMemory = 112;
+inline constexpr int kExitFailed = 113;
+
+/// What the asking process sends first; as many bytes of the request follow.
+struct JobHeader {
+  std::uint64_t request_bytes = 0;
+  std::uint64_t memory_bytes = ChildLimits::kUnlimited;
+  std::uint32_t reader_seconds = ChildLimits::kForever;
+  std::uint32_t is_reader = 0;
+  std::int32_t parent = 0;     ///< The child ends with it;
+  std::uint32_t outlives = 0;  ///< ... unless this is 1.
+};
+
+/// In front of everything that a child sends.
+struct JobFrame {
+  enum class Kind : std::uint64_t { kNote = 1, kAnswer = 2 };
+  Kind kind = Kind::kNote;
+  std::uint64_t bytes = 0;
+};
+
+struct Spawned {
+  Descriptor line;
+  pid_t process = -1;
+  int error = 0;  ///< errno of what the system refused; 0: the process runs.
+};
+
+/// Runs the program again for that job, with its standard streams closed up (a reader) or as they are here.
+[[nodiscard]] Spawned spawn(const Job& job, bool is_silent);
+
+}  // namespace coif
