@@ -63,11 +63,11 @@ file(CONFIGURE OUTPUT ${coif_third_party}/THIRD_PARTY_NOTICES.txt CONTENT "@noti
 file(CONFIGURE OUTPUT ${coif_third_party}/third_party_notices.cpp @ONLY CONTENT [[
 #include "cli/third_party_notices.h"
 
-namespace coif {
+namespace coif::cli {
 
 const char* const kThirdPartyNotices = R"notices(@notices@)notices";
 
-}  // namespace coif
+}  // namespace coif::cli
 ]])
 file(CONFIGURE OUTPUT ${coif_third_party}/coif.spdx.json @ONLY CONTENT [[
 {

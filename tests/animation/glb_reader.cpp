@@ -3,7 +3,7 @@
 #include <cstring>
 #include <string>
 
-namespace coif {
+namespace coif::animation {
 namespace {
 
 std::uint32_t word(std::span<const std::byte> bytes, std::size_t at) {
@@ -76,4 +76,4 @@ Eigen::Affine3d GlbReader::world_from_node(std::size_t node, std::size_t frame) 
   return local(node, frame);
 }
 
-}  // namespace coif
+}  // namespace coif::animation

@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::animation {
 
 class GlbReader {
  public:
@@ -51,4 +51,4 @@ class OpenAsset {
   Asset asset_;
 };
 
-}  // namespace coif
+}  // namespace coif::animation

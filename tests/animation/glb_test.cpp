@@ -12,13 +12,13 @@
 #include <string>
 #include <vector>
 
-namespace coif::glb_test {
+namespace coif::animation::glb_test {
 
 class Glb : public testing::Test {
  protected:
   void SetUp() override {
     ASSERT_TRUE(asset().is_open());
-    auto recording = record(asset(), {.motion = Motion::kTumble, .fps = 30, .seconds = 2});
+    auto recording = record(asset(), {.motion = motion::Motion::kTumble, .fps = 30, .seconds = 2});
     ASSERT_TRUE(recording);
     recording_ = *recording;
     file_ = to_glb(asset(), recording_);
@@ -132,14 +132,14 @@ TEST_F(Glb, ComesBackThroughTheImporter) {
   const auto path = std::filesystem::path(testing::TempDir()) / "coif_recording.glb";
   std::ofstream(path, std::ios::binary)
       .write(reinterpret_cast<const char*>(file_.data()), std::streamsize(file_.size()));
-  const auto model = import_model(path);
+  const auto model = importer::import_model(path);
   std::filesystem::remove(path);
   ASSERT_TRUE(model) << model.error().message;
   ASSERT_EQ(model->meshes.size(), 1u);
   EXPECT_EQ(model->meshes[0].triangles.size(), asset().lod_indices(0).size());
   EXPECT_FALSE(model->meshes[0].influences.empty());
   for (const char* name : {"Head", "scalp", "hair_1", "hair_2", "fringe"}) {
-    EXPECT_TRUE(std::any_of(model->nodes.begin(), model->nodes.end(), [name](const SourceNode& node) {
+    EXPECT_TRUE(std::any_of(model->nodes.begin(), model->nodes.end(), [name](const importer::SourceNode& node) {
       return node.name == name;
     })) << name;
   }
@@ -162,7 +162,7 @@ TEST(GlbOfManyBones, NamesJointsBeyondAByte) {
   for (SkinRecord& skin : contents.skin) skin = {{last, 0, 0, 0}, {200, 55, 0, 0}};
   const OpenAsset open(contents);
   ASSERT_TRUE(open.asset().is_open());
-  const auto recording = record(open.asset(), {.motion = Motion::kNod, .seconds = 0.1});
+  const auto recording = record(open.asset(), {.motion = motion::Motion::kNod, .seconds = 0.1});
   ASSERT_TRUE(recording);
   GlbReader glb;
   ASSERT_TRUE(glb.read(to_glb(open.asset(), *recording)));
@@ -178,7 +178,7 @@ TEST(GlbOfManyBones, NamesJointsBeyondAByte) {
 TEST(GlbWithoutMesh, StillHasTheMovingBones) {
   const OpenAsset open(without_mesh(small_asset()));
   ASSERT_TRUE(open.asset().is_open());
-  const auto recording = record(open.asset(), {.motion = Motion::kNod, .seconds = 1});
+  const auto recording = record(open.asset(), {.motion = motion::Motion::kNod, .seconds = 1});
   ASSERT_TRUE(recording);
   GlbReader glb;
   ASSERT_TRUE(glb.read(to_glb(open.asset(), *recording)));
@@ -216,7 +216,7 @@ Recording one_frame(const Asset& asset, const HeadPose& head, const Vec3& end) {
 TEST(Csv, HasOneRowPerFrameAndBone) {
   const OpenAsset file(small_asset());
   ASSERT_TRUE(file.asset().is_open());
-  const auto recording = record(file.asset(), {.motion = Motion::kRun, .fps = 30, .seconds = 1});
+  const auto recording = record(file.asset(), {.motion = motion::Motion::kRun, .fps = 30, .seconds = 1});
   ASSERT_TRUE(recording);
   const auto lines = lines_of(to_csv(file.asset(), *recording));
   ASSERT_EQ(lines.size(), 1 + 31 * file.asset().bones().size());
@@ -244,4 +244,4 @@ TEST(Csv, QuotesNamesThatWouldBreakARow) {
   EXPECT_NE(text.find(",2,\"left, \"\"long\"\"\",0.0"), std::string::npos) << text;
 }
 
-}  // namespace coif::glb_test
+}  // namespace coif::animation::glb_test

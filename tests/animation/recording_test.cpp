@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace coif::recording_test {
+namespace coif::animation::recording_test {
 
 class Recorded : public testing::Test {
  protected:
@@ -31,7 +31,7 @@ float largest_move(const RecordedFrame& a, const RecordedFrame& b) {
 }
 
 TEST_F(Recorded, HasOneFrameMoreThanStepsAndTheirTimes) {
-  const auto recording = record(asset(), {.motion = Motion::kNod, .fps = 24, .seconds = 1.5});
+  const auto recording = record(asset(), {.motion = motion::Motion::kNod, .fps = 24, .seconds = 1.5});
   ASSERT_TRUE(recording);
   ASSERT_EQ(recording->frames.size(), 37u);
   for (std::size_t i = 0; i < recording->frames.size(); ++i) {
@@ -65,7 +65,7 @@ TEST(FrameEnds, JitterIsBoundedAndTheSameForASeed) {
 }
 
 TEST_F(Recorded, InUnevenFramesIsTheSameMotion) {
-  RecordingSettings settings{.motion = Motion::kNod, .fps = 200, .seconds = 1};
+  RecordingSettings settings{.motion = motion::Motion::kNod, .fps = 200, .seconds = 1};
   const auto even = record(asset(), settings);
   settings.lengths = {.seconds = {0.004, 0.006, 0.003, 0.007}, .jitter = 0.2, .seed = 3};
   const auto uneven = record(asset(), settings);
@@ -82,7 +82,7 @@ TEST_F(Recorded, InUnevenFramesIsTheSameMotion) {
 }
 
 TEST_F(Recorded, SaysHowFarHairIsFromItsRestPoseAndHowFastAtTheEnd) {
-  RecordingSettings settings{.motion = Motion::kStill, .seconds = 0, .settle_seconds = 0};
+  RecordingSettings settings{.motion = motion::Motion::kStill, .seconds = 0, .settle_seconds = 0};
   const auto fresh = record(asset(), settings);
   ASSERT_TRUE(fresh);
   EXPECT_EQ(fresh->from_rest, 0);
@@ -105,7 +105,7 @@ TEST_F(Recorded, SaysHowFarHairIsFromItsRestPoseAndHowFastAtTheEnd) {
 }
 
 TEST_F(Recorded, IsAlikeAtEveryScale) {
-  RecordingSettings settings{.clip = held_turn(Eigen::Vector3d::UnitX(), 1.5, 0.8), .seconds = 2};
+  RecordingSettings settings{.clip = motion::held_turn(Eigen::Vector3d::UnitX(), 1.5, 0.8), .seconds = 2};
   const auto own = record(asset(), settings);
   for (const float scale : {0.1f, 10.0f}) {
     settings.company.scale = scale;
@@ -130,13 +130,13 @@ TEST_F(Recorded, RefusesFramesOfNoLength) {
 }
 
 TEST_F(Recorded, OfNoSecondsIsTheSettledPose) {
-  const auto recording = record(asset(), {.motion = Motion::kTurn, .seconds = 0});
+  const auto recording = record(asset(), {.motion = motion::Motion::kTurn, .seconds = 0});
   ASSERT_TRUE(recording);
   EXPECT_EQ(recording->frames.size(), 1u);
 }
 
 TEST_F(Recorded, AtWeightZeroIsThePose) {
-  RecordingSettings settings{.motion = Motion::kTurn, .seconds = 0.5};
+  RecordingSettings settings{.motion = motion::Motion::kTurn, .seconds = 0.5};
   settings.company.pose_weight = 0;
   settings.company.pose = [this](double) { return std::vector<Quat>(asset().bones().size()); };
   const auto held = record(asset(), settings);
@@ -155,7 +155,7 @@ TEST_F(Recorded, FollowsAPoseByOurSolverAlone) {
 }
 
 TEST_F(Recorded, HasAHandThatMovesTheHair) {
-  RecordingSettings settings{.motion = Motion::kStill, .seconds = 0.5};
+  RecordingSettings settings{.motion = motion::Motion::kStill, .seconds = 0.5};
   const auto alone = record(asset(), settings);
   ASSERT_TRUE(alone);
   const Vec3 tip = alone->frames.back().bone_ends.back();
@@ -171,7 +171,7 @@ TEST_F(Recorded, HasAHandThatMovesTheHair) {
 }
 
 TEST_F(Recorded, SettlesBeforeTheFirstFrame) {
-  RecordingSettings settings{.motion = Motion::kStill, .seconds = 1};
+  RecordingSettings settings{.motion = motion::Motion::kStill, .seconds = 1};
   const auto settled = record(asset(), settings);
   settings.settle_seconds = 0;
   const auto unsettled = record(asset(), settings);
@@ -183,17 +183,17 @@ TEST_F(Recorded, SettlesBeforeTheFirstFrame) {
 }
 
 TEST_F(Recorded, FollowsTheMotionsPoses) {
-  const auto recording = record(asset(), {.motion = Motion::kTurn, .fps = 30, .seconds = 1});
+  const auto recording = record(asset(), {.motion = motion::Motion::kTurn, .fps = 30, .seconds = 1});
   ASSERT_TRUE(recording);
   for (const RecordedFrame& frame : recording->frames) {
-    const HeadPose pose = head_pose(Motion::kTurn, frame.seconds);
+    const HeadPose pose = motion::head_pose(motion::Motion::kTurn, frame.seconds);
     EXPECT_EQ(frame.head.rotation.y, pose.rotation.y);
     EXPECT_EQ(frame.head.position[1], pose.position[1]);
   }
 }
 
 TEST_F(Recorded, TwiceGivesTheSameBytes) {
-  const RecordingSettings settings{.motion = Motion::kTumble, .fps = 60, .seconds = 1};
+  const RecordingSettings settings{.motion = motion::Motion::kTumble, .fps = 60, .seconds = 1};
   const auto a = record(asset(), settings);
   const auto b = record(asset(), settings);
   ASSERT_TRUE(a && b);
@@ -202,8 +202,9 @@ TEST_F(Recorded, TwiceGivesTheSameBytes) {
 }
 
 TEST_F(Recorded, FollowsAClipInsteadOfTheMotion) {
-  const auto built_in = record(asset(), {.motion = Motion::kRun, .seconds = 1});
-  const auto clip = record(asset(), {.motion = Motion::kStill, .clip = path_of(Motion::kRun), .seconds = 1});
+  const auto built_in = record(asset(), {.motion = motion::Motion::kRun, .seconds = 1});
+  const auto clip =
+      record(asset(), {.motion = motion::Motion::kStill, .clip = motion::path_of(motion::Motion::kRun), .seconds = 1});
   ASSERT_TRUE(built_in && clip);
   EXPECT_EQ(to_csv(asset(), *clip), to_csv(asset(), *built_in));
 }
@@ -221,7 +222,7 @@ TEST_F(Recorded, RefusesSettingsOutsideTheirRanges) {
 }
 
 TEST_F(Recorded, TakesTheSlowestRateThatTheRuntimeAllows) {
-  EXPECT_TRUE(record(asset(), {.motion = Motion::kNod, .fps = 10, .seconds = 1}));
+  EXPECT_TRUE(record(asset(), {.motion = motion::Motion::kNod, .fps = 10, .seconds = 1}));
 }
 
 TEST_F(Recorded, RefusesWhatDoesNotFitInMemory) {
@@ -350,4 +351,4 @@ TEST(WorstPenetration, LeavesRigidBonesOut) {
   EXPECT_EQ(worst_penetration(file.asset(), ends), 0.0f);
 }
 
-}  // namespace coif::recording_test
+}  // namespace coif::animation::recording_test

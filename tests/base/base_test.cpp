@@ -73,23 +73,23 @@ TEST(ParallelFor, EndsWhenAskedToStop) {
     const auto body = [&](std::size_t) {
       if (++calls == 10) stop.request_stop();
     };
-    EXPECT_THROW(parallel_for(10'000'000, {count, stop.get_token()}, body), Stopped) << count;
+    EXPECT_THROW(parallel_for(10'000'000, {count, stop.get_token()}, body), platform::Stopped) << count;
     EXPECT_LE(calls, 10 + int(count)) << "no further call begins";
-    EXPECT_THROW(parallel_for(1, {count, stop.get_token()}, body), Stopped);
+    EXPECT_THROW(parallel_for(1, {count, stop.get_token()}, body), platform::Stopped);
     EXPECT_NO_THROW(parallel_for(0, {count, stop.get_token()}, body));
   }
 }
 
 TEST(Threads, AreAtLeastOneAndKeepTheirToken) {
   std::stop_source stop;
-  const Threads threads(8, stop.get_token());
+  const platform::Threads threads(8, stop.get_token());
   EXPECT_EQ(threads.divided_by(3).count, 2u);
   EXPECT_EQ(threads.divided_by(0).count, 8u);
   EXPECT_EQ(threads.divided_by(20).count, 1u);
-  EXPECT_EQ(Threads(0).count, 1u);
+  EXPECT_EQ(platform::Threads(0).count, 1u);
   stop.request_stop();
-  EXPECT_THROW(throw_if_stopped(threads.divided_by(2).stop), Stopped);
-  EXPECT_NO_THROW(throw_if_stopped(Threads().stop));
+  EXPECT_THROW(platform::throw_if_stopped(threads.divided_by(2).stop), platform::Stopped);
+  EXPECT_NO_THROW(platform::throw_if_stopped(platform::Threads().stop));
 }
 
 TEST(SamplesAround, IsTheRectangleOfTheWidestView) {
@@ -158,7 +158,7 @@ TEST(WriteOutput, WaitsForTheDiskWhereThatIsAsked) {
   synced = {};
   ASSERT_TRUE(write_output(file, std::as_bytes(std::span("soon"))));
   EXPECT_TRUE(synced.empty());
-  ASSERT_TRUE(write_output(file, std::as_bytes(std::span("now")), Durability::kNow));
+  ASSERT_TRUE(write_output(file, std::as_bytes(std::span("now")), platform::Durability::kNow));
   // The file before it has its name, then the folder that holds the name.
   ASSERT_EQ(synced.size(), 2u);
   const bool had_no_name = synced[0].starts_with(fs::canonical(testing::TempDir()).string() + "/#");
@@ -203,7 +203,7 @@ TEST(Files, KilledWritersLeaveNothing) {
   const pid_t child = ::fork();
   if (child == 0) {
     is_killed_at_sync = true;
-    (void)write_output(folder / "hair.coif", std::as_bytes(std::span("after")), Durability::kNow);
+    (void)write_output(folder / "hair.coif", std::as_bytes(std::span("after")), platform::Durability::kNow);
     ::_exit(0);
   }
   int status = 0;

@@ -7,7 +7,7 @@
 
 #include <cstring>
 
-namespace coif::cache_entry_test {
+namespace coif::cache::cache_entry_test {
 
 using nlohmann::json;
 
@@ -102,4 +102,4 @@ TEST(CacheEntry, CircumstancesAreThoseOfInputsAlone) {
   EXPECT_NE(circumstances(other), circumstances(small_entry()));
 }
 
-}  // namespace coif::cache_entry_test
+}  // namespace coif::cache::cache_entry_test

@@ -10,7 +10,7 @@
 #include <functional>
 #include <thread>
 
-namespace coif::cache_upkeep_test {
+namespace coif::cache::cache_upkeep_test {
 
 namespace fs = std::filesystem;
 using std::chrono::hours;
@@ -106,7 +106,7 @@ TEST_F(CacheUpkeep, CooksGoOnWhileItIsTrimmed) {
   const fs::path source = folder_ / "wig.obj";
   std::ofstream(source) << "model";
   const CookPlace place{source, folder_};
-  CookResult result;
+  cook::CookResult result;
   result.asset.assign(4096, std::byte{7});
   std::atomic<bool> is_done = false;
   std::thread trimmer([&] {
@@ -116,7 +116,7 @@ TEST_F(CacheUpkeep, CooksGoOnWhileItIsTrimmed) {
   const CookCache cache(folder_);
   for (int n = 0; n < 400; ++n) {
     const std::string key = content_digits(std::as_bytes(std::span(&n, 1)));
-    failed += !cache.store(key, place, result, file_clock_now() + hours(1));
+    failed += !cache.store(key, place, result, platform::file_clock_now() + hours(1));
     if (const auto entry = cache.find(key, place)) {
       ++found;
       EXPECT_EQ(entry->asset, result.asset);
@@ -129,4 +129,4 @@ TEST_F(CacheUpkeep, CooksGoOnWhileItIsTrimmed) {
   EXPECT_LE(found, 400u);
 }
 
-}  // namespace coif::cache_upkeep_test
+}  // namespace coif::cache::cache_upkeep_test

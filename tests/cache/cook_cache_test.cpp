@@ -10,12 +10,12 @@
 #include <set>
 #include <vector>
 
-namespace coif::cook_cache_test {
+namespace coif::cache::cook_cache_test {
 
 namespace fs = std::filesystem;
 
-constexpr Rgba kRed{200, 30, 20, 255};
-constexpr Rgba kGreen{30, 180, 40, 255};
+constexpr cook::Rgba kRed{200, 30, 20, 255};
+constexpr cook::Rgba kGreen{30, 180, 40, 255};
 const std::string kKey = content_digits({});
 
 /// A folder with a source beside which images come and go, and a cache.
@@ -34,13 +34,13 @@ class CookCacheTest : public testing::Test {
   CookCache cache() const { return CookCache(cache_folder()); }
   /// As if the inputs were there long before.
   void store() const {
-    const auto stored = cache().store(kKey, place(), result_, file_clock_now() + std::chrono::hours(1));
+    const auto stored = cache().store(kKey, place(), result_, platform::file_clock_now() + std::chrono::hours(1));
     EXPECT_TRUE(stored) << (stored ? "" : stored.error().message);
   }
   bool hits() const { return cache().find(kKey, place()).has_value(); }
-  void ask(TextureQuestion::Kind kind, std::vector<std::string> words) {
-    TextureQuestion question{kind, std::move(words), {}};
-    question.answer = answer_to(question, TextureFolder(folder_.source()));
+  void ask(cook::TextureQuestion::Kind kind, std::vector<std::string> words) {
+    cook::TextureQuestion question{kind, std::move(words), {}};
+    question.answer = cook::answer_to(question, cook::TextureFolder(folder_.source()));
     result_.inputs.questions.push_back(question);
   }
   std::vector<fs::path> files() const {
@@ -51,8 +51,8 @@ class CookCacheTest : public testing::Test {
     return found;
   }
 
-  ImageFolder folder_;
-  CookResult result_;
+  cook::ImageFolder folder_;
+  cook::CookResult result_;
 };
 
 TEST_F(CookCacheTest, FindsWhatWasStoredUnderItsKeyAlone) {
@@ -86,7 +86,7 @@ TEST_F(CookCacheTest, AFileThatAppearsWhereNoneWasMisses) {
 }
 
 TEST_F(CookCacheTest, ARecipesFilesAreThoseOfTheRecipeInUse) {
-  const ImageFolder other;
+  const cook::ImageFolder other;
   result_.inputs.recipe_files = {folder_.write_flat("mask.png", kRed)};
   other.write_flat("mask.png", kGreen);
   store();
@@ -96,8 +96,8 @@ TEST_F(CookCacheTest, ARecipesFilesAreThoseOfTheRecipeInUse) {
 }
 
 TEST_F(CookCacheTest, ATextureThatAppearsMissesWhereItWouldBeTaken) {
-  ask(TextureQuestion::Kind::kFind, {"C:\\art\\hair.png"});
-  ask(TextureQuestion::Kind::kColors, {"wig"});
+  ask(cook::TextureQuestion::Kind::kFind, {"C:\\art\\hair.png"});
+  ask(cook::TextureQuestion::Kind::kColors, {"wig"});
   store();
   folder_.write_flat("sofa.png", kRed);
   EXPECT_TRUE(hits()) << "nobody asked for a sofa";
@@ -106,7 +106,7 @@ TEST_F(CookCacheTest, ATextureThatAppearsMissesWhereItWouldBeTaken) {
 }
 
 TEST_F(CookCacheTest, AnyImageMissesWhereAllWereListed) {
-  ask(TextureQuestion::Kind::kImages, {});
+  ask(cook::TextureQuestion::Kind::kImages, {});
   store();
   EXPECT_TRUE(hits());
   folder_.write_flat("sofa.png", kRed);
@@ -168,14 +168,14 @@ TEST_F(CookCacheTest, DoesNotKeepWhatChangedDuringTheCook) {
 
 TEST_F(CookCacheTest, ACacheThatCannotBeWrittenIsAnErrorThatNamesIt) {
   write(cache_folder(), "a file where the folder would be");
-  const auto stored = cache().store(kKey, place(), result_, file_clock_now() + std::chrono::hours(1));
+  const auto stored = cache().store(kKey, place(), result_, platform::file_clock_now() + std::chrono::hours(1));
   ASSERT_FALSE(stored);
   EXPECT_EQ(stored.error().kind, ToolError::Kind::kFileAccess);
   EXPECT_NE(stored.error().message.find(cache_folder().string()), std::string::npos);
 }
 
 TEST_F(CookCacheTest, MessagesNameTheFilesOfTheCheckoutInUse) {
-  const ImageFolder other;
+  const cook::ImageFolder other;
   result_.report.warnings = {{"C147", folder_.path().string() + "/hair.png: cannot read"}};
   store();
   const auto found = cache().find(kKey, {other.source(), other.path()});
@@ -230,4 +230,4 @@ TEST(CookKey, IsAFileNameOf32Digits) {
   EXPECT_EQ(key.find_first_not_of("0123456789abcdef"), std::string::npos);
 }
 
-}  // namespace coif::cook_cache_test
+}  // namespace coif::cache::cook_cache_test

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-namespace coif::manifest_test {
+namespace coif::cache::manifest_test {
 
 namespace fs = std::filesystem;
 
@@ -171,4 +171,4 @@ TEST_F(Depfile, RefusesLineBreaks) {
   EXPECT_FALSE(depfile_text("a.coif", std::vector{file("b\nc.png")}));
 }
 
-}  // namespace coif::manifest_test
+}  // namespace coif::cache::manifest_test

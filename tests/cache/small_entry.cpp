@@ -1,12 +1,12 @@
 #include "cache/small_entry.h"
 
-namespace coif {
+namespace coif::cache {
 
 CacheEntry small_entry() {
   CacheEntry entry;
   entry.dependencies = {{Dependency::Base::kSource, "wig.mtl", 0xFEDCBA9876543210u},
                         {Dependency::Base::kRecipe, "maps/mask.png", std::nullopt}};
-  entry.questions = {{TextureQuestion::Kind::kColors, {"wig"}, {"hair.png"}}};
+  entry.questions = {{cook::TextureQuestion::Kind::kColors, {"wig"}, {"hair.png"}}};
   entry.report.passes = {{"import", 12.5}};
   entry.report.warnings = {{"C144", "name \xFF of no encoding"}};
   entry.report.notes = {"a note"};
@@ -18,4 +18,4 @@ CacheEntry small_entry() {
   return entry;
 }
 
-}  // namespace coif
+}  // namespace coif::cache

@@ -2,9 +2,9 @@
 
 #include "cache/cook_cache.h"
 
-namespace coif {
+namespace coif::cache {
 
 /// An entry with something in every part of it.
 [[nodiscard]] CacheEntry small_entry();
 
-}  // namespace coif
+}  // namespace coif::cache

@@ -17,7 +17,7 @@ namespace {
 using namespace coif;
 
 /// Two of the ways, which the name chooses.
-std::vector<HeldHeads> drawn(const std::vector<HeldHeads>& all, const std::string& name) {
+std::vector<report::HeldHeads> drawn(const std::vector<report::HeldHeads>& all, const std::string& name) {
   std::uint64_t hash = 14695981039346656037u;
   for (const char letter : name) hash = (hash ^ std::uint8_t(letter)) * 1099511628211u;
   return {all[hash % all.size()], all[hash / all.size() % all.size()]};
@@ -30,7 +30,7 @@ int hold(const std::string& path, bool is_drawn) {
     std::fprintf(stderr, "%s\n", bytes.error().message.c_str());
     return -1;
   }
-  const OpenedAsset file(bytes->span());
+  const lab::OpenedAsset file(bytes->span());
   if (!file.asset().is_open()) {
     std::fprintf(stderr, "%s: no asset\n", path.c_str());
     return -1;
@@ -40,14 +40,14 @@ int hold(const std::string& path, bool is_drawn) {
     std::printf("%s: nothing moves\n", name.c_str());
     return 0;
   }
-  const auto all = ways_to_hold(file.asset(), std::numeric_limits<std::uint64_t>::max());
+  const auto all = report::ways_to_hold(file.asset(), std::numeric_limits<std::uint64_t>::max());
   int restless = 0;
-  for (const HeldHeads& way : is_drawn ? drawn(all, name) : all) {
-    const HeldHeadsFinding found = hold_heads(file.asset(), way);
+  for (const report::HeldHeads& way : is_drawn ? drawn(all, name) : all) {
+    const report::HeldHeadsFinding found = report::hold_heads(file.asset(), way);
     restless += found.is_restless();
     std::printf("%-20s %-36s %s settled after %5.2f s, then at most %.4f m/s (up to %d, %d, %d); fastest %.1f m/s\n",
-                name.c_str(), name_of(way).c_str(), found.is_restless() ? "RESTLESS" : "at rest ", found.settled_after,
-                found.rest_speed, found.up[0], found.up[1], found.up[2], found.max_speed);
+                name.c_str(), report::name_of(way).c_str(), found.is_restless() ? "RESTLESS" : "at rest ",
+                found.settled_after, found.rest_speed, found.up[0], found.up[1], found.up[2], found.max_speed);
     std::fflush(stdout);
   }
   return restless;

@@ -12,12 +12,12 @@
 #include <span>
 #include <vector>
 
-namespace coif::card_picture_test {
+namespace coif::cards::card_picture_test {
 
 constexpr float kWidth = 0.002f;
 
 struct MadeCards {
-  MadeCards(const Groom& groom, std::size_t count, std::size_t triangles)
+  MadeCards(const groom::Groom& groom, std::size_t count, std::size_t triangles)
       : cards(test::unfitted_cards(groom, kWidth, count, triangles, std::size_t{1} << 19)),
         surface(surface_of(cards)) {}
   Cards cards;
@@ -81,7 +81,7 @@ TEST(CardStrips, LieNearerToABendThanItsChords) {
 }
 
 TEST(CardTexture, CoversWhatStrandsCoverOfTheFlatCard) {
-  const Groom groom = test::hanging_wisps(1, 12);
+  const groom::Groom groom = test::hanging_wisps(1, 12);
   const MadeCards cards(groom, 1, 2);
   ASSERT_EQ(cards.cards.wisps.size(), 1u);
   const PictureFrame frame = frame_along({0, 0, -1}, ball_around(groom.points), 256);
@@ -103,7 +103,7 @@ TEST(CardTexture, CoversWhatStrandsCoverOfTheFlatCard) {
 }
 
 TEST(CardPicture, CardsOfFlatWispsLookLikeTheirStrands) {
-  const Groom groom = test::hanging_wisps(5, 40);
+  const groom::Groom groom = test::hanging_wisps(5, 40);
   const MadeCards cards(groom, 5, 20);
   for (const Eigen::Vector3f& direction :
        {Eigen::Vector3f(0, 0, -1), Eigen::Vector3f(0.3f, 0.2f, -1), Eigen::Vector3f(0, 0, 1)}) {
@@ -115,7 +115,7 @@ TEST(CardPicture, CardsOfFlatWispsLookLikeTheirStrands) {
 }
 
 TEST(CardPicture, MoreCardsAreNearerToTheStrands) {
-  const Groom groom = test::groom_of(test::strands_of_a_head(400));
+  const groom::Groom groom = test::groom_of(test::strands_of_a_head(400));
   double before = 0;
   for (const std::size_t count : {10u, 40u, 160u}) {
     const MadeCards cards(groom, count, 12 * count);
@@ -129,4 +129,4 @@ TEST(CardPicture, MoreCardsAreNearerToTheStrands) {
   }
 }
 
-}  // namespace coif::card_picture_test
+}  // namespace coif::cards::card_picture_test

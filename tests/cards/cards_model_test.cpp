@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <random>
 
-namespace coif::cards_model_test {
+namespace coif::cards::cards_model_test {
 
 std::vector<CardSize> some_sizes(std::size_t count) {
   std::mt19937 random(2);
@@ -52,11 +52,11 @@ TEST(CardAtlas, UsesMostOfItsTexels) {
 }
 
 TEST(CardsModel, KeepsTheBudgetAndThePromisesOfASource) {
-  const Groom groom = test::groom_of(test::strands_of_a_head(500));
+  const groom::Groom groom = test::groom_of(test::strands_of_a_head(500));
   for (const std::size_t triangles : {2u, 1500u}) {
     const auto model = model_of_cards(groom, {triangles, std::size_t{1} << 18, 0, 0}, 2);
     ASSERT_TRUE(model) << model.error().message;
-    EXPECT_EQ(find_model_fault(*model), "");
+    EXPECT_EQ(importer::find_model_fault(*model), "");
     ASSERT_EQ(model->meshes.size(), 1u);
     EXPECT_LE(model->meshes[0].triangles.size() / 3, triangles);
     EXPECT_GT(model->meshes[0].triangles.size() / 3, triangles / 2);
@@ -85,7 +85,7 @@ std::size_t area_of(const std::vector<Cards>& levels) {
 }
 
 TEST(CardsModel, HasLevelsOfDetailThatShareTheTexels) {
-  const Groom groom = test::groom_of(test::strands_of_a_head(500));
+  const groom::Groom groom = test::groom_of(test::strands_of_a_head(500));
   const CardsBudget budget{
       .triangles = 1200, .texels = std::size_t{1} << 18, .rounds = 1, .levels = 3, .level_ratio = 0.5};
   const auto levels = make_card_levels(groom, shape_of(groom, 0), budget, 2);
@@ -99,13 +99,13 @@ TEST(CardsModel, HasLevelsOfDetailThatShareTheTexels) {
   }
   const auto model = model_of_cards(groom, budget, 2);
   ASSERT_TRUE(model) << model.error().message;
-  EXPECT_EQ(find_model_fault(*model), "");
+  EXPECT_EQ(importer::find_model_fault(*model), "");
   ASSERT_EQ(model->coarser.size(), 2u);
   EXPECT_LT(model->coarser[1].mesh.triangles.size(), model->coarser[0].mesh.triangles.size());
 }
 
 TEST(CardsModel, LevelsEndWhereThereIsNothingLeftOfThem) {
-  const Groom groom = test::groom_of(test::strands_of_a_head(100));
+  const groom::Groom groom = test::groom_of(test::strands_of_a_head(100));
   const CardsBudget budget{
       .triangles = 6, .texels = std::size_t{1} << 16, .rounds = 0, .levels = 8, .level_ratio = 0.5};
   const auto levels = make_card_levels(groom, shape_of(groom, 0), budget, 2);
@@ -116,7 +116,7 @@ TEST(CardsModel, LevelsEndWhereThereIsNothingLeftOfThem) {
 TEST(CardsModel, FacesOutwardsWithTheNormalsOfItsTriangles) {
   const auto model = model_of_cards(test::groom_of(test::strands_of_a_head(500)), {600, std::size_t{1} << 18, 0, 0}, 2);
   ASSERT_TRUE(model) << model.error().message;
-  const SourceMesh& mesh = model->meshes[0];
+  const importer::SourceMesh& mesh = model->meshes[0];
   std::size_t outwards = 0, count = 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
     const Eigen::Vector3f& a = mesh.positions[mesh.triangles[i]];
@@ -130,7 +130,7 @@ TEST(CardsModel, FacesOutwardsWithTheNormalsOfItsTriangles) {
 }
 
 TEST(CardsModel, RepeatsWithAnyNumberOfThreads) {
-  const Groom groom = test::groom_of(test::strands_of_a_head(300));
+  const groom::Groom groom = test::groom_of(test::strands_of_a_head(300));
   const auto one = model_of_cards(groom, {400, std::size_t{1} << 17, 1, 0}, 1),
              three = model_of_cards(groom, {400, std::size_t{1} << 17, 1, 0}, 3);
   ASSERT_TRUE(one && three);
@@ -140,7 +140,7 @@ TEST(CardsModel, RepeatsWithAnyNumberOfThreads) {
 }
 
 TEST(CardsModel, SaysWhatIsTooLittle) {
-  Groom groom = test::groom_of(test::strands_of_a_head(300));
+  groom::Groom groom = test::groom_of(test::strands_of_a_head(300));
   groom.path = "a.hair";
   const auto none = model_of_cards(groom, {1, std::size_t{1} << 18, 1, 0}, 1);
   ASSERT_FALSE(none);
@@ -151,4 +151,4 @@ TEST(CardsModel, SaysWhatIsTooLittle) {
             "a.hair: 300 cards do not fit into 4096 texels; allow more texels, or fewer triangles");
 }
 
-}  // namespace coif::cards_model_test
+}  // namespace coif::cards::cards_model_test

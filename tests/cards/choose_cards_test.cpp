@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace coif::choose_cards_test {
+namespace coif::cards::choose_cards_test {
 
 constexpr float kWidth = 0.001f;
 
@@ -63,4 +63,4 @@ TEST(ChosenCards, AreAtLeastOneAndRepeatWithAnyNumberOfThreads) {
   }
 }
 
-}  // namespace coif::choose_cards_test
+}  // namespace coif::cards::choose_cards_test

@@ -6,13 +6,13 @@
 
 #include <algorithm>
 
-namespace coif::even_strands_test {
+namespace coif::cards::even_strands_test {
 
 constexpr float kWidth = 0.0001f;
 
 TEST(EvenStrands, HavePointsAtEvenSharesOfTheirLength) {
   // Points where they are not even: the shape is what counts.
-  const Groom groom =
+  const groom::Groom groom =
       test::groom_of({{{0, 0, 0}, {0, -0.01f, 0}, {0, -0.2f, 0}, {0.1f, -0.2f, 0}}, {{0, 0, 1}, {0, 0, 2}}});
   const EvenStrands even = even_strands(groom, kWidth);
   ASSERT_EQ(even.count(), 2u);
@@ -29,7 +29,7 @@ TEST(EvenStrands, HavePointsAtEvenSharesOfTheirLength) {
 }
 
 TEST(EvenStrands, BeginWithRootsWhereThatIsSaid) {
-  const Groom groom = test::groom_of({{{0, 0, 0}, {0, -1, 0}}});
+  const groom::Groom groom = test::groom_of({{{0, 0, 0}, {0, -1, 0}}});
   const std::uint8_t reversed = 1;
   const EvenStrands even = even_strands(groom, kWidth, std::span(&reversed, 1));
   EXPECT_EQ(even.strand(0).front(), Eigen::Vector3f(0, -1, 0));
@@ -46,7 +46,7 @@ TEST(ReversedStrands, AreThoseWhoseLastPointLiesOnTheScalp) {
       std::ranges::reverse(strands[i]);
       ++expected;
     }
-    Groom groom = test::groom_of(strands);
+    groom::Groom groom = test::groom_of(strands);
     groom.root_first = false;
     const auto found = find_reversed_strands(groom);
     std::size_t right = 0;
@@ -79,4 +79,4 @@ TEST(ScalpRadius, IsNotToldByALock) {
   EXPECT_EQ(scalp_radius_of(EvenStrands{}), 0);
 }
 
-}  // namespace coif::even_strands_test
+}  // namespace coif::cards::even_strands_test

@@ -8,16 +8,16 @@
 #include <algorithm>
 #include <numeric>
 
-namespace coif::fewer_strands_test {
+namespace coif::cards::fewer_strands_test {
 
 TEST(FewerStrands, CoverAsMuchOfAPictureAsAll) {
-  const Groom all = test::groom_of(test::strands_of_a_head(6000));
-  const Groom fewer = fewer_strands(all, 0.0002f, all.points.size() / 6);
-  EXPECT_EQ(find_groom_fault(fewer), "");
+  const groom::Groom all = test::groom_of(test::strands_of_a_head(6000));
+  const groom::Groom fewer = fewer_strands(all, 0.0002f, all.points.size() / 6);
+  EXPECT_EQ(groom::find_groom_fault(fewer), "");
   EXPECT_EQ(fewer.strand_count(), 1000u);
   EXPECT_EQ(fewer.widths, std::vector<float>(fewer.points.size(), 6 * 0.0002f));
   const PictureFrame frame = frame_along(Eigen::Vector3f(0.3f, 0.2f, 1).normalized(), ball_around(all.points), 64);
-  const auto covered = [&](const Groom& groom) {
+  const auto covered = [&](const groom::Groom& groom) {
     const HairPicture picture = draw_strands(groom, frame, 0.0002f, 1);
     return std::accumulate(picture.coverage.begin(), picture.coverage.end(), 0.0);
   };
@@ -25,17 +25,17 @@ TEST(FewerStrands, CoverAsMuchOfAPictureAsAll) {
 }
 
 TEST(FewerStrands, AreAllWhereThoseAreFew) {
-  const Groom all = test::hanging_wisps(3, 5);
-  const Groom same = fewer_strands(all, 0.001f, 1u << 20);
+  const groom::Groom all = test::hanging_wisps(3, 5);
+  const groom::Groom same = fewer_strands(all, 0.001f, 1u << 20);
   EXPECT_EQ(same.points, all.points);
   EXPECT_EQ(same.widths, std::vector<float>(all.points.size(), 0.001f));
 }
 
 TEST(StraighterStrands, LieWhereTheyLayWithFewerPoints) {
-  const Groom all = test::groom_of(test::strands_of_a_head(100));
+  const groom::Groom all = test::groom_of(test::strands_of_a_head(100));
   constexpr float kTolerance = 0.002f;
-  const Groom straighter = straighter_strands(all, kTolerance);
-  EXPECT_EQ(find_groom_fault(straighter), "");
+  const groom::Groom straighter = straighter_strands(all, kTolerance);
+  EXPECT_EQ(groom::find_groom_fault(straighter), "");
   ASSERT_EQ(straighter.strand_count(), all.strand_count());
   EXPECT_LT(straighter.points.size(), 2 * all.points.size() / 3);
   for (std::size_t i = 0; i < all.strand_count(); ++i) {
@@ -56,4 +56,4 @@ TEST(StraighterStrands, LieWhereTheyLayWithFewerPoints) {
       << "straight ones keep their ends";
 }
 
-}  // namespace coif::fewer_strands_test
+}  // namespace coif::cards::fewer_strands_test

@@ -9,20 +9,20 @@
 
 #include <algorithm>
 
-namespace coif::fit_opacity_test {
+namespace coif::cards::fit_opacity_test {
 
 constexpr float kWidth = 0.003f;
 
-OpacityFit fit(const Groom& groom, int rounds, Cards& cards, unsigned threads) {
+OpacityFit fit(const groom::Groom& groom, int rounds, Cards& cards, unsigned threads) {
   FitTarget target(groom, kWidth);
   return fit_opacity(target, rounds, cards, threads);
 }
 
-Cards unfitted_cards(const Groom& groom, std::size_t count, std::size_t triangles) {
+Cards unfitted_cards(const groom::Groom& groom, std::size_t count, std::size_t triangles) {
   return test::unfitted_cards(groom, kWidth, count, triangles, std::size_t{1} << 18);
 }
 
-double mean_overlap(const Groom& groom, const Cards& cards) {
+double mean_overlap(const groom::Groom& groom, const Cards& cards) {
   const CardSurface surface = surface_of(cards);
   double sum = 0;
   for (const Eigen::Vector3f& direction : spread_directions(5)) {
@@ -33,7 +33,7 @@ double mean_overlap(const Groom& groom, const Cards& cards) {
 }
 
 TEST(FitOpacity, BringsCardsNearerToStrandsFromDirectionsThatItDidNotSee) {
-  const Groom groom = test::groom_of(test::strands_of_a_head(400));
+  const groom::Groom groom = test::groom_of(test::strands_of_a_head(400));
   Cards cards = unfitted_cards(groom, 60, 480);
   const double before = mean_overlap(groom, cards);
   const OpacityFit fitted = fit(groom, 4, cards, 2);
@@ -47,7 +47,7 @@ TEST(FitOpacity, BringsCardsNearerToStrandsFromDirectionsThatItDidNotSee) {
 }
 
 TEST(FitOpacity, AddsNothingAtSidesAndTipsWhoseStraightEdgesWouldShow) {
-  const Groom groom = test::groom_of(test::strands_of_a_head(200));
+  const groom::Groom groom = test::groom_of(test::strands_of_a_head(200));
   Cards cards = unfitted_cards(groom, 20, 100);
   const std::vector<CardTexture> before = cards.textures;
   fit(groom, 2, cards, 2);
@@ -65,11 +65,11 @@ TEST(FitOpacity, AddsNothingAtSidesAndTipsWhoseStraightEdgesWouldShow) {
 }
 
 TEST(FitOpacity, RepeatsWithAnyNumberOfThreads) {
-  const Groom groom = test::groom_of(test::strands_of_a_head(150));
+  const groom::Groom groom = test::groom_of(test::strands_of_a_head(150));
   Cards one = unfitted_cards(groom, 20, 100), three = one;
   const OpacityFit first = fit(groom, 2, one, 1), second = fit(groom, 2, three, 3);
   EXPECT_EQ(first.errors, second.errors);
   for (std::size_t i = 0; i < one.textures.size(); ++i) EXPECT_EQ(one.textures[i].opacity, three.textures[i].opacity);
 }
 
-}  // namespace coif::fit_opacity_test
+}  // namespace coif::cards::fit_opacity_test

@@ -4,18 +4,18 @@
 
 #include <gtest/gtest.h>
 
-namespace coif::follow_hairs_test {
+namespace coif::cards::follow_hairs_test {
 
 using Eigen::Vector3f;
 using test::groom_of;
 using test::hanging;
 
 TEST(FollowHairs, RunBesideTheirGuides) {
-  Groom guides = groom_of({hanging({0, 1, 0}, 0.3f), hanging({0.1f, 1, 0}, 0.3f)});
+  groom::Groom guides = groom_of({hanging({0, 1, 0}, 0.3f), hanging({0.1f, 1, 0}, 0.3f)});
   guides.widths.assign(guides.points.size(), 0.001f);
   const auto all = with_follow_hairs(guides, 5, 0.004f);
   ASSERT_TRUE(all);
-  EXPECT_EQ(find_groom_fault(*all), "");
+  EXPECT_EQ(groom::find_groom_fault(*all), "");
   ASSERT_EQ(all->strand_count(), 12u);
   EXPECT_EQ(all->widths.size(), all->points.size());
   for (std::size_t i = 0; i < all->strand_count(); ++i) {
@@ -31,7 +31,8 @@ TEST(FollowHairs, RunBesideTheirGuides) {
 }
 
 TEST(FollowHairs, ReachAsFarAsGuidesLieApart) {
-  const Groom guides = groom_of({hanging({0, 1, 0}, 0.3f), hanging({0.02f, 1, 0}, 0.3f), hanging({0.04f, 1, 0}, 0.3f)});
+  const groom::Groom guides =
+      groom_of({hanging({0, 1, 0}, 0.3f), hanging({0.02f, 1, 0}, 0.3f), hanging({0.04f, 1, 0}, 0.3f)});
   const auto all = with_follow_hairs(guides, 40, 0);
   ASSERT_TRUE(all);
   float farthest = 0;
@@ -41,7 +42,7 @@ TEST(FollowHairs, ReachAsFarAsGuidesLieApart) {
 }
 
 TEST(FollowHairs, NoneLeaveStrandsAsTheyAreAndTooManyAreRefused) {
-  const Groom guides = groom_of({hanging({0, 1, 0}, 0.3f)});
+  const groom::Groom guides = groom_of({hanging({0, 1, 0}, 0.3f)});
   EXPECT_EQ(with_follow_hairs(guides, 0, 1)->points, guides.points);
   std::vector<std::vector<Vector3f>> many(70000, hanging({0, 1, 0}, 0.3f, 2));
   const auto refused = with_follow_hairs(groom_of(many), 16, 0.1f);
@@ -52,4 +53,4 @@ TEST(FollowHairs, NoneLeaveStrandsAsTheyAreAndTooManyAreRefused) {
       << refused.error().message;
 }
 
-}  // namespace coif::follow_hairs_test
+}  // namespace coif::cards::follow_hairs_test

@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <utility>
 
-namespace coif::test {
+namespace coif::cards::test {
 
 /// Of a groom, not fitted to pictures of it.
-inline Cards unfitted_cards(const Groom& groom, float width, std::size_t count, std::size_t triangles,
+inline Cards unfitted_cards(const groom::Groom& groom, float width, std::size_t count, std::size_t triangles,
                             std::size_t texels) {
   const GroomShape shape = shape_of(groom, width);
   auto wisps = find_wisps(shape.strands, count, 2);
@@ -21,4 +21,4 @@ inline Cards unfitted_cards(const Groom& groom, float width, std::size_t count, 
   return std::move(*cards);
 }
 
-}  // namespace coif::test
+}  // namespace coif::cards::test

@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
-namespace coif::test {
+namespace coif::cards::test {
 
-inline Groom groom_of(const std::vector<std::vector<Eigen::Vector3f>>& strands) {
-  Groom groom;
+inline groom::Groom groom_of(const std::vector<std::vector<Eigen::Vector3f>>& strands) {
+  groom::Groom groom;
   groom.root_first = true;
-  GroomBuilder builder(groom);
+  groom::GroomBuilder builder(groom);
   for (const auto& strand : strands) builder.add(strand);
   const std::string fault = builder.finish();
   if (!fault.empty()) groom.warnings.emplace_back("S223", fault);
@@ -33,7 +33,7 @@ inline std::vector<Eigen::Vector3f> hanging(const Eigen::Vector3f& root, float l
 }
 
 /// Wisps of `each` strands that hang from places far from each other, flat: 2 cm wide along X, 1 mm deep.
-inline Groom hanging_wisps(std::size_t wisps, std::size_t each) {
+inline groom::Groom hanging_wisps(std::size_t wisps, std::size_t each) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> unit(-1, 1);
   std::vector<std::vector<Eigen::Vector3f>> strands;
@@ -65,4 +65,4 @@ inline std::vector<std::vector<Eigen::Vector3f>> strands_of_a_head(std::size_t c
   return strands;
 }
 
-}  // namespace coif::test
+}  // namespace coif::cards::test

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <random>
 
-namespace coif::scalp_cards_test {
+namespace coif::cards::scalp_cards_test {
 
 constexpr float kWidth = 0.0008f, kHead = 0.1f;  // metres; test::strands_of_a_head() has that radius
 using Eigen::Vector3f;
@@ -21,7 +21,7 @@ struct MadeScalp {
       : groom(test::groom_of(strands)),
         shape(shape_of(groom, kWidth)),
         cards(find_scalp_cards(groom, shape.is_reversed, shape.strands, triangles, 2)) {}
-  Groom groom;
+  groom::Groom groom;
   GroomShape shape;
   ScalpCards cards;
 };
@@ -76,7 +76,7 @@ TEST(ScalpPatches, HoldEachStrandOnceAndLieInItsSkin) {
     EXPECT_GT(patch.normal(0, 0).dot(patch.middle.normalized()), 0.98f) << "outwards";
   }
   EXPECT_EQ(std::ranges::count(seen, 1), 1500);
-  EXPECT_EQ(find_groom_fault(scalp.strands), "");
+  EXPECT_EQ(groom::find_groom_fault(scalp.strands), "");
   EXPECT_EQ(scalp.strands.strand_count(), 1500u);
   for (const Vector3f& point : scalp.strands.points) ASSERT_NEAR(point.norm(), kHead, 0.12f * kHead) << "laid down";
 }
@@ -175,4 +175,4 @@ TEST(ScalpCards, AreAShareOfTheBudgetBehindAllOthers) {
   }
 }
 
-}  // namespace coif::scalp_cards_test
+}  // namespace coif::cards::scalp_cards_test

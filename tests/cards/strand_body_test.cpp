@@ -11,21 +11,21 @@
 
 #include <algorithm>
 
-namespace coif::strand_body_test {
+namespace coif::cards::strand_body_test {
 
 using Eigen::Vector3f;
-using test::TemporaryFolder;
+using importer::test::TemporaryFolder;
 
 const Vector3f kHead(0, 1.6f, 0);
 
 /// The head that strands_of_a_head() grow on, over a body on the floor.
-SourceModel body_with_head() {
-  test::MadeUpMesh mesh = test::ellipsoid(kHead, Vector3f::Constant(0.1f));
-  append(test::ellipsoid({0, 1.1f, 0}, {0.2f, 0.35f, 0.12f}), mesh);
-  return test::model_of(std::move(mesh));
+importer::SourceModel body_with_head() {
+  grow::test::MadeUpMesh mesh = grow::test::ellipsoid(kHead, Vector3f::Constant(0.1f));
+  append(grow::test::ellipsoid({0, 1.1f, 0}, {0.2f, 0.35f, 0.12f}), mesh);
+  return grow::test::model_of(std::move(mesh));
 }
 
-Groom groom_in(float scale, bool z_up) {
+groom::Groom groom_in(float scale, bool z_up) {
   auto strands = test::strands_of_a_head(200);
   for (auto& strand : strands) {
     for (Vector3f& p : strand) {
@@ -33,13 +33,13 @@ Groom groom_in(float scale, bool z_up) {
       p = scale * (z_up ? Vector3f(p.x(), -p.z(), p.y()) : p);
     }
   }
-  Groom groom = test::groom_of(strands);
-  groom.space.unit = Statement::kUnsaid;
-  groom.space.up = Statement::kUnsaid;
+  groom::Groom groom = test::groom_of(strands);
+  groom.space.unit = importer::Statement::kUnsaid;
+  groom.space.up = importer::Statement::kUnsaid;
   return groom;
 }
 
-float farthest_root(const Groom& groom) {
+float farthest_root(const groom::Groom& groom) {
   float farthest = 0;
   for (std::size_t i = 0; i < groom.strand_count(); ++i)
     farthest = std::max(farthest, std::abs((groom.strand(i)[0] - kHead).norm() - 0.1f));
@@ -47,8 +47,8 @@ float farthest_root(const Groom& groom) {
 }
 
 TEST(StrandBody, LeavesStrandsThatFit) {
-  Groom groom = groom_in(1, false);
-  const Groom before = groom;
+  groom::Groom groom = groom_in(1, false);
+  const groom::Groom before = groom;
   place_on_body(body_with_head(), groom);
   EXPECT_EQ(groom.points, before.points);
   EXPECT_TRUE(groom.warnings.empty());
@@ -58,7 +58,7 @@ TEST(StrandBody, FindsUnitAndAxisByTheRootsAndSaysSo) {
   for (const float scale : {100.0f, 1000.0f, 1.0f}) {
     for (const bool z_up : {false, true}) {
       if (scale == 1 && !z_up) continue;
-      Groom groom = groom_in(scale, z_up);
+      groom::Groom groom = groom_in(scale, z_up);
       place_on_body(body_with_head(), groom);
       EXPECT_LT(farthest_root(groom), 0.002f) << scale << z_up;
       ASSERT_EQ(groom.warnings.size(), 1u);
@@ -66,32 +66,33 @@ TEST(StrandBody, FindsUnitAndAxisByTheRootsAndSaysSo) {
           groom.warnings[0].find(fmt::format("taken as of {:.4g} m per unit with {} up", 1 / scale, z_up ? 'Z' : 'Y')),
           std::string::npos)
           << groom.warnings[0];
-      EXPECT_EQ(find_groom_fault(groom), "");
+      EXPECT_EQ(groom::find_groom_fault(groom), "");
     }
   }
 }
 
 TEST(StrandBody, KeepsWhatTheRecipeGivesAndSaysHowFarOffItIs) {
-  Groom groom = groom_in(100, false);
-  groom.space.unit = groom.space.up = Statement::kGiven;
-  const Groom before = groom;
+  groom::Groom groom = groom_in(100, false);
+  groom.space.unit = groom.space.up = importer::Statement::kGiven;
+  const groom::Groom before = groom;
   place_on_body(body_with_head(), groom);
   EXPECT_EQ(groom.points, before.points);
   ASSERT_EQ(groom.warnings.size(), 1u);
   EXPECT_TRUE(groom.warnings[0].starts_with("roots lie ")) << groom.warnings[0];
 }
 
-SourceModel cards_alone() {
-  SourceModel cards = test::model_of(test::ellipsoid({0, 1.7f, 0}, {0.02f, 0.1f, 0.001f}), "hair");
+importer::SourceModel cards_alone() {
+  importer::SourceModel cards =
+      grow::test::model_of(grow::test::ellipsoid({0, 1.7f, 0}, {0.02f, 0.1f, 0.001f}), "hair");
   return cards;
 }
 
 TEST(StrandBody, CardsHangFromTheHeadThatIsNamed) {
-  SourceModel body = body_with_head();
+  importer::SourceModel body = body_with_head();
   body.nodes.push_back({"Bip01 Head", 0, Eigen::Affine3d::Identity()});
-  SourceModel cards = cards_alone();
+  importer::SourceModel cards = cards_alone();
   add_body(body, cards);
-  EXPECT_EQ(find_model_fault(cards), "");
+  EXPECT_EQ(importer::find_model_fault(cards), "");
   ASSERT_EQ(cards.nodes.size(), 3u);
   EXPECT_EQ(cards.nodes[cards.meshes[0].node].name, "hair");
   EXPECT_EQ(cards.nodes[2].parent, 1u);
@@ -100,11 +101,11 @@ TEST(StrandBody, CardsHangFromTheHeadThatIsNamed) {
 }
 
 TEST(StrandBody, AHeadWithoutABoneGetsOne) {
-  SourceModel cards = cards_alone();
+  importer::SourceModel cards = cards_alone();
   add_body(body_with_head(), cards);
-  EXPECT_EQ(find_model_fault(cards), "");
-  ASSERT_NE(cards.head_node, kNoIndex);
-  const SourceMesh& skin = cards.meshes.back();
+  EXPECT_EQ(importer::find_model_fault(cards), "");
+  ASSERT_NE(cards.head_node, importer::kNoIndex);
+  const importer::SourceMesh& skin = cards.meshes.back();
   std::size_t on_head = 0;
   for (std::size_t v = 0; v < skin.positions.size(); ++v) {
     const bool follows = skin.influences[skin.influence_begin[v]].node == cards.head_node;
@@ -118,11 +119,11 @@ TEST(StrandBody, AHeadWithoutABoneGetsOne) {
 }
 
 TEST(StrandBody, HairOfTheBodysOwnIsLeftOut) {
-  SourceModel body = body_with_head();
-  SourceMesh wig = body.meshes[0];
+  importer::SourceModel body = body_with_head();
+  importer::SourceMesh wig = body.meshes[0];
   wig.name = "Hair_01";
   body.meshes.push_back(wig);
-  SourceModel cards = cards_alone();
+  importer::SourceModel cards = cards_alone();
   add_body(body, cards);
   EXPECT_EQ(cards.meshes.size(), 2u);
   ASSERT_EQ(cards.warnings.size(), 1u);
@@ -133,7 +134,7 @@ std::string obj_text(bool with_mesh, const char* mesh_name, std::size_t strands 
   std::string text;
   int vertex = 0;
   if (with_mesh) {
-    const test::MadeUpMesh mesh = test::ellipsoid(Vector3f::Zero(), Vector3f::Constant(0.1f));
+    const grow::test::MadeUpMesh mesh = grow::test::ellipsoid(Vector3f::Zero(), Vector3f::Constant(0.1f));
     text += fmt::format("o {}\n", mesh_name);
     for (const Vector3f& p : mesh.positions) text += fmt::format("v {} {} {}\n", p.x(), p.y(), p.z());
     for (std::size_t i = 0; i < mesh.triangles.size(); i += 3)
@@ -150,8 +151,8 @@ std::string obj_text(bool with_mesh, const char* mesh_name, std::size_t strands 
   return text;
 }
 
-Recipe small_cards() {
-  Recipe recipe = default_recipe();
+cook::Recipe small_cards() {
+  cook::Recipe recipe = cook::default_recipe();
   recipe.cards_triangles = 60;
   recipe.cards_texels = 8192;
   return recipe;
@@ -163,7 +164,7 @@ TEST(HairSource, LinesBesideAMeshAreItsHair) {
   ASSERT_TRUE(model) << model.error().message;
   EXPECT_EQ(model->materials[model->meshes[0].material].name, "cards");
   EXPECT_EQ(model->meshes.back().name, "body");
-  EXPECT_NE(model->head_node, kNoIndex);
+  EXPECT_NE(model->head_node, importer::kNoIndex);
   const auto strips = read_hair_source(folder.write("strips.obj", obj_text(true, "hair")), small_cards(), {});
   ASSERT_TRUE(strips);
   EXPECT_EQ(strips->meshes.size(), 1u);
@@ -175,7 +176,7 @@ TEST(HairSource, LinesBesideAMeshAreItsHair) {
 TEST(HairSource, ABodyOfItsOwnFileComesBesideTheRecipe) {
   const TemporaryFolder folder;
   folder.write("face.obj", obj_text(true, "face"));
-  Recipe recipe = small_cards();
+  cook::Recipe recipe = small_cards();
   recipe.cards_body = "face.obj";
   const auto strands = folder.write("lines.obj", obj_text(false, ""));
   const auto model = read_hair_source(strands, recipe, {{}, folder.path(), 2});
@@ -189,18 +190,18 @@ TEST(HairSource, ABodyOfItsOwnFileComesBesideTheRecipe) {
 }
 
 TEST(HairSource, ARecipeGrowsHairOnTheSamplesBust) {
-  Recipe recipe = small_cards();
+  cook::Recipe recipe = small_cards();
   recipe.grow_strands = 300;
   const auto model = read_hair_source("made_up.recipe.json", recipe, {});
   ASSERT_TRUE(model) << model.error().message;
-  EXPECT_EQ(find_model_fault(*model), "");
+  EXPECT_EQ(importer::find_model_fault(*model), "");
   EXPECT_EQ(model->materials[model->meshes[0].material].name, "cards");
   EXPECT_EQ(model->meshes.back().name, "body");
-  EXPECT_NE(model->head_node, kNoIndex);
+  EXPECT_NE(model->head_node, importer::kNoIndex);
 }
 
 TEST(HairSource, ItsValuesAreThoseThatChangeTheModel) {
-  Recipe recipe = default_recipe();
+  cook::Recipe recipe = cook::default_recipe();
   const std::string before = source_values(recipe);
   recipe.gravity_scale = 0.5;
   EXPECT_EQ(source_values(recipe), before);
@@ -208,4 +209,4 @@ TEST(HairSource, ItsValuesAreThoseThatChangeTheModel) {
   EXPECT_NE(source_values(recipe), before);
 }
 
-}  // namespace coif::strand_body_test
+}  // namespace coif::cards::strand_body_test

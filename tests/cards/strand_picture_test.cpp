@@ -6,7 +6,7 @@
 
 #include <numeric>
 
-namespace coif::strand_picture_test {
+namespace coif::cards::strand_picture_test {
 
 const ShownBall kBall{Eigen::Vector3f::Zero(), 1};
 
@@ -34,7 +34,7 @@ TEST(StrandPicture, CoversTheAreaOfStrands) {
 }
 
 TEST(StrandPicture, ShowsWhatIsNearest) {
-  const Groom groom = test::groom_of({{{-1, 0, -0.5f}, {1, 0, -0.5f}}, {{0, -1, 0.5f}, {0, 1, 0.5f}}});
+  const groom::Groom groom = test::groom_of({{{-1, 0, -0.5f}, {1, 0, -0.5f}}, {{0, -1, 0.5f}, {0, 1, 0.5f}}});
   const PictureFrame frame = frame_along({0, 0, -1}, kBall, 64);  // from +Z: the upright one is in front
   const HairPicture picture = draw_strands(groom, frame, 0.2f, 2);
   const std::size_t middle = 32 * 64 + 32;
@@ -46,7 +46,7 @@ TEST(StrandPicture, ShowsWhatIsNearest) {
 }
 
 TEST(StrandPicture, IsTheSameFromBehindAndWithAnyNumberOfThreads) {
-  const Groom groom = test::groom_of(test::strands_of_a_head(200));
+  const groom::Groom groom = test::groom_of(test::strands_of_a_head(200));
   const PictureFrame front = frame_along({0, 0, -1}, ball_around(groom.points), 96);
   const PictureFrame back = frame_along({0, 0, 1}, ball_around(groom.points), 96);
   const HairPicture one = draw_strands(groom, front, 0.002f, 1), four = draw_strands(groom, front, 0.002f, 4);
@@ -77,4 +77,4 @@ TEST(PictureFrame, DirectionsAreUnitAndSpread) {
   }
 }
 
-}  // namespace coif::strand_picture_test
+}  // namespace coif::cards::strand_picture_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace coif::wisps_test {
+namespace coif::cards::wisps_test {
 
 constexpr float kWidth = 0.0001f;
 
@@ -95,4 +95,4 @@ TEST(Wisps, AreNoMoreThanStrandsAndTakeCopiesOfOne) {
   EXPECT_TRUE(find_wisps({}, 3, 1).empty());
 }
 
-}  // namespace coif::wisps_test
+}  // namespace coif::cards::wisps_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace coif::rig_difference_test {
+namespace coif::compare::rig_difference_test {
 
 /// small_asset() with this much of each vertex's weight, of 255, on the bone that moves it; the rest follows the head.
 AssetContents moving_by(std::uint8_t weight) {
@@ -20,8 +20,8 @@ AssetContents moving_by(std::uint8_t weight) {
   return contents;
 }
 
-RigDifference difference(const AssetContents& a, const AssetContents& b, const RecordingSettings& settings) {
-  const OpenAsset file_a(a), file_b(b);
+RigDifference difference(const AssetContents& a, const AssetContents& b, const animation::RecordingSettings& settings) {
+  const animation::OpenAsset file_a(a), file_b(b);
   const auto match = match_surfaces(file_a.asset(), file_b.asset());
   EXPECT_TRUE(match) << match.error().message;
   const auto result = compare_rigs(file_a.asset(), file_b.asset(), *match, settings);
@@ -30,7 +30,7 @@ RigDifference difference(const AssetContents& a, const AssetContents& b, const R
 }
 
 TEST(RigDifference, OfEqualRigsIsNothing) {
-  for (const MotionInfo& info : all_motions()) {
+  for (const motion::MotionInfo& info : motion::all_motions()) {
     const auto d = difference(small_asset(), small_asset(), {.motion = info.motion, .seconds = 1});
     EXPECT_EQ(d.rms, 0) << info.name;
     EXPECT_EQ(d.max, 0) << info.name;
@@ -40,7 +40,7 @@ TEST(RigDifference, OfEqualRigsIsNothing) {
 }
 
 TEST(RigDifference, OfARigidRigIsOneOfWhatTheOtherMoves) {
-  const auto d = difference(moving_by(255), moving_by(0), {.motion = Motion::kTurn, .seconds = 1});
+  const auto d = difference(moving_by(255), moving_by(0), {.motion = motion::Motion::kTurn, .seconds = 1});
   EXPECT_GT(d.moved, 0.001);
   EXPECT_NEAR(d.rms, d.moved, 1.0e-9);
   EXPECT_NEAR(d.ratio, 1, 1.0e-9);
@@ -49,50 +49,50 @@ TEST(RigDifference, OfARigidRigIsOneOfWhatTheOtherMoves) {
 
 TEST(RigDifference, GrowsWithTheWeightThatIsMissing) {
   for (const int missing : {51, 102, 204}) {
-    const auto d =
-        difference(moving_by(255), moving_by(std::uint8_t(255 - missing)), {.motion = Motion::kNod, .seconds = 1});
+    const auto d = difference(moving_by(255), moving_by(std::uint8_t(255 - missing)),
+                              {.motion = motion::Motion::kNod, .seconds = 1});
     EXPECT_NEAR(d.ratio, missing / 255.0, 1.0e-4);
   }
 }
 
 TEST(RigDifference, HasNoRatioWhereNothingMoves) {
-  const auto d = difference(moving_by(0), moving_by(255), {.motion = Motion::kTurn, .seconds = 1});
+  const auto d = difference(moving_by(0), moving_by(255), {.motion = motion::Motion::kTurn, .seconds = 1});
   EXPECT_LT(d.moved, 1.0e-6);
   EXPECT_GT(d.rms, 0);
 }
 
 TEST(RigDifference, PointsWithoutAreaDoNotCount) {
-  const OpenAsset moved(moving_by(255)), still(moving_by(0));
+  const animation::OpenAsset moved(moving_by(255)), still(moving_by(0));
   auto match = match_surfaces(moved.asset(), still.asset());
   ASSERT_TRUE(match);
   std::ranges::fill(match->area, 0);
-  const auto d = compare_rigs(moved.asset(), still.asset(), *match, {.motion = Motion::kTurn, .seconds = 1});
+  const auto d = compare_rigs(moved.asset(), still.asset(), *match, {.motion = motion::Motion::kTurn, .seconds = 1});
   ASSERT_TRUE(d);
   EXPECT_EQ(d->rms, 0);
   EXPECT_EQ(d->max, 0);
 }
 
 TEST(RigDifference, TellsSagFromSwing) {
-  const auto sag = difference(small_asset(), small_asset(), {.motion = Motion::kStill, .seconds = 1});
+  const auto sag = difference(small_asset(), small_asset(), {.motion = motion::Motion::kStill, .seconds = 1});
   EXPECT_LT(sag.still_ratio, 0.05) << "settled hair holds its mean pose";
   // Where no collider and no weight holds hair off its pose, all it does is swing.
   AssetContents free = small_asset();
   for (BoneRecord& bone : free.bones) bone.colliders = 0;
   for (DynamicsRecord& bone : free.dynamics) bone.gravity_scale = 0;
-  const auto swing = difference(free, free, {.motion = Motion::kNod, .seconds = 2});
+  const auto swing = difference(free, free, {.motion = motion::Motion::kNod, .seconds = 2});
   EXPECT_GT(swing.still_ratio, 0.9);
   EXPECT_LE(swing.still_ratio, 1);
 }
 
 TEST(RigDifference, RefusesWhatTheRecordingRefuses) {
-  const OpenAsset file(small_asset());
+  const animation::OpenAsset file(small_asset());
   const auto match = match_surfaces(file.asset(), file.asset());
   ASSERT_TRUE(match);
   EXPECT_FALSE(compare_rigs(file.asset(), file.asset(), *match, {.fps = 1}));
 }
 
 TEST(HairSize, IsTheDiagonalOfTheBoxAroundTheFinestLevel) {
-  const OpenAsset file(small_asset());
+  const animation::OpenAsset file(small_asset());
   // Vertices of level 0: x 0 .. 0.15, y -0.1 .. 0.
   EXPECT_NEAR(hair_size(file.asset()), std::hypot(0.15, 0.1), 1.0e-6);
 }
@@ -105,7 +105,7 @@ AssetContents moved(float by) {
 }
 
 TEST(SurfaceMatch, OfAnAssetWithItselfIsTheIdentity) {
-  const OpenAsset file(small_asset());
+  const animation::OpenAsset file(small_asset());
   ASSERT_TRUE(file.asset().is_open());
   const auto match = match_surfaces(file.asset(), file.asset());
   ASSERT_TRUE(match) << match.error().message;
@@ -121,7 +121,7 @@ TEST(SurfaceMatch, DoesNotDependOnTheOrderOfVertices) {
   std::ranges::reverse(contents.vertices);
   std::ranges::reverse(contents.skin);
   for (std::uint32_t& index : contents.indices) index = last - index;
-  const OpenAsset a(small_asset()), b(contents);
+  const animation::OpenAsset a(small_asset()), b(contents);
   ASSERT_TRUE(a.asset().is_open() && b.asset().is_open());
   const auto match = match_surfaces(a.asset(), b.asset());
   ASSERT_TRUE(match) << match.error().message;
@@ -136,7 +136,7 @@ TEST(SurfaceMatch, IsMadeInTheModelsSpace) {
   AssetContents contents = small_asset();
   contents.skeleton.head_joint[1] += 0.25f;
   for (VertexRecord& vertex : contents.vertices) vertex.position[1] -= 0.25f;
-  const OpenAsset a(small_asset()), b(contents);
+  const animation::OpenAsset a(small_asset()), b(contents);
   ASSERT_TRUE(a.asset().is_open() && b.asset().is_open());
   const auto match = match_surfaces(a.asset(), b.asset());
   ASSERT_TRUE(match) << match.error().message;
@@ -149,7 +149,7 @@ TEST(SurfaceMatch, AtOnePlaceTakesTheVertexWithTheSameTexture) {
   // The second vertex lies where the first does, with another part of the texture.
   std::copy_n(contents.vertices[0].position, 3, contents.vertices[1].position);
   contents.vertices[1].uv[0] = contents.vertices[0].uv[0] + 0.5f;
-  const OpenAsset file(contents);
+  const animation::OpenAsset file(contents);
   ASSERT_TRUE(file.asset().is_open());
   const auto match = match_surfaces(file.asset(), file.asset());
   ASSERT_TRUE(match) << match.error().message;
@@ -157,15 +157,15 @@ TEST(SurfaceMatch, AtOnePlaceTakesTheVertexWithTheSameTexture) {
 }
 
 TEST(SurfaceMatch, MeasuresSmallDifferencesAndRefusesLargeOnes) {
-  const OpenAsset a(small_asset());
+  const animation::OpenAsset a(small_asset());
   for (const float near : {0.0001f, 0.0008f}) {
-    const OpenAsset b(moved(near));
+    const animation::OpenAsset b(moved(near));
     const auto match = match_surfaces(a.asset(), b.asset());
     ASSERT_TRUE(match) << match.error().message;
     EXPECT_NEAR(match->rest_rms, near, 1.0e-6);
   }
   for (const float far : {0.0012f, 0.01f, 100.0f}) {
-    const OpenAsset b(moved(far));
+    const animation::OpenAsset b(moved(far));
     const auto match = match_surfaces(a.asset(), b.asset());
     ASSERT_FALSE(match) << far;
     EXPECT_NE(match.error().message.find("differ at rest"), std::string::npos);
@@ -174,10 +174,10 @@ TEST(SurfaceMatch, MeasuresSmallDifferencesAndRefusesLargeOnes) {
 }
 
 TEST(SurfaceMatch, NeedsAMesh) {
-  const OpenAsset bald(without_mesh(small_asset())), hairy(small_asset());
+  const animation::OpenAsset bald(without_mesh(small_asset())), hairy(small_asset());
   ASSERT_TRUE(bald.asset().is_open());
   EXPECT_FALSE(match_surfaces(bald.asset(), hairy.asset()));
   EXPECT_FALSE(match_surfaces(hairy.asset(), bald.asset()));
 }
 
-}  // namespace coif::rig_difference_test
+}  // namespace coif::compare::rig_difference_test

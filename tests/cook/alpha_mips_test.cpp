@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace coif::alpha_mips_test {
+namespace coif::cook::alpha_mips_test {
 
 constexpr std::uint32_t kSide = 256;
 constexpr std::size_t kJudgedMips = 6;  ///< The last of them has 8 x 8 texels.
@@ -196,4 +196,4 @@ TEST(AlphaCoverage, AThresholdOfATexelsOwnAlphaPassesIt) {
   }
 }
 
-}  // namespace coif::alpha_mips_test
+}  // namespace coif::cook::alpha_mips_test

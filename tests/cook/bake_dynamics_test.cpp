@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif::bake_dynamics_test {
+namespace coif::cook::bake_dynamics_test {
 
 TEST(BakeDynamics, CurvesAreLinearBetweenPointsAndConstantOutside) {
   const std::vector<CurvePoint> curve{{0.2, 1.0}, {0.4, 0.5}, {0.8, 0.1}};
@@ -38,7 +38,7 @@ Skeleton chain_of(std::uint32_t bones) {
 std::vector<DynamicsRecord> records_of(const Skeleton& skeleton) {
   Recipe recipe = default_recipe();
   recipe.resistance = {{0, 0.35}, {1, 0.06}};
-  return bake_dynamics(SourceModel(), skeleton, recipe, {}, unheard()).records;
+  return bake_dynamics(importer::SourceModel(), skeleton, recipe, {}, unheard()).records;
 }
 
 TEST(BakeDynamics, ResistanceFallsFromRootToTip) {
@@ -63,8 +63,8 @@ TEST(BakeDynamics, RigidHairStoresNone) {
 
 using Eigen::Vector3d;
 
-SourceSpringJoint joint_at(std::uint32_t node, double length) {
-  SourceSpringJoint joint;
+importer::SourceSpringJoint joint_at(std::uint32_t node, double length) {
+  importer::SourceSpringJoint joint;
   joint.node = node;
   joint.length = length;
   joint.gravity_power = 0.2;
@@ -73,9 +73,9 @@ SourceSpringJoint joint_at(std::uint32_t node, double length) {
 }
 
 /// The wig with a spring on both of its simulated bones.
-SourceModel sprung_wig() {
-  SourceModel model = make_wig();
-  SourceSpring spring;
+importer::SourceModel sprung_wig() {
+  importer::SourceModel model = make_wig();
+  importer::SourceSpring spring;
   spring.name = "tail";
   spring.joints = {joint_at(3, 0.1), joint_at(4, 0.1), joint_at(5, 0)};
   model.springs = {spring};
@@ -102,7 +102,7 @@ Skeleton wig_skeleton() {
 }
 
 TEST(SpringJoints, AJointsSettingsGoToItsOwnNodesBone) {
-  SourceModel model = sprung_wig();
+  importer::SourceModel model = sprung_wig();
   const auto joints = joints_of_bones(model, wig_skeleton());
   ASSERT_EQ(joints.size(), 4u);
   EXPECT_FALSE(joints[0]);
@@ -118,7 +118,7 @@ TEST(SpringJoints, AJointsSettingsGoToItsOwnNodesBone) {
 }
 
 TEST(BuildSkeleton, AFirstBoneThatASpringTurnsIsNoScalp) {
-  SourceModel model = sprung_wig();
+  importer::SourceModel model = sprung_wig();
   const Recipe by_springs = default_recipe();
   Recipe by_curves = default_recipe();
   by_curves.dynamics_source = DynamicsSource::kCurves;
@@ -133,12 +133,12 @@ TEST(BuildSkeleton, AFirstBoneThatASpringTurnsIsNoScalp) {
   EXPECT_EQ(simulated(by_curves), 2u);
 }
 
-Told<std::vector<DynamicsRecord>> baked(const SourceModel& model, const Recipe& recipe = default_recipe()) {
+Told<std::vector<DynamicsRecord>> baked(const importer::SourceModel& model, const Recipe& recipe = default_recipe()) {
   return told([&](Findings& findings) { return bake_dynamics(model, wig_skeleton(), recipe, {}, findings).records; });
 }
 
 TEST(MotionSource, IsTheFilesSpringElseTheCurveElseThePreset) {
-  const SourceModel model = sprung_wig();
+  const importer::SourceModel model = sprung_wig();
   const auto hair = select_hair(model, default_recipe(), unheard());
   ASSERT_TRUE(hair);
   const Skeleton skeleton =
@@ -171,7 +171,7 @@ TEST(AirLag, IsAsTheRecipeSaysElseAsIsUsualWhereMostNumbersAreFrom) {
 }
 
 TEST(MotionSource, OfAChainWhoseOwnResistanceIsEmptyIsThePreset) {
-  const SourceModel model = sprung_wig();
+  const importer::SourceModel model = sprung_wig();
   const auto hair = select_hair(model, default_recipe(), unheard());
   const Skeleton skeleton =
       *build_skeleton(model, *hair, *find_head_bone(model, *hair, ""), default_recipe(), unheard());
@@ -184,7 +184,7 @@ TEST(MotionSource, OfAChainWhoseOwnResistanceIsEmptyIsThePreset) {
 }
 
 TEST(MotionSource, OfAChainWithAPresetOfItsOwnIsThat) {
-  const SourceModel model = sprung_wig();
+  const importer::SourceModel model = sprung_wig();
   const auto hair = select_hair(model, default_recipe(), unheard());
   const Skeleton skeleton =
       *build_skeleton(model, *hair, *find_head_bone(model, *hair, ""), default_recipe(), unheard());
@@ -203,7 +203,7 @@ TEST(MotionSource, OfAChainWithAPresetOfItsOwnIsThat) {
 }
 
 TEST(BakeDynamics, TakesSpringsWhereThereAreSomeUnlessTheRecipeSaysCurves) {
-  SourceModel model = sprung_wig();
+  importer::SourceModel model = sprung_wig();
   model.springs[0].joints.erase(model.springs[0].joints.begin() + 1);
   Recipe recipe = default_recipe();
   const auto mixed = baked(model, recipe);
@@ -228,7 +228,7 @@ TEST(BakeDynamics, TakesSpringsWhereThereAreSomeUnlessTheRecipeSaysCurves) {
 }
 
 TEST(BakeDynamics, SpringsGetStiffnessAndDampingAsCurvesDo) {
-  const SourceModel model = sprung_wig();
+  const importer::SourceModel model = sprung_wig();
   Recipe recipe = default_recipe();
   recipe.damping_ratio = 1.0;
   const auto pure = baked(model).made;
@@ -246,7 +246,7 @@ TEST(BakeDynamics, SpringsGetStiffnessAndDampingAsCurvesDo) {
 }
 
 TEST(BakeDynamics, WhatASpringLosesIsAWarningThatNamesIt) {
-  SourceModel model = sprung_wig();
+  importer::SourceModel model = sprung_wig();
   EXPECT_TRUE(baked(model).warnings.empty());
   model.springs[0].center = 1;
   model.springs[0].joints[1].gravity_direction = Vector3d(1, -1, 0).normalized();
@@ -255,8 +255,8 @@ TEST(BakeDynamics, WhatASpringLosesIsAWarningThatNamesIt) {
   EXPECT_NE(warnings[0].find("spring 'tail': its gravity is not vertical"), std::string::npos) << warnings[0];
   EXPECT_NE(warnings[1].find("center 'Head'"), std::string::npos) << warnings[1];
   model.springs[0].joints[1].gravity_power = 0;
-  model.springs[0].center = kNoIndex;
+  model.springs[0].center = importer::kNoIndex;
   EXPECT_TRUE(baked(model).warnings.empty()) << "no gravity has no direction";
 }
 
-}  // namespace coif::bake_dynamics_test
+}  // namespace coif::cook::bake_dynamics_test

@@ -9,7 +9,7 @@
 
 #include <numbers>
 
-namespace coif::bake_limits_test {
+namespace coif::cook::bake_limits_test {
 
 using Eigen::Vector3d;
 
@@ -19,7 +19,7 @@ constexpr std::uint32_t kHeadNode = 0;
 class BakeLimits : public testing::Test {
  protected:
   BakeLimits() : recipe_(default_recipe()) {
-    add_node(model_, "Head", kNoIndex, {0, 0, 0});
+    add_node(model_, "Head", importer::kNoIndex, {0, 0, 0});
     skeleton_.bones.resize(1);
     skeleton_.bones[0].kind = BoneKind::kHead;
     skeleton_.bone_of_node = {0};
@@ -38,7 +38,7 @@ class BakeLimits : public testing::Test {
     hair.tail = tail;
     skeleton_.bones.push_back(hair);
     skeleton_.bone_of_node.insert(skeleton_.bone_of_node.end(), {bone, bone});
-    SourceSpring spring;
+    importer::SourceSpring spring;
     spring.joints.resize(2);
     spring.joints[0].node = node;
     spring.joints[0].length = 0.1;
@@ -56,7 +56,7 @@ class BakeLimits : public testing::Test {
     return bake_limits(model_, skeleton_, recipe_, unheard());
   }
 
-  SourceModel model_;
+  importer::SourceModel model_;
   Skeleton skeleton_;
   Recipe recipe_;
 };
@@ -78,8 +78,8 @@ TEST_F(BakeLimits, HairWithoutAnyHasNoRecords) {
 }
 
 TEST_F(BakeLimits, ASpringsLimitIsTheBones) {
-  SourceLimit& limit = model_.springs[1].joints[0].limit;
-  limit.kind = SourceLimit::Kind::kSpherical;
+  importer::SourceLimit& limit = model_.springs[1].joints[0].limit;
+  limit.kind = importer::SourceLimit::Kind::kSpherical;
   limit.angles[0] = std::numbers::pi;
   limit.angles[1] = std::numbers::pi / 2;
   limit.rotation = Eigen::AngleAxisd(0.3, Vector3d::UnitZ());
@@ -112,7 +112,7 @@ TEST_F(BakeLimits, AnAxisAlongTheBoneGivesWayToAnother) {
 }
 
 TEST_F(BakeLimits, TheLaterOneHoldsAndTheRecipesBeforeTheFiles) {
-  model_.springs[0].joints[0].limit.kind = SourceLimit::Kind::kCone;
+  model_.springs[0].joints[0].limit.kind = importer::SourceLimit::Kind::kCone;
   model_.springs[0].joints[0].limit.angles[0] = 1;
   say(R"({"bones": "*", "kind": "cone", "angle": 10}, {"bones": "down", "kind": "none"})");
   const std::vector<LimitRecord> limits = run().value();
@@ -129,4 +129,4 @@ TEST_F(BakeLimits, NamesOfNoBoneThatMovesAreErrorsThatSayWhichDo) {
       << limits.error().message;
 }
 
-}  // namespace coif::bake_limits_test
+}  // namespace coif::cook::bake_limits_test

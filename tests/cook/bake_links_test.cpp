@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace coif::bake_links_test {
+namespace coif::cook::bake_links_test {
 
 using Pairs = std::vector<ChainPair>;
 using BonesOfLinks = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
@@ -228,4 +228,4 @@ TEST_F(BakeLinks, OfEverybodyWithEverybodyAreRefusedWhereNobodyMeansThem) {
             "hair.glb: \"dynamics.links\" [0]: names too many pairs of chains; name neighbours");
 }
 
-}  // namespace coif::bake_links_test
+}  // namespace coif::cook::bake_links_test

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace coif::bake_textures_test {
+namespace coif::cook::bake_textures_test {
 
 constexpr std::uint32_t kSide = 128;
 
@@ -164,7 +164,7 @@ TEST(BakeTextures, WhatTheHairDoesNotUseDoesNotShowInMips) {
 TEST(BakeTextures, AnOpaqueMaterialIsStoredOpaque) {
   BaseColor color;
   color.image = strands_beside_a_face();
-  color.alpha_use = AlphaUse::kOpaque;
+  color.alpha_use = importer::AlphaUse::kOpaque;
   const auto mips = stored_mips(baked(color, left_half(), default_recipe()), TextureRole::kBaseColor, 4);
   for (const Image& mip : mips) {
     for (std::size_t i = 3; i < mip.texels.size(); i += 4) ASSERT_EQ(mip.texels[i], 255);
@@ -183,7 +183,7 @@ TEST(BakeTextures, ShiftAndMaskAreStoredAsTheRecipeSays) {
 }
 
 TEST(BakeTextures, InAnAtlasShiftAndMaskFollowEachSurfacesOwnCoordinates) {
-  SourceModel model;
+  importer::SourceModel model;
   model.path = "wig.glb";
   add_surface(model, "red").base_color = {1, 0, 0, 1};
   add_surface(model, "blue").base_color = {0, 0, 1, 1};
@@ -271,7 +271,7 @@ TEST(BakeTextures, NumbersOfStrandsThatTheRecipeNamesShiftTheirHighlights) {
                                                return Rgba{9, 9, std::uint8_t(x < 4 ? 0 : 255), 255};
                                              }),
                                      FileFormat::kPng));
-  SourceModel model;
+  importer::SourceModel model;
   model.path = folder.source("wig.glb").string();
   add_surface(model, "hair");
   HairMesh hair = whole_hair(model);
@@ -300,4 +300,4 @@ TEST(BakeTextures, WithoutTextureCoordinatesNothingIsStored) {
   EXPECT_EQ(textures.left_out.size(), 1u);
 }
 
-}  // namespace coif::bake_textures_test
+}  // namespace coif::cook::bake_textures_test

@@ -6,10 +6,10 @@
 
 #include <cmath>
 
-namespace coif::bare_body_test {
+namespace coif::cook::bare_body_test {
 
 /// A ball of the size of a head, open below a share of its height, whose vertices no two triangles share.
-SourceMesh ball(float open_below, const Eigen::Vector3f& radii = {0.09f, 0.12f, 0.1f}) {
+importer::SourceMesh ball(float open_below, const Eigen::Vector3f& radii = {0.09f, 0.12f, 0.1f}) {
   constexpr int kRings = 24, kSectors = 32;
   const auto at = [&](int ring, int sector) {
     const float polar = float(M_PI) * float(ring) / kRings,
@@ -18,7 +18,7 @@ SourceMesh ball(float open_below, const Eigen::Vector3f& radii = {0.09f, 0.12f, 
                            radii.cwiseProduct(Eigen::Vector3f(std::sin(polar) * std::sin(around), std::cos(polar),
                                                               std::sin(polar) * std::cos(around))));
   };
-  SourceMesh mesh;
+  importer::SourceMesh mesh;
   mesh.name = "Mesh_0";
   for (int ring = 0; ring < kRings; ++ring) {
     if (std::cos(M_PI * (ring + 1) / kRings) < double(2 * open_below - 1)) break;
@@ -33,15 +33,15 @@ SourceMesh ball(float open_below, const Eigen::Vector3f& radii = {0.09f, 0.12f, 
   return mesh;
 }
 
-SourceModel model_of(std::vector<SourceMesh> meshes) {
-  SourceModel model;
+importer::SourceModel model_of(std::vector<importer::SourceMesh> meshes) {
+  importer::SourceModel model;
   model.path = "export.glb";
-  add_node(model, "Mesh_0", kNoIndex, {0, 0, 0});
+  add_node(model, "Mesh_0", importer::kNoIndex, {0, 0, 0});
   model.meshes = std::move(meshes);
   return model;
 }
 
-std::string refusal_of(const SourceModel& model) {
+std::string refusal_of(const importer::SourceModel& model) {
   Findings findings;
   const auto choice = choose_hair(model, default_recipe(), findings);
   return choice ? "" : choice.error().message;
@@ -55,26 +55,26 @@ TEST(ChooseHair, NoHairIsInventedFromAHeadWhateverItIsCalled) {
     EXPECT_NE(why.find("Object > Convert > Mesh"), std::string::npos) << why;
   }
   // In pieces: eyeballs of half a centimetre beside it.
-  SourceMesh eye = ball(0, {0.012f, 0.012f, 0.012f});
+  importer::SourceMesh eye = ball(0, {0.012f, 0.012f, 0.012f});
   EXPECT_NE(refusal_of(model_of({ball(0.1f), eye})), "");
 }
 
 TEST(ChooseHair, AnEmptyNodeCalledHairIsNamedInTheRefusal) {
-  SourceModel model = model_of({ball(0)});
-  add_node(model, "HairCurves", kNoIndex, {0, 0, 0});
+  importer::SourceModel model = model_of({ball(0)});
+  add_node(model, "HairCurves", importer::kNoIndex, {0, 0, 0});
   EXPECT_NE(refusal_of(model).find("node 'HairCurves' has no mesh"), std::string::npos) << refusal_of(model);
 }
 
 TEST(ChooseHair, HairThatTheFileHidesIsNotCalledAbsent) {
-  SourceModel model = model_of({ball(0)});
-  add_node(model, "HairCards", kNoIndex, {0, 0, 0});
+  importer::SourceModel model = model_of({ball(0)});
+  add_node(model, "HairCards", importer::kNoIndex, {0, 0, 0});
   model.warnings.emplace_back("S213", "1 mesh left out, since the file hides it: 'HairCards'");
   EXPECT_NE(refusal_of(model).find("the file hides other meshes"), std::string::npos) << refusal_of(model);
   EXPECT_EQ(refusal_of(model).find("has no mesh"), std::string::npos) << refusal_of(model);
 }
 
 TEST(ChooseHair, AFigureThatStandsOnTheGroundIsABody) {
-  SourceMesh figure = ball(0, {0.35f, 0.85f, 0.05f});  // Flat, so that it is no full form.
+  importer::SourceMesh figure = ball(0, {0.35f, 0.85f, 0.05f});  // Flat, so that it is no full form.
   for (Eigen::Vector3f& p : figure.positions) p.y() += 0.85f - 1.6f;
   EXPECT_NE(refusal_of(model_of({figure})), "");
 }
@@ -82,7 +82,7 @@ TEST(ChooseHair, AFigureThatStandsOnTheGroundIsABody) {
 TEST(ChooseHair, HairOfOnePieceIsHair) {
   EXPECT_EQ(refusal_of(model_of({ball(0.45f)})), "") << "a cap of one sheet";
   EXPECT_EQ(refusal_of(model_of({make_strip({})})), "");
-  SourceModel named = model_of({ball(0)});
+  importer::SourceModel named = model_of({ball(0)});
   named.meshes[0].name = "afro_hair";
   EXPECT_EQ(refusal_of(named), "") << "somebody says that it is";
   named.meshes[0].name = "Mesh_0";
@@ -90,4 +90,4 @@ TEST(ChooseHair, HairOfOnePieceIsHair) {
   EXPECT_EQ(refusal_of(named), "") << "so does the file's name";
 }
 
-}  // namespace coif::bare_body_test
+}  // namespace coif::cook::bare_body_test

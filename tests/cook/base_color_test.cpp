@@ -7,13 +7,13 @@
 
 #include <algorithm>
 
-namespace coif::base_color_test {
+namespace coif::cook::base_color_test {
 
 constexpr Rgba kRed{200, 30, 20, 255};
 constexpr Rgba kGreen{30, 180, 40, 255};
 
-SourceModel model_beside(const ImageFolder& folder, const std::string& name) {
-  SourceModel model;
+importer::SourceModel model_beside(const ImageFolder& folder, const std::string& name) {
+  importer::SourceModel model;
   model.path = folder.source(name).string();
   return model;
 }
@@ -21,7 +21,7 @@ SourceModel model_beside(const ImageFolder& folder, const std::string& name) {
 /// A hair's colour, and what was said of it.
 struct SaidColor : BaseColor, Findings {};
 
-SaidColor base_color_of(const SourceModel& model, const Recipe& recipe = default_recipe()) {
+SaidColor base_color_of(const importer::SourceModel& model, const Recipe& recipe = default_recipe()) {
   HairMesh hair = whole_hair(model);
   Findings findings;
   auto color = find_base_color(model, hair, recipe, {}, findings);
@@ -42,7 +42,7 @@ bool has_color(const BaseColor& color, const Rgba& wanted) {
 TEST(BaseColor, ATextureWhereTheFileSaysIsTakenWithoutAWord) {
   const ImageFolder folder;
   folder.write_flat("maps/strands.png", kRed);
-  SourceModel model = model_beside(folder, "wig.fbx");
+  importer::SourceModel model = model_beside(folder, "wig.fbx");
   add_surface(model, "strands").base_texture.path = "maps/strands.png";
   const SaidColor color = base_color_of(model);
   EXPECT_TRUE(has_color(color, kRed));
@@ -53,7 +53,7 @@ TEST(BaseColor, ATextureWhereTheFileSaysIsTakenWithoutAWord) {
 TEST(BaseColor, ATextureFoundElsewhereIsTakenWithAWarning) {
   const ImageFolder folder;
   folder.write_flat("Textures/Strands.png", kRed);
-  SourceModel model = model_beside(folder, "wig.fbx");
+  importer::SourceModel model = model_beside(folder, "wig.fbx");
   add_surface(model, "strands").base_texture.path = "D:\\art\\strands.psd";
   const SaidColor color = base_color_of(model);
   EXPECT_TRUE(has_color(color, kRed));
@@ -63,7 +63,7 @@ TEST(BaseColor, ATextureFoundElsewhereIsTakenWithAWarning) {
 TEST(BaseColor, WhatWasAskedOfTheFolderIsToldWithItsAnswer) {
   const ImageFolder folder;
   folder.write_flat("strands.png", kRed);
-  SourceModel model = model_beside(folder, "wig.fbx");
+  importer::SourceModel model = model_beside(folder, "wig.fbx");
   add_surface(model, "strands").base_texture.path = "strands.png";
   const SaidColor color = base_color_of(model);
   ASSERT_EQ(color.questions.size(), 1u);
@@ -80,7 +80,7 @@ TEST(BaseColor, WhatWasAskedOfTheFolderIsToldWithItsAnswer) {
 TEST(BaseColor, AnOpacityTextureOfItsOwnIsMissedOnce) {
   const ImageFolder folder;
   folder.write_flat("strands.png", kRed);
-  SourceModel model = model_beside(folder, "wig.obj");
+  importer::SourceModel model = model_beside(folder, "wig.obj");
   add_surface(model, "strands").base_texture.path = "strands.png";
   model.materials[0].opacity_texture.path = "strands_alpha.png";
   const SaidColor color = base_color_of(model);
@@ -94,7 +94,7 @@ TEST(BaseColor, AnOpacityTextureOfItsOwnIsMissedOnce) {
 TEST(BaseColor, MapsThatAreNotDrawnAreTold) {
   const ImageFolder folder;
   folder.write_flat("strands.png", kRed);
-  SourceModel model = model_beside(folder, "wig.obj");
+  importer::SourceModel model = model_beside(folder, "wig.obj");
   add_surface(model, "strands").base_texture.path = "strands.png";
   model.materials[0].other_textures = {"occlusion map 'strands_ao.png'"};
   const SaidColor color = base_color_of(model);
@@ -105,7 +105,7 @@ TEST(BaseColor, MapsThatAreNotDrawnAreTold) {
 TEST(BaseColor, ATextureInVainIsAskedForAndEveryImageIsListed) {
   const ImageFolder folder;
   folder.write_flat("sofa.png");
-  SourceModel model = model_beside(folder, "wig.fbx");
+  importer::SourceModel model = model_beside(folder, "wig.fbx");
   add_surface(model, "strands").base_texture.path = "strands.png";
   const SaidColor color = base_color_of(model);
   ASSERT_EQ(color.questions.size(), 2u);
@@ -118,7 +118,7 @@ TEST(BaseColor, AMissingTextureIsAWarningThatListsWhatIsThere) {
   const ImageFolder folder;
   folder.write_flat("a.png");
   folder.write_flat("b.png");
-  SourceModel model = model_beside(folder, "wig.fbx");
+  importer::SourceModel model = model_beside(folder, "wig.fbx");
   add_surface(model, "strands").base_texture.path = "strands.png";
   const SaidColor color = base_color_of(model);
   EXPECT_FALSE(color.image);
@@ -129,7 +129,7 @@ TEST(BaseColor, AMissingTextureIsAWarningThatListsWhatIsThere) {
 TEST(BaseColor, AnImageThatCannotBeReadIsAWarning) {
   const ImageFolder folder;
   folder.write("strands.png", std::vector<std::uint8_t>{'n', 'o'});
-  SourceModel model = model_beside(folder, "wig.fbx");
+  importer::SourceModel model = model_beside(folder, "wig.fbx");
   add_surface(model, "strands").base_texture.path = "strands.png";
   const SaidColor color = base_color_of(model);
   EXPECT_FALSE(color.image);
@@ -138,7 +138,7 @@ TEST(BaseColor, AnImageThatCannotBeReadIsAWarning) {
 
 TEST(BaseColor, EmbeddedImagesAreDecoded) {
   for (const FileFormat format : {FileFormat::kPng, FileFormat::kJpeg}) {
-    SourceModel model;
+    importer::SourceModel model;
     model.path = "wig.glb";
     model.images.push_back({"strands", encoded(flat(8, 8, kRed), format)});
     add_surface(model, "strands").base_texture.image = 0;
@@ -151,7 +151,7 @@ TEST(BaseColor, EmbeddedImagesAreDecoded) {
 }
 
 TEST(BaseColor, ABrokenEmbeddedImageIsAWarningThatNamesIt) {
-  SourceModel model;
+  importer::SourceModel model;
   model.path = "wig.glb";
   model.images.push_back({"strands", {1, 2, 3}});
   add_surface(model, "hair").base_texture.image = 0;
@@ -167,7 +167,7 @@ TEST(BaseColor, OneImageWhoseNameFitsIsTakenWithAWarning) {
     folder.write_flat(image, kRed);
     folder.write_flat("skin.png");
     folder.write_flat("hair_normal.png");
-    SourceModel model = model_beside(folder, "long2.obj");
+    importer::SourceModel model = model_beside(folder, "long2.obj");
     add_surface(model, "strands").base_color = {0.6f, 0.6f, 0.6f, 1};
     const SaidColor color = base_color_of(model);
     EXPECT_TRUE(has_color(color, kRed)) << image;
@@ -180,7 +180,7 @@ TEST(BaseColor, SeveralImagesThatFitAreListedAndNoneIsTaken) {
   const ImageFolder folder;
   folder.write_flat("hair_red.png");
   folder.write_flat("tex/hair_blond.png");
-  SourceModel model = model_beside(folder, "wig.obj");
+  importer::SourceModel model = model_beside(folder, "wig.obj");
   add_surface(model, "strands");
   const SaidColor color = base_color_of(model);
   EXPECT_FALSE(color.image);
@@ -192,7 +192,7 @@ TEST(BaseColor, OfSeveralImagesThatFitTheOneWithTheNameAsAWordIsTaken) {
   const ImageFolder folder;
   folder.write_flat("curly2_texture.png", kGreen);
   folder.write_flat("curly_texture.png", kRed);
-  SourceModel model = model_beside(folder, "curly.obj");
+  importer::SourceModel model = model_beside(folder, "curly.obj");
   add_surface(model, "strands");
   EXPECT_TRUE(has_color(base_color_of(model), kRed));
 }
@@ -201,12 +201,12 @@ TEST(BaseColor, TheOnlyImageBesideASourceIsTakenWhateverItsNameUnlessItIsAnother
   const ImageFolder folder;
   folder.write_flat("untitled.png", kRed);
   folder.write_flat("untitled_normal.png");
-  SourceModel model = model_beside(folder, "wig.obj");
+  importer::SourceModel model = model_beside(folder, "wig.obj");
   add_surface(model, "strands");
   const SaidColor color = base_color_of(model);
   EXPECT_TRUE(has_color(color, kRed));
   EXPECT_NE(only_warning(color).find("untitled.png is taken"), std::string::npos) << only_warning(color);
-  SourceMaterial face;
+  importer::SourceMaterial face;
   face.base_texture.path = "untitled.png";
   model.materials.push_back(face);
   EXPECT_FALSE(base_color_of(model).image) << "a face's";
@@ -219,8 +219,8 @@ TEST(BaseColor, TheNormalMapComesWithItWhereThereIsOneSurface) {
   const ImageFolder folder;
   folder.write_flat("hair.png", kRed);
   folder.write_flat("maps/hair_n.png", {128, 128, 255, 255});
-  SourceModel model = model_beside(folder, "wig.fbx");
-  SourceMaterial& material = add_surface(model, "strands");
+  importer::SourceModel model = model_beside(folder, "wig.fbx");
+  importer::SourceMaterial& material = add_surface(model, "strands");
   material.base_texture.path = "hair.png";
   material.normal_texture.path = "C:\\maps\\hair_n.png";
   const SaidColor color = base_color_of(model);
@@ -239,8 +239,8 @@ TEST(BaseColor, ARecipesNormalMapTakesTheSourcesPlace) {
   folder.write_flat("hair.png", kRed);
   folder.write_flat("hair_n.png", {204, 128, 230, 255});
   folder.write_flat("recipes/own_n.png", {128, 204, 230, 255});
-  SourceModel model = model_beside(folder, "wig.fbx");
-  SourceMaterial& material = add_surface(model, "strands");
+  importer::SourceModel model = model_beside(folder, "wig.fbx");
+  importer::SourceMaterial& material = add_surface(model, "strands");
   material.base_texture.path = "hair.png";
   material.normal_texture.path = "hair_n.png";
   Recipe recipe = default_recipe();
@@ -274,8 +274,8 @@ TEST(BaseColor, AMapThatNobodyWillSeeIsNotMissed) {
   const ImageFolder folder;
   folder.write_flat("hair.png", kRed);
   folder.write_flat("own_n.png", {128, 204, 230, 255});
-  SourceModel model = model_beside(folder, "wig.fbx");
-  SourceMaterial& material = add_surface(model, "strands");
+  importer::SourceModel model = model_beside(folder, "wig.fbx");
+  importer::SourceMaterial& material = add_surface(model, "strands");
   material.base_texture.path = "hair.png";
   material.normal_texture.path = "lost.png";
   const auto warnings_with = [&](const Recipe& recipe) {
@@ -297,8 +297,8 @@ TEST(BaseColor, WhatIsNoNormalMapIsNamedAndNotUsed) {
   const ImageFolder folder;
   folder.write_flat("hair.png", kRed);
   folder.write_flat("hair_n.png", kGreen);
-  SourceModel model = model_beside(folder, "wig.fbx");
-  SourceMaterial& material = add_surface(model, "strands");
+  importer::SourceModel model = model_beside(folder, "wig.fbx");
+  importer::SourceMaterial& material = add_surface(model, "strands");
   material.name = "locks";
   material.base_texture.path = "hair.png";
   material.normal_texture.path = "hair_n.png";
@@ -313,7 +313,7 @@ TEST(BaseColor, WhatIsNoNormalMapIsNamedAndNotUsed) {
 TEST(BaseColor, AGltfWithoutATextureMeansIt) {
   const ImageFolder folder;
   folder.write_flat("hair.png");
-  SourceModel model = model_beside(folder, "wig.glb");
+  importer::SourceModel model = model_beside(folder, "wig.glb");
   add_surface(model, "hair").base_color = {0.5f, 0.2f, 0.1f, 1};
   const SaidColor color = base_color_of(model);
   EXPECT_FALSE(color.image);
@@ -323,7 +323,7 @@ TEST(BaseColor, AGltfWithoutATextureMeansIt) {
 
 TEST(BaseColor, HairIsNotDyedWhereTheRecipeNamesItsColour) {
   const ImageFolder folder;
-  SourceModel model = model_beside(folder, "wig.obj");
+  importer::SourceModel model = model_beside(folder, "wig.obj");
   add_surface(model, "hair").base_color = {0.95f, 0.95f, 0.93f, 1};
   Recipe recipe = default_recipe();
   EXPECT_EQ(base_color_of(model, recipe).factor.head<3>(), Eigen::Vector3f(0.13f, 0.07f, 0.035f)) << "a middle brown";
@@ -335,7 +335,7 @@ TEST(BaseColor, TheImageOfTheRecipeComesFirstAndMustBeThere) {
   const ImageFolder folder;
   folder.write_flat("strands.png", kRed);
   folder.write_flat("mine.png", kGreen);
-  SourceModel model = model_beside(folder, "wig.fbx");
+  importer::SourceModel model = model_beside(folder, "wig.fbx");
   add_surface(model, "strands").base_texture.path = "strands.png";
   Recipe recipe = default_recipe();
   recipe.base_color_texture.file = (folder.path() / "mine.png").string();
@@ -347,4 +347,4 @@ TEST(BaseColor, TheImageOfTheRecipeComesFirstAndMustBeThere) {
   EXPECT_NE(color.error().message.find("\"textures.base_color\""), std::string::npos);
 }
 
-}  // namespace coif::base_color_test
+}  // namespace coif::cook::base_color_test

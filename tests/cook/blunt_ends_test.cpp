@@ -8,13 +8,13 @@
 #include <algorithm>
 #include <tuple>
 
-namespace coif::blunt_ends_test {
+namespace coif::cook::blunt_ends_test {
 
 const Eigen::Vector3d kHead{0, 1.6, 0};
 
 /// Patches whose strands run along V, in front of a head's centre.
 struct Wig {
-  void add(const SourceMesh& piece) {
+  void add(const importer::SourceMesh& piece) {
     patches.patch_of.insert(patches.patch_of.end(), piece.triangles.size() / 3, patches.count++);
     append_piece(all, piece, 0);
   }
@@ -34,11 +34,11 @@ struct Wig {
     return told([&](Findings& findings) { return find_blunt_ends(hair, head, opaque, threads, findings); });
   }
 
-  SourceMesh all;
+  importer::SourceMesh all;
   PatchSet patches;
 };
 
-std::size_t blunt_ends(const SourceMesh& piece, const AlphaTest& opaque = {}) {
+std::size_t blunt_ends(const importer::SourceMesh& piece, const AlphaTest& opaque = {}) {
   Wig wig;
   wig.add(piece);
   return wig.ends(opaque).made.size();
@@ -46,7 +46,7 @@ std::size_t blunt_ends(const SourceMesh& piece, const AlphaTest& opaque = {}) {
 
 const StripDesc kStrip{.root = {0, 1.6f, 0.12f}, .rows = 6};
 
-SourceMesh strip_at(float x, float z, float length = 0.3f) {
+importer::SourceMesh strip_at(float x, float z, float length = 0.3f) {
   StripDesc desc = kStrip;
   desc.root = {x, 1.6f, z};
   desc.along = {0, -length, 0};
@@ -75,7 +75,7 @@ TEST(BluntEnds, AStripMayBeWidestAnywhereBeforeItsTip) {
   for (int widest = 0; widest < 9; ++widest) {
     StripDesc desc = kStrip;
     desc.rows = 100;
-    SourceMesh strip = make_strip(desc);
+    importer::SourceMesh strip = make_strip(desc);
     for (std::uint32_t row = 10 * std::uint32_t(widest) + 3; row <= 10 * std::uint32_t(widest) + 7; ++row) {
       for (std::uint32_t v = 2 * row; v < 2 * row + 2; ++v) strip.positions[v].x() *= 2.5f;
     }
@@ -115,8 +115,8 @@ TEST(BluntEnds, StrandsThatThinOutAreSoftAndThoseCutAtOnceAreHard) {
 }
 
 /// A flat tube: two sheets that share their sides and both ends.
-SourceMesh closed_lock() {
-  SourceMesh lock;
+importer::SourceMesh closed_lock() {
+  importer::SourceMesh lock;
   for (const float bulge : {0.01f, -0.01f}) {
     const auto base = std::uint32_t(lock.positions.size());
     for (std::uint32_t row = 0; row <= 4; ++row) {
@@ -140,7 +140,7 @@ TEST(BluntEnds, ClosedShapesHaveNoEdgeToShow) {
   Wig wig;
   wig.add(closed_lock());
   EXPECT_TRUE(wig.ends().made.empty());
-  SourceMesh opened = closed_lock();
+  importer::SourceMesh opened = closed_lock();
   opened.triangles.resize(opened.triangles.size() / 2);  // One of the sheets.
   EXPECT_EQ(blunt_ends(opened), 1u);
 }
@@ -158,10 +158,10 @@ TEST(BluntEnds, HalfOfItsEdgeMustBeFree) {
   // Columns of equal width; below all but so many of them another patch goes on.
   for (const auto& [columns, free, hard] : {std::tuple{2, 2, true}, {2, 1, true}, {4, 1, false}, {4, 2, true}}) {
     Wig wig;
-    SourceMesh strip, below;
+    importer::SourceMesh strip, below;
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column <= columns; ++column) {
-        SourceMesh& mesh = row < 2 ? strip : below;
+        importer::SourceMesh& mesh = row < 2 ? strip : below;
         mesh.positions.emplace_back(0.03125f * float(column), 1.5f - 0.25f * float(row), 0.125f);
         mesh.uvs.emplace_back(0.0f, float(row % 2));
       }
@@ -229,4 +229,4 @@ TEST(BluntEnds, AWarningNamesTheirShareWhereItIsMoreThanAFew) {
 
 TEST(BluntEnds, NoHairHasNone) { EXPECT_TRUE(Wig().ends().made.empty()); }
 
-}  // namespace coif::blunt_ends_test
+}  // namespace coif::cook::blunt_ends_test

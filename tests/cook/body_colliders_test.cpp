@@ -10,9 +10,9 @@
 
 #include <cmath>
 
-namespace coif::body_colliders_test {
+namespace coif::cook::body_colliders_test {
 
-using Shape = SourceCollider::Shape;
+using Shape = importer::SourceCollider::Shape;
 constexpr std::uint32_t kHips = 0, kShoulder = 1, kHead = 2;
 
 /// Hips > (LeftShoulder, Head > (hair_a > hair_a_end, hair_b > hair_b_end)); a spring on each hair, 0.2 m straight
@@ -20,7 +20,7 @@ constexpr std::uint32_t kHips = 0, kShoulder = 1, kHead = 2;
 class BodyCollidersTest : public testing::Test {
  protected:
   BodyCollidersTest() : recipe_(default_recipe()) {
-    add_node(model_, "Hips", kNoIndex, {0, 1, 0});
+    add_node(model_, "Hips", importer::kNoIndex, {0, 1, 0});
     add_node(model_, "LeftShoulder", kHips, {0.2, 1.4, 0});
     add_node(model_, "Head", kHips, {0, 1.6, 0});
     skeleton_.bones.resize(1);
@@ -44,7 +44,7 @@ class BodyCollidersTest : public testing::Test {
     hair.tail = {x, 1.4, 0};
     skeleton_.bones.push_back(hair);
     skeleton_.bone_of_node.insert(skeleton_.bone_of_node.end(), {bone, bone});
-    SourceSpring spring;
+    importer::SourceSpring spring;
     spring.name = name;
     spring.joints.resize(2);
     spring.joints[0].node = node;
@@ -55,7 +55,7 @@ class BodyCollidersTest : public testing::Test {
   }
 
   std::uint32_t add_collider(std::uint32_t node, const Eigen::Vector3d& center, double radius = 0.05) {
-    SourceCollider collider;
+    importer::SourceCollider collider;
     collider.node = node;
     collider.center = center;
     collider.radius = radius;
@@ -82,7 +82,7 @@ class BodyCollidersTest : public testing::Test {
     return found.made ? "" : found.made.error().message;
   }
 
-  SourceModel model_;
+  importer::SourceModel model_;
   Skeleton skeleton_;
   Colliders of_head_;
   Recipe recipe_;
@@ -213,7 +213,7 @@ TEST_F(BodyCollidersTest, WithoutHitRadiiItsShapesAreLargerByTheSmallestOfTheirH
 }
 
 TEST(CookBody, AssetsHoldTheBodyOfTheFileAndOfTheRecipe) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   ASSERT_EQ(model.nodes[0].name, "root");
   const auto recipe = parse_recipe(
       R"({"body": {"colliders": [{"bone": "root", "center": [0, 1.2, 0], "radius": 0.1}]}, "budget": {"error": 5},
@@ -243,4 +243,4 @@ TEST(CookBody, AssetsHoldTheBodyOfTheFileAndOfTheRecipe) {
   EXPECT_TRUE(asset.body_bones().empty() && asset.body_sets().empty() && asset.limits().empty());
 }
 
-}  // namespace coif::body_colliders_test
+}  // namespace coif::cook::body_colliders_test

@@ -10,10 +10,10 @@
 #include <cmath>
 #include <limits>
 
-namespace coif {
+namespace coif::cook {
 
-SourceMesh make_strip(const StripDesc& desc) {
-  SourceMesh mesh;
+importer::SourceMesh make_strip(const StripDesc& desc) {
+  importer::SourceMesh mesh;
   mesh.name = "hair";
   for (std::uint32_t row = 0; row <= desc.rows; ++row) {
     const float t = float(row) / float(desc.rows);
@@ -31,8 +31,8 @@ SourceMesh make_strip(const StripDesc& desc) {
   return mesh;
 }
 
-SourceMesh make_cap(std::uint32_t columns, std::uint32_t rows, float turn, float radius) {
-  SourceMesh mesh;
+importer::SourceMesh make_cap(std::uint32_t columns, std::uint32_t rows, float turn, float radius) {
+  importer::SourceMesh mesh;
   mesh.name = "hair";
   for (std::uint32_t row = 0; row <= rows; ++row) {
     const float t = 2 * float(row) / float(rows), down = 0.1f + 1.47f * std::min(t, 1.0f);
@@ -54,7 +54,7 @@ SourceMesh make_cap(std::uint32_t columns, std::uint32_t rows, float turn, float
   return mesh;
 }
 
-void append_piece(SourceMesh& mesh, const SourceMesh& part, std::uint32_t node) {
+void append_piece(importer::SourceMesh& mesh, const importer::SourceMesh& part, std::uint32_t node) {
   const auto base = std::uint32_t(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
   mesh.uvs.insert(mesh.uvs.end(), part.uvs.begin(), part.uvs.end());
@@ -66,7 +66,7 @@ void append_piece(SourceMesh& mesh, const SourceMesh& part, std::uint32_t node) 
   }
 }
 
-HairMesh hair_from(const SourceMesh& source) {
+HairMesh hair_from(const importer::SourceMesh& source) {
   HairMesh mesh;
   mesh.positions = source.positions;
   mesh.uvs = source.uvs;
@@ -77,8 +77,8 @@ HairMesh hair_from(const SourceMesh& source) {
   return mesh;
 }
 
-void split_vertices(SourceMesh& mesh) {
-  SourceMesh split = mesh;
+void split_vertices(importer::SourceMesh& mesh) {
+  importer::SourceMesh split = mesh;
   split.positions.clear();
   split.uvs.clear();
   split.normals.clear();
@@ -95,8 +95,9 @@ void split_vertices(SourceMesh& mesh) {
   mesh = split;
 }
 
-std::uint32_t add_node(SourceModel& model, const std::string& name, std::uint32_t parent, const Eigen::Vector3d& at) {
-  SourceNode node;
+std::uint32_t add_node(importer::SourceModel& model, const std::string& name, std::uint32_t parent,
+                       const Eigen::Vector3d& at) {
+  importer::SourceNode node;
   node.name = name;
   node.parent = parent;
   node.model_from_node.translation() = at;
@@ -104,17 +105,18 @@ std::uint32_t add_node(SourceModel& model, const std::string& name, std::uint32_
   return std::uint32_t(model.nodes.size() - 1);
 }
 
-SourceModel make_wig() {
-  SourceModel model;
+importer::SourceModel make_wig() {
+  importer::SourceModel model;
   model.path = "wig.glb";
-  add_node(model, "root", kNoIndex, {0, 0, 0});
+  add_node(model, "root", importer::kNoIndex, {0, 0, 0});
   const std::uint32_t head = add_node(model, "Head", 0, {0, 1.6, 0});
   const std::uint32_t scalp = add_node(model, "scalp", head, {0, 1.65, -0.1});
   const std::uint32_t hair1 = add_node(model, "hair_1", scalp, {0, 1.6, -0.1});
   const std::uint32_t hair2 = add_node(model, "hair_2", hair1, {0, 1.5, -0.1});
   add_node(model, "hair_2_end", hair2, {0, 1.4, -0.1});
 
-  SourceMesh mesh = make_strip({.root = {0, 1.65f, -0.1f}, .along = {0, -0.25f, 0}, .tip_width = 0.4f, .rows = 5});
+  importer::SourceMesh mesh =
+      make_strip({.root = {0, 1.65f, -0.1f}, .along = {0, -0.25f, 0}, .tip_width = 0.4f, .rows = 5});
   mesh.node = head;
   mesh.influence_begin.push_back(0);
   for (const Eigen::Vector3f& p : mesh.positions) {
@@ -126,16 +128,16 @@ SourceModel make_wig() {
   return model;
 }
 
-SourceMesh strip_over(const Eigen::Vector2f& low, const Eigen::Vector2f& high) {
-  SourceMesh mesh = make_strip({});
+importer::SourceMesh strip_over(const Eigen::Vector2f& low, const Eigen::Vector2f& high) {
+  importer::SourceMesh mesh = make_strip({});
   for (Eigen::Vector2f& uv : mesh.uvs) uv = low + uv.cwiseProduct(high - low);
   return mesh;
 }
 
-SourceMaterial& add_surface(SourceModel& model, const std::string& material, const Eigen::Vector2f& low,
-                            const Eigen::Vector2f& high) {
-  if (model.nodes.empty()) add_node(model, "Head", kNoIndex, {0, 1.6, 0});
-  SourceMesh mesh = strip_over(low, high);
+importer::SourceMaterial& add_surface(importer::SourceModel& model, const std::string& material,
+                                      const Eigen::Vector2f& low, const Eigen::Vector2f& high) {
+  if (model.nodes.empty()) add_node(model, "Head", importer::kNoIndex, {0, 1.6, 0});
+  importer::SourceMesh mesh = strip_over(low, high);
   for (Eigen::Vector3f& p : mesh.positions) p.x() += 0.1f * float(model.meshes.size());
   mesh.material = std::uint32_t(model.materials.size());
   model.meshes.push_back(mesh);
@@ -144,7 +146,7 @@ SourceMaterial& add_surface(SourceModel& model, const std::string& material, con
   return model.materials.back();
 }
 
-HairMesh whole_hair(const SourceModel& model) {
+HairMesh whole_hair(const importer::SourceModel& model) {
   const auto selected = select_hair(model, default_recipe(), unheard());
   EXPECT_TRUE(selected) << (selected ? "" : selected.error().message);
   return selected ? *selected : HairMesh{};
@@ -158,8 +160,8 @@ HairStrips strips_from(HairMesh mesh, PatchSet patches) {
   return {std::move(mesh), std::move(welded), std::move(patches), {}};
 }
 
-SourceMesh make_card(const CardDesc& desc) {
-  SourceMesh mesh;
+importer::SourceMesh make_card(const CardDesc& desc) {
+  importer::SourceMesh mesh;
   mesh.name = "hair";
   for (std::uint32_t row = 0; row <= desc.rows; ++row) {
     for (std::uint32_t column = 0; column <= desc.columns; ++column) {
@@ -181,7 +183,7 @@ SourceMesh make_card(const CardDesc& desc) {
   return mesh;
 }
 
-void append_card(const SourceMesh& card, SourceMesh& mesh) {
+void append_card(const importer::SourceMesh& card, importer::SourceMesh& mesh) {
   const auto first = std::uint32_t(mesh.positions.size());
   mesh.name = card.name;
   mesh.positions.insert(mesh.positions.end(), card.positions.begin(), card.positions.end());
@@ -209,4 +211,4 @@ double distance_from(const HairMesh& mesh, std::span<const std::uint32_t> triang
   return std::sqrt(nearest);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace coif {
+namespace coif::cook {
 
 struct StripDesc {
   Eigen::Vector3f root{0, 1.6f, -0.1f};  ///< Middle of the upper edge, metres.
@@ -22,10 +22,10 @@ struct StripDesc {
 };
 
 /// A strip of 2 * rows triangles with smooth indices and texture coordinates, without normals.
-[[nodiscard]] SourceMesh make_strip(const StripDesc& desc);
+[[nodiscard]] importer::SourceMesh make_strip(const StripDesc& desc);
 
 /// The mesh as the cooker sees it, every vertex on node 0.
-[[nodiscard]] HairMesh hair_from(const SourceMesh& source);
+[[nodiscard]] HairMesh hair_from(const importer::SourceMesh& source);
 
 /// Vertices at one place are welded; no strands yet. Without `patches` all of it is one.
 [[nodiscard]] HairStrips strips_from(HairMesh mesh, PatchSet patches = {});
@@ -33,33 +33,34 @@ struct StripDesc {
 /// A sheet of `columns` by `rows` quads over `turn` radians: its upper half on a ball of `radius` metres around
 /// (0, 1.6, 0), from the crown down to the widest, its lower half hanging straight down from there. V is 0 at the
 /// crown, 1 at the edge.
-[[nodiscard]] SourceMesh make_cap(std::uint32_t columns, std::uint32_t rows, float turn, float radius = 0.1f);
+[[nodiscard]] importer::SourceMesh make_cap(std::uint32_t columns, std::uint32_t rows, float turn, float radius = 0.1f);
 
 /// Appends `part` to `mesh`, not connected, moved by `node` alone where `mesh` has influences.
-void append_piece(SourceMesh& mesh, const SourceMesh& part, std::uint32_t node);
+void append_piece(importer::SourceMesh& mesh, const importer::SourceMesh& part, std::uint32_t node);
 
 /// One vertex per corner: what exporters make of flat shading.
-void split_vertices(SourceMesh& mesh);
+void split_vertices(importer::SourceMesh& mesh);
 
 /// root > Head (at y = 1.6) > scalp > hair_1 > hair_2 > hair_2_end straight down in steps of 0.1 m, and one strip,
 /// narrowing towards its tip, that follows scalp, hair_1 and hair_2 by height.
-[[nodiscard]] SourceModel make_wig();
+[[nodiscard]] importer::SourceModel make_wig();
 
 /// Adds a node; returns its index.
-std::uint32_t add_node(SourceModel& model, const std::string& name, std::uint32_t parent, const Eigen::Vector3d& at);
+std::uint32_t add_node(importer::SourceModel& model, const std::string& name, std::uint32_t parent,
+                       const Eigen::Vector3d& at);
 
 // Strips with textures, for what is measured over texture coordinates.
 
 /// A strip whose texture coordinates fill the rectangle from `low` to `high`.
-[[nodiscard]] SourceMesh strip_over(const Eigen::Vector2f& low, const Eigen::Vector2f& high);
+[[nodiscard]] importer::SourceMesh strip_over(const Eigen::Vector2f& low, const Eigen::Vector2f& high);
 
 /// Adds a strip with a material of its own, beside those that are there.
-SourceMaterial& add_surface(SourceModel& model, const std::string& material,
-                            const Eigen::Vector2f& low = Eigen::Vector2f::Zero(),
-                            const Eigen::Vector2f& high = Eigen::Vector2f::Ones());
+importer::SourceMaterial& add_surface(importer::SourceModel& model, const std::string& material,
+                                      const Eigen::Vector2f& low = Eigen::Vector2f::Zero(),
+                                      const Eigen::Vector2f& high = Eigen::Vector2f::Ones());
 
 /// All meshes of the model as the cooker joins them.
-[[nodiscard]] HairMesh whole_hair(const SourceModel& model);
+[[nodiscard]] HairMesh whole_hair(const importer::SourceModel& model);
 
 // Surfaces and levels of detail of them for tests, small enough to know every number of.
 
@@ -71,10 +72,10 @@ struct CardDesc {
 };
 
 /// A grid that hangs down from its root, U across, V 0 at the root and 1 at the tip.
-[[nodiscard]] SourceMesh make_card(const CardDesc& desc);
+[[nodiscard]] importer::SourceMesh make_card(const CardDesc& desc);
 
 /// Appends `card` to `mesh`.
-void append_card(const SourceMesh& card, SourceMesh& mesh);
+void append_card(const importer::SourceMesh& card, importer::SourceMesh& mesh);
 
 /// All of the mesh as one patch, in one pose.
 [[nodiscard]] PatchSurface surface_of(const HairMesh& mesh, std::span<const Pose> poses);
@@ -87,4 +88,4 @@ void append_card(const SourceMesh& card, SourceMesh& mesh);
 [[nodiscard]] double distance_from(const HairMesh& mesh, std::span<const std::uint32_t> triangles,
                                    const Eigen::Vector3f& point);
 
-}  // namespace coif
+}  // namespace coif::cook

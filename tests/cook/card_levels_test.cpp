@@ -12,13 +12,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif::card_levels_test {
+namespace coif::cook::card_levels_test {
 
 constexpr std::uint32_t kCards = 12;
 
 /// Cards around the head, each with so many rows.
-SourceMesh wig_cards(std::uint32_t rows, std::uint32_t step) {
-  SourceMesh cards;
+importer::SourceMesh wig_cards(std::uint32_t rows, std::uint32_t step) {
+  importer::SourceMesh cards;
   for (std::uint32_t i = 0; i < kCards; i += step) {
     const float angle = 0.5f * float(i);
     const Eigen::Vector3f root(0.1f * std::sin(angle), 1.6f, 0.1f * std::cos(angle));
@@ -27,8 +27,8 @@ SourceMesh wig_cards(std::uint32_t rows, std::uint32_t step) {
   return cards;
 }
 
-SourceLevel level_of(std::uint32_t rows, std::uint32_t step, std::uint32_t node) {
-  SourceLevel level;
+importer::SourceLevel level_of(std::uint32_t rows, std::uint32_t step, std::uint32_t node) {
+  importer::SourceLevel level;
   level.mesh = wig_cards(rows, step);
   level.mesh.node = node;
   level.mesh.material = 0;
@@ -42,12 +42,12 @@ SourceLevel level_of(std::uint32_t rows, std::uint32_t step, std::uint32_t node)
 }
 
 /// The wig's bones, with cards on them whose halves follow two of them, and two coarser sets of cards.
-SourceModel make_card_wig() {
-  SourceModel model = make_wig();
+importer::SourceModel make_card_wig() {
+  importer::SourceModel model = make_wig();
   model.made_from_strands = true;
   model.materials.emplace_back();
   const std::uint32_t node = model.meshes.front().node;
-  SourceMesh cards = wig_cards(8, 1);
+  importer::SourceMesh cards = wig_cards(8, 1);
   cards.name = "hair";
   cards.node = node;
   cards.material = 0;
@@ -66,7 +66,7 @@ Recipe recipe_of_levels(std::uint32_t levels = 3) {
   return recipe;
 }
 
-CookResult cooked(const Recipe& recipe, const SourceModel& model, unsigned threads) {
+CookResult cooked(const Recipe& recipe, const importer::SourceModel& model, unsigned threads) {
   auto result = cook(model, recipe, {.threads = threads, .recipe_directory = {}});
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
   return result ? std::move(*result) : CookResult{};
@@ -74,7 +74,7 @@ CookResult cooked(const Recipe& recipe, const SourceModel& model, unsigned threa
 
 /// A cooked asset, open.
 struct Opened {
-  explicit Opened(const Recipe& recipe, const SourceModel& model = make_card_wig(), unsigned threads = 2)
+  explicit Opened(const Recipe& recipe, const importer::SourceModel& model = make_card_wig(), unsigned threads = 2)
       : result(cooked(recipe, model, threads)), file(result.asset) {
     EXPECT_TRUE(bool(asset.open(file.bytes())));
     EXPECT_TRUE(bool(asset.verify_draw_data()));
@@ -86,25 +86,25 @@ struct Opened {
 };
 
 TEST(CardLevels, TheModelKeepsThePromisesOfASource) {
-  SourceModel model = make_card_wig();
-  EXPECT_EQ(find_model_fault(model), "");
+  importer::SourceModel model = make_card_wig();
+  EXPECT_EQ(importer::find_model_fault(model), "");
   model.coarser[1].strip_of.back() += 2;
-  EXPECT_EQ(find_model_fault(model), "level 2: strips not ascending");
+  EXPECT_EQ(importer::find_model_fault(model), "level 2: strips not ascending");
   model.coarser[1].place.pop_back();
-  EXPECT_EQ(find_model_fault(model), "level 2: strands of another size than positions");
+  EXPECT_EQ(importer::find_model_fault(model), "level 2: strands of another size than positions");
   model.coarser[0].along[0] *= 2;
-  EXPECT_EQ(find_model_fault(model), "level 1: strand not of unit length");
+  EXPECT_EQ(importer::find_model_fault(model), "level 1: strand not of unit length");
 }
 
 TEST(CardLevels, TurnAndGrowWithTheirModel) {
-  SourceModel model = make_card_wig();
+  importer::SourceModel model = make_card_wig();
   const Eigen::Vector3f before = model.coarser[0].mesh.positions[3];
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitX()).toRotationMatrix();
   transform_model(model, 2, turn);
   EXPECT_LT((model.coarser[0].mesh.positions[3] - 2 * turn.cast<float>() * before).norm(), 1.0e-5f);
   EXPECT_LT((model.coarser[1].along[0] - turn.cast<float>() * Eigen::Vector3f(0, -1, 0)).norm(), 1.0e-5f);
   EXPECT_LT((model.coarser[1].mesh.normals[0] - turn.cast<float>() * Eigen::Vector3f(0, 0, 1)).norm(), 1.0e-5f);
-  EXPECT_EQ(find_model_fault(model), "");
+  EXPECT_EQ(importer::find_model_fault(model), "");
 }
 
 TEST(CardLevels, EachDrawsItsOwnCards) {
@@ -112,16 +112,16 @@ TEST(CardLevels, EachDrawsItsOwnCards) {
   const Asset& asset = opened.asset;
   ASSERT_EQ(asset.lod_count(), 3u);
   const std::size_t triangles[] = {kCards * 16, kCards / 2 * 8, kCards / 4 * 4}, patches[] = {12, 6, 3};
-  std::vector<std::uint32_t> level_of(asset.vertices().size(), kNoIndex);
+  std::vector<std::uint32_t> level_of(asset.vertices().size(), importer::kNoIndex);
   for (std::uint32_t lod = 0; lod < 3; ++lod) {
     EXPECT_EQ(asset.lod_indices(lod).size(), 3 * triangles[lod]);
     EXPECT_EQ(asset.lod_patches(lod).size(), patches[lod]);
     for (const std::uint32_t v : asset.lod_indices(lod)) {
-      EXPECT_TRUE(level_of[v] == kNoIndex || level_of[v] == lod) << "no level draws another's vertices";
+      EXPECT_TRUE(level_of[v] == importer::kNoIndex || level_of[v] == lod) << "no level draws another's vertices";
       level_of[v] = lod;
     }
   }
-  EXPECT_EQ(std::ranges::count(level_of, kNoIndex), 0);
+  EXPECT_EQ(std::ranges::count(level_of, importer::kNoIndex), 0);
   EXPECT_EQ(asset.patches().size(), 12u + 6u + 3u);
 }
 
@@ -161,7 +161,7 @@ TEST(CardLevels, ArePlacedInTheOrderOfWhatTheyStandFor) {
 TEST(CardLevels, ErrorsAreDistancesAndTheirMeansSayWhereALevelFits) {
   Recipe recipe = recipe_of_levels();
   recipe.lod_pixel_error = 2;
-  SourceModel model = make_card_wig();
+  importer::SourceModel model = make_card_wig();
   // The same cards once more, all moved outwards: each vertex is as far from them as from a plane beside it, or nearer.
   model.coarser = {level_of(8, 1, model.meshes[0].node)};
   for (Eigen::Vector3f& p : model.coarser[0].mesh.positions) p.z() += 0.004f;
@@ -208,4 +208,4 @@ TEST(CardLevels, ThreadsDoNotChangeTheBytes) {
   EXPECT_TRUE(one.asset == three.asset);
 }
 
-}  // namespace coif::card_levels_test
+}  // namespace coif::cook::card_levels_test

@@ -14,7 +14,7 @@
 
 #include <vector>
 
-namespace coif::choose_model_test {
+namespace coif::cook::choose_model_test {
 
 Recipe recipe_with(DynamicsModel model = DynamicsModel::kAuto) {
   Recipe recipe = default_recipe();
@@ -156,4 +156,4 @@ TEST(SettleModel, KeepsWhatIsSaidOfContacts) {
   }
 }
 
-}  // namespace coif::choose_model_test
+}  // namespace coif::cook::choose_model_test

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <vector>
 
-namespace coif::choose_order_test {
+namespace coif::cook::choose_order_test {
 
 /// Four cards one behind the other, in the order of their distance from the head: as seen from +Z the nearest comes
 /// first.
@@ -53,7 +53,7 @@ std::vector<std::string> choose(const Recipe& recipe, AssetContents& contents, u
   Findings findings;
   const auto chosen = choose_order(recipe, used, threads, contents, findings);
   EXPECT_TRUE(chosen) << (chosen ? "" : chosen.error().message);
-  const OpenedAsset opened(contents);
+  const lab::OpenedAsset opened(contents);
   EXPECT_TRUE(opened.asset().is_open()) << "the format allows the result: " << describe(opened.status().code);
   return findings.notes;
 }
@@ -358,4 +358,4 @@ TEST(BakeOcclusion, ThreadsDoNotChangeIt) {
     EXPECT_EQ(one.vertices[v].normal[3], three.vertices[v].normal[3]);
 }
 
-}  // namespace coif::choose_order_test
+}  // namespace coif::cook::choose_order_test

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace coif::choose_twist_test {
+namespace coif::cook::choose_twist_test {
 
 constexpr float kTorsion = 20;
 
@@ -113,11 +113,11 @@ TestRig curl() {
 double moved_by_the_choice(const AssetContents& contents) {
   AssetContents chosen = contents;
   chosen.dynamics = chosen_for(contents).made;
-  const OpenedAsset with(contents), without(chosen);
+  const lab::OpenedAsset with(contents), without(chosen);
   double worst = 0;
-  for (const MotionInfo& info : all_motions()) {
-    const auto path = path_of(info.motion);
-    RuntimeSolver twisting(with.asset(), {}, kCoifSolver, 2), plain(without.asset(), {}, kCoifSolver, 2);
+  for (const motion::MotionInfo& info : motion::all_motions()) {
+    const auto path = motion::path_of(info.motion);
+    lab::RuntimeSolver twisting(with.asset(), {}, kCoifSolver, 2), plain(without.asset(), {}, kCoifSolver, 2);
     twisting.reset(path->pose(0));
     plain.reset(path->pose(0));
     for (int frame = 1; frame <= 180; ++frame) {
@@ -167,4 +167,4 @@ TEST(ChooseTwist, ChangesNothingButTheTorsion) {
   EXPECT_EQ(chosen_for(contents, 4).made[1].torsion, chosen.made[1].torsion) << "whatever the threads";
 }
 
-}  // namespace coif::choose_twist_test
+}  // namespace coif::cook::choose_twist_test

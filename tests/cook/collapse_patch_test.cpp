@@ -11,11 +11,11 @@
 #include <random>
 #include <set>
 
-namespace coif::collapse_patch_test {
+namespace coif::cook::collapse_patch_test {
 
 /// A mesh whose points are its vertices, in the same order.
 struct Made {
-  explicit Made(const SourceMesh& source) : mesh(hair_from(source)) {
+  explicit Made(const importer::SourceMesh& source) : mesh(hair_from(source)) {
     const std::vector<Pose> rest = {mesh.positions};
     surface = surface_of(mesh, rest);
   }
@@ -36,7 +36,7 @@ TEST(ShrinkingSurface, ABorderMovesOnlyAlongItself) {
 
 /// Four triangles around a point; the one above has a corner on each side of a seam, which ends at the point.
 TEST(ShrinkingSurface, TheEndOfATextureSeamDoesNotMoveAlongIt) {
-  SourceMesh fan;
+  importer::SourceMesh fan;
   fan.positions = {{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {1, 0, 0}, {0, 1, 0}};
   fan.triangles = {1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5, 0};
   for (const float seam : {0.0f, 3.0f}) {
@@ -54,7 +54,7 @@ TEST(ShrinkingSurface, TheEndOfATextureSeamDoesNotMoveAlongIt) {
 
 /// Four triangles around a raised point: where it moves to the one above, two of them turn by so much.
 TEST(ShrinkingSurface, ATriangleMayTurnByAbout75Degrees) {
-  SourceMesh fan;
+  importer::SourceMesh fan;
   fan.triangles = {1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1, 0};
   for (const auto& [degrees, may] : {std::pair{30.0, true}, {74.5, true}, {76.5, false}, {89.0, false}}) {
     const auto height = float(std::tan(degrees * std::numbers::pi / 180) / std::numbers::sqrt2);
@@ -70,7 +70,7 @@ TEST(ShrinkingSurface, ATriangleMayTurnByAbout75Degrees) {
 
 /// A pipe of three sides: each of its rings is a triangle that is none.
 TEST(ShrinkingSurface, APipeIsNotPinchedShut) {
-  SourceMesh pipe;
+  importer::SourceMesh pipe;
   for (std::uint32_t ring = 0; ring < 3; ++ring) {
     for (const Eigen::Vector2f& at : {Eigen::Vector2f(0, 1), Eigen::Vector2f(-1, -1), Eigen::Vector2f(1, -1)}) {
       pipe.positions.emplace_back(at.x(), float(ring), at.y());
@@ -122,7 +122,7 @@ struct Collapsed {
   [[nodiscard]] std::vector<std::uint32_t> coarsest() const { return triangles(sequence.steps.size()); }
 };
 
-Collapsed collapsed(const SourceMesh& source, const CollapseLimits& limits = kNoLimit) {
+Collapsed collapsed(const importer::SourceMesh& source, const CollapseLimits& limits = kNoLimit) {
   Collapsed result{hair_from(source), {}, {}};
   const std::vector<Pose> rest = {result.mesh.positions};
   result.surface = surface_of(result.mesh, rest);
@@ -165,7 +165,7 @@ TEST(CollapsePatch, TheErrorIsAtLeastTheDistanceOfEveryPoint) {
 /// Without corners nothing is fixed, and an ear that is cut off is nobody's move.
 TEST(CollapsePatch, TheErrorCountsEveryPointOfARoundPiece) {
   constexpr std::uint32_t kSides = 12;
-  SourceMesh disc;
+  importer::SourceMesh disc;
   for (std::uint32_t i = 0; i < kSides; ++i) {
     const float angle = 6.2831853f * float(i) / float(kSides);
     disc.positions.emplace_back(std::cos(angle), std::sin(angle), 0.0f);
@@ -184,7 +184,7 @@ TEST(CollapsePatch, TheErrorCountsEveryPointOfARoundPiece) {
 }
 
 TEST(CollapsePatch, NoStepIsMadeAboveTheLimit) {
-  const SourceMesh bent = make_card({.bend_radius = 0.08f});
+  const importer::SourceMesh bent = make_card({.bend_radius = 0.08f});
   const Collapsed fine = collapsed(bent, {.largest_error = 0.0005, .fewest_share = 0});
   const Collapsed coarse = collapsed(bent, {.largest_error = 0.01, .fewest_share = 0});
   ASSERT_FALSE(fine.sequence.steps.empty());
@@ -196,7 +196,7 @@ TEST(CollapsePatch, NoStepIsMadeAboveTheLimit) {
 
 /// Shorter than what the bend costs at the end, so only its being a corner keeps it.
 TEST(CollapsePatch, APointedTipStays) {
-  SourceMesh strip = make_card({.columns = 2, .rows = 10, .width = 0.002f, .bend_radius = 0.15f});
+  importer::SourceMesh strip = make_card({.columns = 2, .rows = 10, .width = 0.002f, .bend_radius = 0.15f});
   const auto tip = std::uint32_t(strip.positions.size());
   const Eigen::Vector3f end = strip.positions[tip - 2];
   strip.positions.push_back(end + 0.05f * (end - strip.positions[tip - 5]));
@@ -226,7 +226,7 @@ TEST(CollapsePatch, BordersStayWhereTheyAre) {
 }
 
 TEST(CollapsePatch, NoPieceOfAPatchVanishes) {
-  SourceMesh pieces;
+  importer::SourceMesh pieces;
   for (int i = 0; i < 5; ++i)
     append_card(make_card({.bend_radius = 0.05f, .root = {0.1f * float(i), 1.6f, 0}}), pieces);
   const Collapsed result = collapsed(pieces);
@@ -236,17 +236,17 @@ TEST(CollapsePatch, NoPieceOfAPatchVanishes) {
 }
 
 TEST(CollapsePatch, HardEdgesDoNotTearTheSurface) {
-  const SourceMesh smooth = make_card({});
-  SourceMesh flat = smooth;
+  const importer::SourceMesh smooth = make_card({});
+  importer::SourceMesh flat = smooth;
   split_vertices(flat);
   EXPECT_EQ(collapsed(flat).coarsest().size(), collapsed(smooth).coarsest().size());
 }
 
 /// Two halves side by side that share places, but not texture coordinates.
 TEST(CollapsePatch, NoTriangleCrossesATextureSeam) {
-  SourceMesh halves;
-  SourceMesh left = make_card({.columns = 3, .width = 0.04f, .root = {-0.02f, 1.6f, 0}});
-  SourceMesh right = make_card({.columns = 3, .width = 0.04f, .root = {0.02f, 1.6f, 0}});
+  importer::SourceMesh halves;
+  importer::SourceMesh left = make_card({.columns = 3, .width = 0.04f, .root = {-0.02f, 1.6f, 0}});
+  importer::SourceMesh right = make_card({.columns = 3, .width = 0.04f, .root = {0.02f, 1.6f, 0}});
   for (Eigen::Vector2f& uv : right.uvs) uv.x() += 5;
   append_card(left, halves);
   append_card(right, halves);
@@ -307,7 +307,7 @@ TEST(CollapsePatch, EndsWhenAskedToStop) {
   const Collapsed card = collapsed(make_card({}));
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_THROW((void)collapse_patch(card.surface, kNoLimit, stop.get_token()), Stopped);
+  EXPECT_THROW((void)collapse_patch(card.surface, kNoLimit, stop.get_token()), platform::Stopped);
 }
 
-}  // namespace coif::collapse_patch_test
+}  // namespace coif::cook::collapse_patch_test

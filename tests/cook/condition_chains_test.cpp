@@ -14,7 +14,7 @@
 #include <array>
 #include <cstring>
 
-namespace coif::condition_chains_test {
+namespace coif::cook::condition_chains_test {
 
 bool same(const std::vector<DynamicsRecord>& a, const std::vector<DynamicsRecord>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(DynamicsRecord)) == 0;
@@ -30,18 +30,18 @@ AssetContents named(const TestRig& rig) {
 
 /// Two computations of the reference against each other, and the runtime with 240 steps a second against the finer.
 void expect_well_posed(const AssetContents& contents) {
-  const OpenedAsset opened(contents);
-  const Rig rig = rig_of(opened.asset());
+  const lab::OpenedAsset opened(contents);
+  const lab::Rig rig = lab::rig_of(opened.asset());
   constexpr std::uint32_t kSampled[] = {60};
-  ReferenceSettings settings;
-  settings.sample_times = frame_times(kSampled, 2);
+  lab::ReferenceSettings settings;
+  settings.sample_times = lab::frame_times(kSampled, 2);
   settings.most_steps_per_second = 11520;
   settings.wanted_self_difference_pct = 0.1;
-  for (const MotionInfo& info : all_motions()) {
-    if (info.motion == Motion::kTeleport) continue;
-    const KnownMotion known{info.motion, solve_reference(rig, {}, *path_of(info.motion), settings)};
+  for (const motion::MotionInfo& info : motion::all_motions()) {
+    if (info.motion == motion::Motion::kTeleport) continue;
+    const lab::KnownMotion known{info.motion, lab::solve_reference(rig, {}, *motion::path_of(info.motion), settings)};
     EXPECT_LE(known.reference.self_difference_pct(), 0.1) << info.name;
-    EXPECT_LE(measure_runtime(opened.asset(), rig, known, 60, 4).rms, 0.05) << info.name;
+    EXPECT_LE(lab::measure_runtime(opened.asset(), rig, known, 60, 4).rms, 0.05) << info.name;
   }
 }
 
@@ -86,9 +86,9 @@ void expect_helped(int bones) {
 
 /// Where `solver` has the bones after a turn of the head.
 std::vector<Eigen::Vector3d> turned(const AssetContents& contents, const Solver& solver) {
-  const OpenedAsset opened(contents);
-  RuntimeSolver runtime(opened.asset(), {}, solver, 1);
-  const auto path = path_of(Motion::kTurn);
+  const lab::OpenedAsset opened(contents);
+  lab::RuntimeSolver runtime(opened.asset(), {}, solver, 1);
+  const auto path = motion::path_of(motion::Motion::kTurn);
   runtime.reset(path->pose(0));
   for (int frame = 1; frame <= 30; ++frame) EXPECT_TRUE(runtime.step(path->pose(frame / 60.0), 1 / 60.0));
   return {runtime.bone_ends().begin(), runtime.bone_ends().end()};
@@ -190,13 +190,13 @@ TEST(GroupChains, TheSoftestAndTheLongestTellOfAllWithAsManyBones) {
 
 TEST(ChainsAlone, EachMovesAsAmongAll) {
   const AssetContents contents = nine_bone_rig().contents();
-  const OpenedAsset all(contents);
+  const lab::OpenedAsset all(contents);
   for (std::uint32_t chain = 0; chain < 3; ++chain) {
-    const OpenedAsset one(chains_alone(contents, std::array{chain}));
+    const lab::OpenedAsset one(chains_alone(contents, std::array{chain}));
     ASSERT_TRUE(one.asset().is_open());
     ASSERT_EQ(one.asset().skeleton().simulated_count, 3u);
-    RuntimeSolver among(all.asset(), {}, kCoifSolver, 2), alone(one.asset(), {}, kCoifSolver, 2);
-    const auto path = path_of(Motion::kTumble);
+    lab::RuntimeSolver among(all.asset(), {}, kCoifSolver, 2), alone(one.asset(), {}, kCoifSolver, 2);
+    const auto path = motion::path_of(motion::Motion::kTumble);
     among.reset(path->pose(0));
     alone.reset(path->pose(0));
     for (int frame = 1; frame <= 120; ++frame) {
@@ -209,4 +209,4 @@ TEST(ChainsAlone, EachMovesAsAmongAll) {
   }
 }
 
-}  // namespace coif::condition_chains_test
+}  // namespace coif::cook::condition_chains_test

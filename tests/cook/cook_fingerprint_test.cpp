@@ -12,9 +12,10 @@
 
 #include <cmath>
 
-namespace coif::cook_fingerprint_test {
+namespace coif::cook::cook_fingerprint_test {
 
-void expect_as_before(const std::string& name, const SourceModel& model, const Recipe& recipe = default_recipe()) {
+void expect_as_before(const std::string& name, const importer::SourceModel& model,
+                      const Recipe& recipe = default_recipe()) {
   const auto cooked = cook(model, recipe, {.threads = 2, .recipe_directory = {}});
   ASSERT_TRUE(cooked) << cooked.error().message;
   AlignedBytes file(cooked->asset);
@@ -33,24 +34,24 @@ Image strand_image() {
 }
 
 /// Tails around a head and strips on it, without bones.
-SourceModel tails(bool has_texture) {
-  SourceModel model;
+importer::SourceModel tails(bool has_texture) {
+  importer::SourceModel model;
   model.path = "tails.fbx";
-  add_node(model, "root", kNoIndex, {0, 0, 0});
+  add_node(model, "root", importer::kNoIndex, {0, 0, 0});
   for (const double degrees : {-150.0, -110.0, 100.0, 130.0, 165.0, 195.0}) {
     model.meshes.push_back(make_tail(degrees, 0.28f + 0.0008f * float(degrees), 16));
   }
   for (const double degrees : {-60.0, 0.0, 45.0, 90.0, 180.0}) model.meshes.push_back(make_scalp_strip(degrees));
-  SourceMaterial material;
+  importer::SourceMaterial material;
   material.name = "hair";
   if (has_texture) {
     model.images.push_back({"strands", encoded(strand_image(), FileFormat::kPng)});
     material.base_texture.image = 0;
-    material.alpha_use = AlphaUse::kBlend;
+    material.alpha_use = importer::AlphaUse::kBlend;
   }
   model.materials.push_back(material);
   for (std::size_t m = 0; m < model.meshes.size(); ++m) {
-    SourceMesh& mesh = model.meshes[m];
+    importer::SourceMesh& mesh = model.meshes[m];
     mesh.name = "strip_" + std::to_string(m);
     mesh.node = 0;
     mesh.material = 0;
@@ -72,9 +73,9 @@ TEST(CookFingerprint, OfSoftTailsWithoutBones) {
 TEST(CookFingerprint, OfAWigWithBones) { expect_as_before("wig", make_wig()); }
 
 TEST(CookFingerprint, OfACapOnAHead) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   append_piece(model.meshes[0], make_cap(24, 12, 5.0f), 1);
   expect_as_before("cap", model);
 }
 
-}  // namespace coif::cook_fingerprint_test
+}  // namespace coif::cook::cook_fingerprint_test

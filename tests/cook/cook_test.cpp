@@ -15,16 +15,16 @@
 #include <random>
 #include <set>
 
-namespace coif::cook_test {
+namespace coif::cook::cook_test {
 
-CookResult cooked(const SourceModel& model, unsigned threads = 1, const Recipe& recipe = default_recipe()) {
+CookResult cooked(const importer::SourceModel& model, unsigned threads = 1, const Recipe& recipe = default_recipe()) {
   auto result = cook(model, recipe, {.threads = threads, .recipe_directory = {}, .source_hash = 42, .progress = {}});
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
   return result ? *result : CookResult{};
 }
 
 TEST(Cook, NormalsALittleTooLongStayWhatTheyAre) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   model.meshes[0].normals.assign(model.meshes[0].positions.size(), {0, 0, 1.009f});
   const CookResult result = cooked(model);
   AlignedBytes file(result.asset);
@@ -89,9 +89,9 @@ TEST(Cook, HeadSpaceStartsAtTheHeadsJoint) {
 }
 
 /// Triangles as large as the hair, all through each other: each view of them has thousands of layers.
-SourceModel triangle_soup(std::size_t triangles) {
-  SourceModel model = make_wig();
-  SourceMesh soup = make_strip({});
+importer::SourceModel triangle_soup(std::size_t triangles) {
+  importer::SourceModel model = make_wig();
+  importer::SourceMesh soup = make_strip({});
   soup.positions.clear();
   soup.uvs.clear();
   soup.triangles.clear();
@@ -125,7 +125,7 @@ TEST(Cook, WhatHairNeverHasIsLookedAtWithFewerLines) {
 }
 
 TEST(Cook, EndsWhenAskedToStop) {
-  const SourceModel wig = make_wig();
+  const importer::SourceModel wig = make_wig();
   std::vector<std::string> passes;
   std::stop_source stop;
   const auto cook_it = [&] {
@@ -134,16 +134,16 @@ TEST(Cook, EndsWhenAskedToStop) {
                                           if (passes.back() == "patches") stop.request_stop();
                                         }});
   };
-  EXPECT_THROW((void)cook_it(), Stopped);
+  EXPECT_THROW((void)cook_it(), platform::Stopped);
   EXPECT_EQ(passes.back(), "patches") << "no further pass begins";
   passes.clear();
-  EXPECT_THROW((void)cook_it(), Stopped);
+  EXPECT_THROW((void)cook_it(), platform::Stopped);
   EXPECT_TRUE(passes.empty());
 }
 
 /// What a pass does in one go looks at the token, too.
 TEST(Cook, EndsInTheMiddleOfItsLongPasses) {
-  const SourceModel wig = make_wig();
+  const importer::SourceModel wig = make_wig();
   for (const char* const last : {"head", "strands", "lods", "tuning", "draw order"}) {
     std::stop_source stop;
     const auto stop_at = [&](const char* pass) {
@@ -156,13 +156,13 @@ TEST(Cook, EndsInTheMiddleOfItsLongPasses) {
       if (stop.stop_requested()) after = pass;
       stop_at(pass);
     };
-    EXPECT_THROW((void)cook(wig, default_recipe(), settings), Stopped) << last;
+    EXPECT_THROW((void)cook(wig, default_recipe(), settings), platform::Stopped) << last;
     EXPECT_EQ(after, "") << last;
   }
 }
 
 TEST(Cook, OneOrderGoesAcrossMeshes) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   for (const float depth : {-0.3f, -0.05f, -0.2f}) {
     model.meshes.push_back(make_strip({.root = {0, 1.6f, depth}, .along = {0, -0.1f, 0}, .rows = 6}));
     model.meshes.back().node = 1;
@@ -182,7 +182,7 @@ TEST(Cook, OneOrderGoesAcrossMeshes) {
 }
 
 TEST(Cook, ThreadsDoNotChangeTheBytes) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   for (int i = 0; i < 20; ++i) model.meshes.push_back(make_strip({.root = {0.01f * float(i), 1.6f, 0.1f}, .rows = 9}));
   const auto one = cooked(model, 1).asset;
   EXPECT_EQ(one, cooked(model, 1).asset);
@@ -197,7 +197,7 @@ TEST(Cook, AnyChangeOfTheRecipeChangesItsHash) {
 }
 
 TEST(Cook, HairWithoutBonesGetsChainsUnlessTheRecipeWantsNone) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   model.meshes[0].influence_begin.clear();
   model.meshes[0].influences.clear();
   EXPECT_GT(cooked(model).report.simulated_bones, 0u);
@@ -209,7 +209,7 @@ TEST(Cook, HairWithoutBonesGetsChainsUnlessTheRecipeWantsNone) {
 }
 
 TEST(Cook, RigidHairLeavesDynamicsOut) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   model.meshes[0].influence_begin.clear();
   model.meshes[0].influences.clear();
   Recipe recipe = default_recipe();
@@ -232,8 +232,8 @@ TEST(Cook, ATextureThatTheRecipeNamesMustBeThere) {
 }
 
 TEST(Cook, ATextureOfTheSourceThatIsMissingIsAWarning) {
-  SourceModel model = make_wig();
-  SourceMaterial strands;
+  importer::SourceModel model = make_wig();
+  importer::SourceMaterial strands;
   strands.name = "strands";
   strands.base_texture.path = "D:\\work\\..\\hair.png";
   model.materials.push_back(strands);
@@ -245,7 +245,7 @@ TEST(Cook, ATextureOfTheSourceThatIsMissingIsAWarning) {
 
 TEST(Cook, HairThatSaysNothingOfItsColorIsBrownButGltfMeansWhite) {
   const auto color_of = [](const char* path) {
-    SourceModel model = make_wig();
+    importer::SourceModel model = make_wig();
     model.path = path;
     AlignedBytes file(cooked(model).asset);
     Asset asset;
@@ -259,7 +259,7 @@ TEST(Cook, HairThatSaysNothingOfItsColorIsBrownButGltfMeansWhite) {
 }
 
 TEST(Cook, NumbersThatNoAssetMayHoldAreRefusedNotWritten) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   for (Eigen::Vector3f& p : model.meshes[0].positions) p *= 1.0e6f;
   const auto result = cook(model, default_recipe(), {});
   ASSERT_FALSE(result);
@@ -271,16 +271,16 @@ TEST(Cook, NumbersThatNoAssetMayHoldAreRefusedNotWritten) {
 
 /// A wig with two patches and both textures, cooked as small as it gets, so that every byte can be tried.
 std::vector<std::byte> cooked_wig() {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   model.meshes.push_back(make_strip({.root = {0.05f, 1.6f, -0.1f}, .tip_width = 0.4f}));
   model.meshes.back().node = 1;
-  SourceMaterial strands;
+  importer::SourceMaterial strands;
   strands.name = "strands";
   strands.base_texture.image = 0;
   model.materials.push_back(strands);
   // A TGA of one pixel: header without compression, 32 bits.
   model.images.push_back({"dot", {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 32, 8, 10, 20, 30, 255}});
-  for (SourceMesh& mesh : model.meshes) mesh.material = 0;
+  for (importer::SourceMesh& mesh : model.meshes) mesh.material = 0;
   Recipe recipe = default_recipe();
   recipe.texture_max_size = 4;
   const auto result = cook(model, recipe, {});
@@ -342,4 +342,4 @@ TEST(DamagedAsset, EveryTruncationIsRefused) {
   }
 }
 
-}  // namespace coif::cook_test
+}  // namespace coif::cook::cook_test

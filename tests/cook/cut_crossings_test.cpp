@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace coif::cut_crossings_test {
+namespace coif::cook::cut_crossings_test {
 
 /// Two cards that cross in the middle, at right angles, one dark and one light.
 AssetContents crossing_cards() {
@@ -59,14 +59,14 @@ double area_of(const SplitMesh& mesh) {
 }
 
 SeenCrossings seen(const AssetContents& contents, unsigned threads = 2) {
-  const OpenedAsset opened(contents);
-  const HairSurface hair(opened.asset());
-  UnitOrder order(hair.triangles.size());
+  const lab::OpenedAsset opened(contents);
+  const visibility::HairSurface hair(opened.asset());
+  visibility::UnitOrder order(hair.triangles.size());
   std::iota(order.begin(), order.end(), 0u);
-  SampleSettings settings;
+  visibility::SampleSettings settings;
   settings.lines = 400;
   settings.threads = threads;
-  const HairPositions positions = posed_positions(opened.asset(), {});
+  const visibility::HairPositions positions = visibility::posed_positions(opened.asset(), {});
   return CrossingSearch(hair, positions, {{order}, {}}, {0.95f, true, 0.02f}, settings).look(1);
 }
 
@@ -125,7 +125,7 @@ TEST(SplitMesh, CoarserLevelsStayAndPiecesFollowEachOther) {
   EXPECT_EQ(contents.patches[1].first_index, 9u);
   EXPECT_EQ(contents.patches[2].first_index, 15u);
   EXPECT_TRUE(std::equal(triangle.begin(), triangle.end(), contents.indices.begin() + 15));
-  EXPECT_TRUE(OpenedAsset(contents).asset().is_open());
+  EXPECT_TRUE(lab::OpenedAsset(contents).asset().is_open());
 }
 
 TEST(SeenCrossings, CardsThatCrossAreFoundAndOthersAreNot) {
@@ -151,13 +151,13 @@ TEST(SeenCrossings, NoMatterHowManyThreads) {
 }
 
 TEST(SeenCrossings, LookingFurtherIsLookingFromAllSides) {
-  const OpenedAsset opened(crossing_cards());
-  const HairSurface hair(opened.asset());
-  const HairPositions positions = posed_positions(opened.asset(), {});
-  SampleSettings settings;
+  const lab::OpenedAsset opened(crossing_cards());
+  const visibility::HairSurface hair(opened.asset());
+  const visibility::HairPositions positions = visibility::posed_positions(opened.asset(), {});
+  visibility::SampleSettings settings;
   settings.lines = 400;
   settings.views_per_cell = 3;
-  const CellOrders orders{{{0, 1, 2, 3}}, {}};
+  const visibility::CellOrders orders{{{0, 1, 2, 3}}, {}};
   CrossingSearch at_once(hair, positions, orders, {0.95f, true, 0.02f}, settings);
   CrossingSearch by_steps(hair, positions, orders, {0.95f, true, 0.02f}, settings);
   const SeenCrossings glance = by_steps.look(1), further = by_steps.look(3), all = at_once.look(3);
@@ -169,28 +169,29 @@ TEST(SeenCrossings, LookingFurtherIsLookingFromAllSides) {
 }
 
 TEST(SeenCrossings, OrdersAreRefinedTheSameFromWhatWasSeen) {
-  const OpenedAsset opened(crossing_cards());
-  const SeenHair hair(opened.asset());
-  const std::vector<HairPositions> poses = {posed_positions(opened.asset(), {})};
-  OrderSearchSettings settings;
+  const lab::OpenedAsset opened(crossing_cards());
+  const visibility::SeenHair hair(opened.asset());
+  const std::vector<visibility::HairPositions> poses = {visibility::posed_positions(opened.asset(), {})};
+  visibility::OrderSearchSettings settings;
   settings.views_per_cell = 2;
   settings.lines_per_view = 400;
   settings.min_gain = 0;
-  const JudgedHair judged = judged_hair(hair, poses, settings);
-  const UnitOrder head = {0, 1};
-  const FoundOrders quick = search_orders(hair.surface, judged, poses, head, settings);
+  const visibility::JudgedHair judged = visibility::judged_hair(hair, poses, settings);
+  const visibility::UnitOrder head = {0, 1};
+  const visibility::FoundOrders quick = visibility::search_orders(hair.surface, judged, poses, head, settings);
   ASSERT_FALSE(quick.by_view.orders.empty());
-  SampleSettings samples;
+  visibility::SampleSettings samples;
   samples.lines = settings.lines_per_view;
   samples.views_per_cell = settings.views_per_cell;
   CrossingSearch search(hair.surface, poses.front(), quick.by_view, quick.rule, samples);
   (void)search.look(2);
-  const RestVotes votes = search.take_votes();
+  const visibility::RestVotes votes = search.take_votes();
   ASSERT_NE(votes.find(quick.rule, 0, 0), nullptr);
   EXPECT_FALSE(votes.find(quick.rule, 0, 0)->empty());
   EXPECT_EQ(votes.find({0.5f, quick.rule.faces_together, 0}, 0, 0), nullptr) << "of another rule";
-  const FoundOrders anew = refine_orders(hair.surface, judged, poses, head, quick, settings);
-  const FoundOrders from_seen = refine_orders(hair.surface, judged, poses, head, quick, settings, votes);
+  const visibility::FoundOrders anew = visibility::refine_orders(hair.surface, judged, poses, head, quick, settings);
+  const visibility::FoundOrders from_seen =
+      visibility::refine_orders(hair.surface, judged, poses, head, quick, settings, votes);
   EXPECT_EQ(anew.by_view.orders, from_seen.by_view.orders);
   EXPECT_EQ(anew.by_view.order_of, from_seen.by_view.order_of);
 }
@@ -233,7 +234,7 @@ struct Chosen {
     const auto chosen = choose_order(recipe, used, threads, contents, findings);
     EXPECT_TRUE(chosen);
     if (chosen) figures = *chosen;
-    EXPECT_TRUE(OpenedAsset(contents).asset().is_open());
+    EXPECT_TRUE(lab::OpenedAsset(contents).asset().is_open());
   }
   AssetContents contents;
   Findings findings;
@@ -276,4 +277,4 @@ TEST(CutCrossings, SolidHairIsLeftAlone) {
   EXPECT_EQ(solid.contents.indices.size(), 12u);
 }
 
-}  // namespace coif::cut_crossings_test
+}  // namespace coif::cook::cut_crossings_test

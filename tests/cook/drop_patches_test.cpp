@@ -6,17 +6,18 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif::drop_patches_test {
+namespace coif::cook::drop_patches_test {
 
 constexpr double kReach = 0.01;
 
 /// Cards of eight triangles, each a patch.
 struct Cards {
-  SourceMesh source;
+  importer::SourceMesh source;
   PatchSet patches;
 
   void add(const Eigen::Vector3f& root, float width = 0.2f) {
-    const SourceMesh card = make_card({.columns = 2, .rows = 2, .width = width, .length = 0.2f, .root = root});
+    const importer::SourceMesh card =
+        make_card({.columns = 2, .rows = 2, .width = width, .length = 0.2f, .root = root});
     append_card(card, source);
     patches.patch_of.insert(patches.patch_of.end(), card.triangles.size() / 3, patches.count++);
   }
@@ -112,7 +113,7 @@ TEST(PatchCoverage, CountsWhatIsCoveredAloneAndByOthers) {
 /// Pixels, from all sides, of a sliver before a square of 191 m: seen from the front, pixels are 1 m wide. It goes from
 /// pixel 20 to 120 one way, and at `place` the other.
 std::size_t pixels_of_sliver(float place, bool level) {
-  const auto rectangle = [](SourceMesh& mesh, const Eigen::Vector2f& low, const Eigen::Vector2f& high) {
+  const auto rectangle = [](importer::SourceMesh& mesh, const Eigen::Vector2f& low, const Eigen::Vector2f& high) {
     const auto first = std::uint32_t(mesh.positions.size());
     for (const float y : {low.y(), high.y()}) {
       for (const float x : {low.x(), high.x()}) {
@@ -122,7 +123,7 @@ std::size_t pixels_of_sliver(float place, bool level) {
     }
     for (const std::uint32_t corner : {0u, 1u, 3u, 0u, 3u, 2u}) mesh.triangles.push_back(first + corner);
   };
-  SourceMesh mesh;
+  importer::SourceMesh mesh;
   rectangle(mesh, {0, 0}, {191, 191});
   const Eigen::Vector2f low(20.25f, place - 0.02f), high(120.25f, place + 0.02f);
   rectangle(mesh, level ? low : Eigen::Vector2f(low.y(), low.x()), level ? high : Eigen::Vector2f(high.y(), high.x()));
@@ -161,4 +162,4 @@ TEST(TriangleGrid, FindsTheNearestWithinItsReach) {
   }
 }
 
-}  // namespace coif::drop_patches_test
+}  // namespace coif::cook::drop_patches_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif::eac_rg11_test {
+namespace coif::cook::eac_rg11_test {
 
 /// 0..1 as a sampler returns it.
 double decode(std::span<const std::uint8_t> bytes, const Image& like, std::uint32_t x, std::uint32_t y, int channel) {
@@ -105,4 +105,4 @@ TEST(EacRg11, GivesTheSameBytesForAnyNumberOfThreads) {
   EXPECT_EQ(one, encode_eac_rg11(image, 7));
 }
 
-}  // namespace coif::eac_rg11_test
+}  // namespace coif::cook::eac_rg11_test

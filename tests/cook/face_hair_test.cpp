@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace coif::face_hair_test {
+namespace coif::cook::face_hair_test {
 
 using Eigen::Vector3d;
 using Eigen::Vector3f;
@@ -21,15 +21,15 @@ FittedHead head_with(bool faces_backwards = false) {
 }
 
 /// A brow: `wide` by `high` metres, its middle at (x, y) of the face.
-SourceMesh brow(float x, float y, float wide = 0.05f, float high = 0.015f, float z = 0.09f) {
+importer::SourceMesh brow(float x, float y, float wide = 0.05f, float high = 0.015f, float z = 0.09f) {
   return make_strip({.root = {x, y + high / 2, z}, .along = {0, -high, 0}, .across = {wide, 0, 0}, .rows = 1});
 }
 
 /// One mesh; each piece a patch.
-HairStrips patches_of(const std::vector<SourceMesh>& pieces) {
-  SourceMesh mesh;
+HairStrips patches_of(const std::vector<importer::SourceMesh>& pieces) {
+  importer::SourceMesh mesh;
   PatchSet patches;
-  for (const SourceMesh& piece : pieces) {
+  for (const importer::SourceMesh& piece : pieces) {
     append_piece(mesh, piece, 0);
     patches.patch_of.insert(patches.patch_of.end(), piece.triangles.size() / 3, patches.count++);
   }
@@ -38,8 +38,8 @@ HairStrips patches_of(const std::vector<SourceMesh>& pieces) {
   return strips_from(std::move(hair), std::move(patches));
 }
 
-SourceModel model_called(const std::string& mesh, const std::string& material) {
-  SourceModel model;
+importer::SourceModel model_called(const std::string& mesh, const std::string& material) {
+  importer::SourceModel model;
   model.path = "person.glb";
   model.materials.resize(1);
   model.materials[0].name = material;
@@ -49,12 +49,13 @@ SourceModel model_called(const std::string& mesh, const std::string& material) {
   return model;
 }
 
-std::vector<std::uint32_t> brows_among(const std::vector<SourceMesh>& pieces, const FittedHead& head = head_with()) {
+std::vector<std::uint32_t> brows_among(const std::vector<importer::SourceMesh>& pieces,
+                                       const FittedHead& head = head_with()) {
   return find_face_hair(model_called("hair", "strands"), patches_of(pieces), head).brows;
 }
 
 using Patches = std::vector<std::uint32_t>;
-const SourceMesh kFringe = make_strip({.root = {0, 1.72f, 0.03f}, .along = {0, -0.1f, 0.06f}});
+const importer::SourceMesh kFringe = make_strip({.root = {0, 1.72f, 0.03f}, .along = {0, -0.1f, 0.06f}});
 
 TEST(FaceHair, APairBeforeTheEyesIsBrows) {
   EXPECT_EQ(brows_among({kFringe, brow(-0.035f, 1.63f), brow(0.035f, 1.63f)}), (Patches{1, 2}));
@@ -88,8 +89,8 @@ TEST(FaceHair, NamesTell) {
 }
 
 TEST(FaceHair, StaysOrGoesAsTheRecipeSays) {
-  const std::vector<SourceMesh> pieces{kFringe, brow(-0.035f, 1.63f), brow(0.035f, 1.63f)};
-  const SourceModel model = model_called("hair", "strands");
+  const std::vector<importer::SourceMesh> pieces{kFringe, brow(-0.035f, 1.63f), brow(0.035f, 1.63f)};
+  const importer::SourceModel model = model_called("hair", "strands");
   Recipe recipe = default_recipe();
   HairStrips hair = patches_of(pieces);
   Findings findings;
@@ -110,4 +111,4 @@ TEST(FaceHair, StaysOrGoesAsTheRecipeSays) {
   EXPECT_NE(nothing.error().message.find("person.glb: all of the hair is brows"), std::string::npos);
 }
 
-}  // namespace coif::face_hair_test
+}  // namespace coif::cook::face_hair_test

@@ -11,10 +11,10 @@
 #include <string>
 #include <utility>
 
-namespace coif::fit_chains_test {
+namespace coif::cook::fit_chains_test {
 
-std::vector<SourceMesh> tails_around(int count, float length) {
-  std::vector<SourceMesh> tails;
+std::vector<importer::SourceMesh> tails_around(int count, float length) {
+  std::vector<importer::SourceMesh> tails;
   for (int i = 0; i < count; ++i) tails.push_back(make_tail(360.0 * i / count, length));
   return tails;
 }
@@ -92,9 +92,9 @@ TEST(FitChains, NamesSayWhereOnTheHead) {
 }
 
 TEST(FitChains, ManyCardsOfOnePonyTailAreOneChain) {
-  std::vector<SourceMesh> cards;
+  std::vector<importer::SourceMesh> cards;
   for (int i = 0; i < 12; ++i) {
-    SourceMesh card = make_tail(180 + 2 * (i - 6), 0.3f);
+    importer::SourceMesh card = make_tail(180 + 2 * (i - 6), 0.3f);
     for (auto& p : card.positions) p.z() -= 0.002f * float(i % 4);
     cards.push_back(card);
   }
@@ -102,7 +102,7 @@ TEST(FitChains, ManyCardsOfOnePonyTailAreOneChain) {
 }
 
 TEST(FitChains, CapThatHugsTheSkullGetsNone) {
-  std::vector<SourceMesh> cap;
+  std::vector<importer::SourceMesh> cap;
   for (int i = 0; i < 30; ++i) cap.push_back(make_scalp_strip(12.0 * i));
   const FittedWig wig = fit_wig(cap);
   EXPECT_TRUE(wig.rig.skeleton.chains.empty());
@@ -144,7 +144,7 @@ TEST(FitChains, NeverMakesMoreBonesThanAnAssetHolds) {
 
 TEST(FitChains, AFewWispsAreCarriedOnByTheLastBone) {
   for (const auto& [share, end] : {std::pair{0.5f, 1.2}, {0.1f, 1.3}}) {
-    SourceMesh tail = make_tail(180, 0.4f, 400);
+    importer::SourceMesh tail = make_tail(180, 0.4f, 400);
     for (auto& p : tail.positions) p.x() *= p.y() < 1.3f ? share : 1;
     const FittedWig wig = fit_wig({tail});
     ASSERT_EQ(wig.rig.skeleton.chains.size(), 1u);
@@ -153,7 +153,7 @@ TEST(FitChains, AFewWispsAreCarriedOnByTheLastBone) {
 }
 
 TEST(FitChains, CurvedTailGetsACurvedChain) {
-  SourceMesh tail = make_tail(180, 0.4f);
+  importer::SourceMesh tail = make_tail(180, 0.4f);
   const double radius = 0.4 / 3;  // 3 radians of a circle
   for (auto& p : tail.positions) {
     const double angle = double(1.6f - p.y()) / radius;
@@ -168,7 +168,7 @@ TEST(FitChains, CurvedTailGetsACurvedChain) {
 }
 
 TEST(FitChains, EveryParticleIsOutsideOfTheHead) {
-  std::vector<SourceMesh> tails = tails_around(6, 0.3f);
+  std::vector<importer::SourceMesh> tails = tails_around(6, 0.3f);
   Recipe recipe = default_recipe();
   recipe.chain_max_count = 1;  // the middle of a ring of tails is in the head
   const FittedWig wig = fit_wig(tails, recipe);
@@ -177,7 +177,7 @@ TEST(FitChains, EveryParticleIsOutsideOfTheHead) {
 }
 
 TEST(FitChains, EndOfATailBehindARibbonHangsFromTheTail) {
-  SourceMesh upper = make_tail(180, 0.3f), lower = upper;
+  importer::SourceMesh upper = make_tail(180, 0.3f), lower = upper;
   for (auto& p : lower.positions) p.y() -= 0.32f;
   const FittedWig wig = fit_wig({upper, lower});
   ASSERT_EQ(wig.rig.skeleton.chains.size(), 1u);
@@ -185,7 +185,7 @@ TEST(FitChains, EndOfATailBehindARibbonHangsFromTheTail) {
 }
 
 TEST(FitChains, StrandsThatPartAndAreTiedAgainAreOneChainToTheEnd) {
-  SourceMesh straight = make_tail(180, 0.3f), bulging = straight, below = straight;
+  importer::SourceMesh straight = make_tail(180, 0.3f), bulging = straight, below = straight;
   for (auto& p : bulging.positions) p.z() -= 0.12f * std::sin((1.6f - p.y()) / 0.3f * std::numbers::pi_v<float>);
   for (auto& p : below.positions) p.y() -= 0.3f;
   const FittedWig wig = fit_wig({straight, bulging, below});
@@ -194,7 +194,7 @@ TEST(FitChains, StrandsThatPartAndAreTiedAgainAreOneChainToTheEnd) {
 }
 
 TEST(FitChains, MirroredModelGetsMirroredChains) {
-  const std::vector<SourceMesh> tails = {make_tail(80, 0.3f), make_tail(150, 0.4f), make_tail(-120, 0.25f)};
+  const std::vector<importer::SourceMesh> tails = {make_tail(80, 0.3f), make_tail(150, 0.4f), make_tail(-120, 0.25f)};
   const FittedWig wig = fit_wig(tails), other = fit_wig(mirrored(tails));
   ASSERT_EQ(wig.rig.skeleton.chains.size(), 3u);
   ASSERT_EQ(other.rig.skeleton.chains.size(), 3u);
@@ -215,7 +215,7 @@ TEST(FitChains, TriangulationDoesNotMatter) {
 }
 
 TEST(FitChains, OnlyAndExcludeChooseMeshesByName) {
-  std::vector<SourceMesh> tails = {make_tail(90, 0.3f), make_tail(-90, 0.3f)};
+  std::vector<importer::SourceMesh> tails = {make_tail(90, 0.3f), make_tail(-90, 0.3f)};
   tails[0].name = "tail";
   tails[1].name = "ribbon";
   Recipe only = default_recipe(), exclude = default_recipe();
@@ -234,11 +234,11 @@ TEST(FitChains, OnlyAndExcludeChooseMeshesByName) {
 
 TEST(FitChains, HairWithoutTrianglesOrExtentIsRigid) {
   EXPECT_TRUE(fit_wig({}).rig.skeleton.chains.empty());
-  SourceMesh point = make_tail(180, 0.3f);
+  importer::SourceMesh point = make_tail(180, 0.3f);
   for (auto& p : point.positions) p = {0, 1.5f, -0.2f};
   EXPECT_TRUE(fit_wig({point}).rig.skeleton.chains.empty());
 }
 
 /// Cards side by side around the back of the head, each 2 cm wide, finely cut.
 
-}  // namespace coif::fit_chains_test
+}  // namespace coif::cook::fit_chains_test

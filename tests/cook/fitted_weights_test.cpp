@@ -11,10 +11,10 @@
 #include <string>
 #include <utility>
 
-namespace coif::fitted_weights_test {
+namespace coif::cook::fitted_weights_test {
 
-std::vector<SourceMesh> curtain() {
-  std::vector<SourceMesh> cards;
+std::vector<importer::SourceMesh> curtain() {
+  std::vector<importer::SourceMesh> cards;
   for (int i = 0; i < 22; ++i) cards.push_back(make_tail(90 + 180.0 * i / 21, 0.35f, 150));
   return cards;
 }
@@ -48,7 +48,7 @@ TEST(FittedWeights, ChangeLittleFromVertexToVertex) {
 }
 
 TEST(FittedWeights, ChangeLittleBetweenNeighbouringCards) {
-  const std::vector<SourceMesh> cards = curtain();
+  const std::vector<importer::SourceMesh> cards = curtain();
   const FittedWig wig = fit_wig(cards);
   const auto per_card = std::uint32_t(cards[0].positions.size());
   std::size_t pairs = 0;
@@ -100,8 +100,8 @@ TEST(FittedWeights, OneLocksWeightsBecomeTheNextsOverCentimetres) {
 }
 
 TEST(FittedWeights, AreEqualAtOnePlace) {
-  SourceMesh left = make_strip({.root = {-0.01f, 1.6f, -0.105f}, .across = {0.02f, 0, 0}, .rows = 40});
-  SourceMesh right = make_strip({.root = {0.01f, 1.6f, -0.105f}, .across = {0.02f, 0, 0}, .rows = 40});
+  importer::SourceMesh left = make_strip({.root = {-0.01f, 1.6f, -0.105f}, .across = {0.02f, 0, 0}, .rows = 40});
+  importer::SourceMesh right = make_strip({.root = {0.01f, 1.6f, -0.105f}, .across = {0.02f, 0, 0}, .rows = 40});
   for (auto& p : right.positions) p.x() += 4.0e-6f;  // within the weld distance
   const FittedWig wig = fit_wig({left, right});
   ASSERT_EQ(wig.rig.skeleton.chains.size(), 1u);
@@ -127,8 +127,8 @@ TEST(FittedWeights, MoveFromHeadToTipAlongTheCard) {
 }
 
 TEST(FittedWeights, SeamToExcludedHairIsRigid) {
-  SourceMesh upper = make_strip({.root = {0, 1.6f, -0.105f}, .along = {0, -0.2f, 0}, .rows = 40});
-  SourceMesh lower = make_strip({.root = {0, 1.4f, -0.105f}, .along = {0, -0.3f, 0}, .rows = 40});
+  importer::SourceMesh upper = make_strip({.root = {0, 1.6f, -0.105f}, .along = {0, -0.2f, 0}, .rows = 40});
+  importer::SourceMesh lower = make_strip({.root = {0, 1.4f, -0.105f}, .along = {0, -0.3f, 0}, .rows = 40});
   upper.name = "band";
   lower.name = "tail";
   Recipe recipe = default_recipe();
@@ -143,7 +143,7 @@ TEST(FittedWeights, SeamToExcludedHairIsRigid) {
 }
 
 TEST(FittedWeights, TwoTailsShareNoBones) {
-  const std::vector<SourceMesh> tails = {make_tail(90, 0.3f), make_tail(-90, 0.3f)};
+  const std::vector<importer::SourceMesh> tails = {make_tail(90, 0.3f), make_tail(-90, 0.3f)};
   const FittedWig wig = fit_wig(tails);
   ASSERT_EQ(wig.rig.skeleton.chains.size(), 2u);
   const ChainRecord& right = wig.rig.skeleton.chains[1];
@@ -152,4 +152,4 @@ TEST(FittedWeights, TwoTailsShareNoBones) {
   }
 }
 
-}  // namespace coif::fitted_weights_test
+}  // namespace coif::cook::fitted_weights_test

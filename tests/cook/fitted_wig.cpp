@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr float kRadius = 0.1f;
@@ -18,7 +18,7 @@ Eigen::Vector3f towards(double degrees) {
 }
 
 /// Direction and place of the strands along a strip of two vertices per row.
-void append_strands(const SourceMesh& strip, StrandField& strands) {
+void append_strands(const importer::SourceMesh& strip, StrandField& strands) {
   const std::size_t count = strip.positions.size();
   for (std::size_t v = 0; v < count; ++v) {
     const std::size_t above = v >= 2 ? v - 2 : v, below = v + 2 < count ? v + 2 : v;
@@ -27,7 +27,7 @@ void append_strands(const SourceMesh& strip, StrandField& strands) {
   }
 }
 
-void append(const SourceMesh& strip, std::uint32_t number, HairMesh& hair) {
+void append(const importer::SourceMesh& strip, std::uint32_t number, HairMesh& hair) {
   const auto first = std::uint32_t(hair.positions.size());
   hair.positions.insert(hair.positions.end(), strip.positions.begin(), strip.positions.end());
   for (std::uint32_t v : strip.triangles) hair.triangles.push_back(first + v);
@@ -73,11 +73,11 @@ double FittedWig::weight_difference(std::uint32_t a, std::uint32_t b) const {
   return sum;
 }
 
-FittedWig fit_wig(const std::vector<SourceMesh>& strips, const Recipe& recipe) {
+FittedWig fit_wig(const std::vector<importer::SourceMesh>& strips, const Recipe& recipe) {
   FittedWig wig;
   wig.source.path = "wig.glb";
   wig.source.meshes = strips;
-  const std::uint32_t node = add_node(wig.source, "Head", kNoIndex, {0, 1.5, 0});
+  const std::uint32_t node = add_node(wig.source, "Head", importer::kNoIndex, {0, 1.5, 0});
   StrandField strands;
   for (std::uint32_t s = 0; s < strips.size(); ++s) {
     append(strips[s], s, wig.hair);
@@ -90,7 +90,7 @@ FittedWig fit_wig(const std::vector<SourceMesh>& strips, const Recipe& recipe) {
   return wig;
 }
 
-SourceMesh make_tail(double degrees, float length, std::uint32_t rows) {
+importer::SourceMesh make_tail(double degrees, float length, std::uint32_t rows) {
   const Eigen::Vector3f out = towards(degrees);
   return make_strip({.root = Eigen::Vector3f(0, 1.6f, 0) + out * (kRadius + 0.005f),
                      .along = {0, -length, 0},
@@ -98,8 +98,8 @@ SourceMesh make_tail(double degrees, float length, std::uint32_t rows) {
                      .rows = rows});
 }
 
-SourceMesh make_scalp_strip(double degrees) {
-  SourceMesh strip = make_strip({.rows = 20});
+importer::SourceMesh make_scalp_strip(double degrees) {
+  importer::SourceMesh strip = make_strip({.rows = 20});
   const Eigen::Vector3f out = towards(degrees), side = out.cross(Eigen::Vector3f::UnitY());
   for (std::uint32_t v = 0; v < strip.positions.size(); ++v) {
     const auto angle = float(v / 2) / 20 * float(std::numbers::pi / 2);
@@ -110,12 +110,12 @@ SourceMesh make_scalp_strip(double degrees) {
   return strip;
 }
 
-std::vector<SourceMesh> mirrored(std::vector<SourceMesh> strips) {
-  for (SourceMesh& strip : strips) {
+std::vector<importer::SourceMesh> mirrored(std::vector<importer::SourceMesh> strips) {
+  for (importer::SourceMesh& strip : strips) {
     for (Eigen::Vector3f& p : strip.positions) p.x() = -p.x();
     for (std::size_t t = 0; t < strip.triangles.size(); t += 3) std::swap(strip.triangles[t], strip.triangles[t + 1]);
   }
   return strips;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -5,13 +5,13 @@
 #include "cook/recipe/recipe.h"
 #include "cook/rig/fit_chains.h"
 
-namespace coif {
+namespace coif::cook {
 
 /// Radius 0.1 m around (0, 1.6, 0).
 [[nodiscard]] FittedHead round_head();
 
 struct FittedWig {
-  SourceModel source;
+  importer::SourceModel source;
   HairMesh hair;  ///< The strips one after the other, their vertices in order.
   HairRig rig;
   Findings findings;
@@ -26,15 +26,16 @@ struct FittedWig {
 };
 
 /// Each strip of two vertices per row, root first, is one source mesh.
-[[nodiscard]] FittedWig fit_wig(const std::vector<SourceMesh>& strips, const Recipe& recipe = default_recipe());
+[[nodiscard]] FittedWig fit_wig(const std::vector<importer::SourceMesh>& strips,
+                                const Recipe& recipe = default_recipe());
 
 /// A strip that hangs down from beside the head, `degrees` around it: 0 at the front (+Z), 90 at the left (+X).
-[[nodiscard]] SourceMesh make_tail(double degrees, float length, std::uint32_t rows = 60);
+[[nodiscard]] importer::SourceMesh make_tail(double degrees, float length, std::uint32_t rows = 60);
 
 /// A strip that lies on the head from its top down to its equator.
-[[nodiscard]] SourceMesh make_scalp_strip(double degrees);
+[[nodiscard]] importer::SourceMesh make_scalp_strip(double degrees);
 
 /// The model with X turned round, triangles wound the other way.
-[[nodiscard]] std::vector<SourceMesh> mirrored(std::vector<SourceMesh> strips);
+[[nodiscard]] std::vector<importer::SourceMesh> mirrored(std::vector<importer::SourceMesh> strips);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif::hair_core_test {
+namespace coif::cook::hair_core_test {
 
 using Eigen::Vector2f;
 using Eigen::Vector3f;
@@ -25,7 +25,7 @@ struct Bulge {
   Vector2f uv = Vector2f::Zero();
 };
 
-void append(SourceMesh& mesh, const Bulge& bulge) {
+void append(importer::SourceMesh& mesh, const Bulge& bulge) {
   constexpr std::uint32_t kColumns = 12, kRows = 10;
   const auto base = std::uint32_t(mesh.positions.size());
   for (std::uint32_t row = 0; row <= kRows; ++row) {
@@ -47,7 +47,7 @@ void append(SourceMesh& mesh, const Bulge& bulge) {
 }
 
 /// Strips around a bulge, a little away from it.
-void wrap(SourceMesh& hair, const Bulge& bulge) {
+void wrap(importer::SourceMesh& hair, const Bulge& bulge) {
   for (int i = 0; i < 8; ++i) {
     const float turn = 6.28319f * float(i) / 8;
     const Vector3f out(std::sin(turn), 0, std::cos(turn));
@@ -62,16 +62,16 @@ void wrap(SourceMesh& hair, const Bulge& bulge) {
 constexpr std::size_t kTriangles = 240;  ///< Of a bulge.
 
 /// A head of 18 cm with one more bulge in its mesh, and hair around another place.
-SourceModel head_with(const Bulge& bulge, const Bulge& wrapped) {
-  SourceModel model;
-  add_node(model, "root", kNoIndex, {0, 0, 0});
+importer::SourceModel head_with(const Bulge& bulge, const Bulge& wrapped) {
+  importer::SourceModel model;
+  add_node(model, "root", importer::kNoIndex, {0, 0, 0});
   add_node(model, "Head", 0, {0, 1.5, 0});
-  SourceMesh head;
+  importer::SourceMesh head;
   head.name = "person";
   head.node = add_node(model, "skull", kHead, {0, 1.5, 0});
   append(head, {.top = {0, 1.7f, 0}, .length = 0.22f, .radius = 0.08f});
   append(head, bulge);
-  SourceMesh hair;
+  importer::SourceMesh hair;
   hair.name = "hair";
   hair.node = add_node(model, "strips", kHead, {0, 1.5, 0});
   hair.influence_begin = {};
@@ -80,7 +80,7 @@ SourceModel head_with(const Bulge& bulge, const Bulge& wrapped) {
   return model;
 }
 
-std::size_t taken_from_head(const SourceModel& model) {
+std::size_t taken_from_head(const importer::SourceModel& model) {
   HairChoice hair;
   hair.taken = {std::vector<bool>(model.meshes[0].triangles.size() / 3, true), {}};
   const HairChoice cores = find_hair_cores(model, hair, kHead);
@@ -112,16 +112,16 @@ TEST(HairCore, WhatIsAsWideAsAHeadIsNot) {
 }
 
 TEST(HairCore, WhatIsJoinedToTheHeadInTheTextureTooIsNot) {
-  SourceModel model = head_with(kTail, kTail);
+  importer::SourceModel model = head_with(kTail, kTail);
   std::vector<std::uint32_t>& triangles = model.meshes[1].triangles;
   triangles.insert(triangles.end(), {0, 1, std::uint32_t(model.meshes[1].positions.size() / 2)});
   EXPECT_EQ(taken_from_head(model), 0u) << "a whole head";
 }
 
 TEST(HairCore, WhatDoesNotFollowTheHeadIsNot) {
-  SourceModel model = head_with(kTail, kTail);
+  importer::SourceModel model = head_with(kTail, kTail);
   const std::uint32_t spine = add_node(model, "Spine", 0, {0, 1, 0});
-  SourceMesh& person = model.meshes[1];
+  importer::SourceMesh& person = model.meshes[1];
   person.influence_begin = {0};
   for (std::uint32_t v = 0; v < person.positions.size(); ++v) {
     person.influences.push_back({v < person.positions.size() / 2 ? kHead : spine, 1.0f});
@@ -131,8 +131,8 @@ TEST(HairCore, WhatDoesNotFollowTheHeadIsNot) {
 }
 
 TEST(HairCore, AMeshOfItsOwnIsWornInTheHair) {
-  SourceModel model = head_with(kTail, kTail);
-  SourceMesh band = model.meshes[1];
+  importer::SourceModel model = head_with(kTail, kTail);
+  importer::SourceMesh band = model.meshes[1];
   band.triangles.erase(band.triangles.begin(), band.triangles.begin() + 3 * kTriangles);
   model.meshes[1].triangles.resize(3 * kTriangles);
   model.meshes.push_back(band);
@@ -142,7 +142,7 @@ TEST(HairCore, AMeshOfItsOwnIsWornInTheHair) {
 }
 
 TEST(HairCore, IsTakenWithTheHairAndSaidSo) {
-  SourceModel model = head_with(kTail, kTail);
+  importer::SourceModel model = head_with(kTail, kTail);
   Findings findings;
   const auto choice = choose_hair(model, default_recipe(), findings);
   ASSERT_TRUE(choice);
@@ -154,4 +154,4 @@ TEST(HairCore, IsTakenWithTheHairAndSaidSo) {
   EXPECT_TRUE(choose_hair(model, default_recipe(), unheard())->taken[1].empty()) << "called what is worn";
 }
 
-}  // namespace coif::hair_core_test
+}  // namespace coif::cook::hair_core_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector2f;
@@ -155,7 +155,7 @@ Image paint_cells(const std::vector<Cell>& cells, bool fades, Dice& dice) {
 void add_strip(const Scalp& scalp, const Strand& strand, const Look& look, Dice& dice, StyledHair& hair) {
   const std::vector<Vector3f> line = grow(scalp, strand, look.rows);
   const Cell& cell = look.cells[dice.below(std::uint32_t(look.cells.size()))];
-  SourceMesh& mesh = hair.source.meshes.front();
+  importer::SourceMesh& mesh = hair.source.meshes.front();
   const auto first = std::uint32_t(mesh.positions.size());
   const bool mirrored = dice.happens(0.3f);
   for (std::uint32_t k = 0; k <= look.rows; ++k) {
@@ -304,4 +304,4 @@ StyledHair make_style(std::uint32_t seed) {
   return hair;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct StyledHair {
   std::string family;                   ///< What kind of style it is.
-  SourceModel source;                   ///< One mesh, in model space, metres; no head, no bones.
+  importer::SourceModel source;         ///< One mesh, in model space, metres; no head, no bones.
   std::vector<Eigen::Vector3f> growth;  ///< Per vertex: the way from root to tip.
   std::optional<Image> image;           ///< Strands that are thin towards their tips, or none.
 };
@@ -26,4 +26,4 @@ struct StyledHair {
 /// One seed always gives the same style.
 [[nodiscard]] StyledHair make_style(std::uint32_t seed);
 
-}  // namespace coif
+}  // namespace coif::cook

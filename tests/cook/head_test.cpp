@@ -13,12 +13,13 @@
 #include <cmath>
 #include <numbers>
 
-namespace coif::head_test {
+namespace coif::cook::head_test {
 
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-FittedHead head_of(const SourceModel& model, const Recipe& recipe = default_recipe(), Findings& findings = unheard()) {
+FittedHead head_of(const importer::SourceModel& model, const Recipe& recipe = default_recipe(),
+                   Findings& findings = unheard()) {
   const auto hair = select_hair(model, recipe, unheard());
   EXPECT_TRUE(hair) << hair.error().message;
   const auto head = find_head_bone(model, *hair, recipe.head_bone);
@@ -26,7 +27,7 @@ FittedHead head_of(const SourceModel& model, const Recipe& recipe = default_reci
   return fit_head(model, *hair, *head, recipe, findings);
 }
 
-tl::expected<Skeleton, ToolError> skeleton_of(const SourceModel& model) {
+tl::expected<Skeleton, ToolError> skeleton_of(const importer::SourceModel& model) {
   const auto hair = select_hair(model, default_recipe(), unheard());
   return build_skeleton(model, *hair, *find_head_bone(model, *hair, ""), default_recipe(), unheard());
 }
@@ -42,8 +43,8 @@ struct Combed {
   double face = 1.0;        ///< Radians to each side of the front that are left free below the crown.
 };
 
-SourceMesh combed_hair(const Combed& combed) {
-  SourceMesh mesh;
+importer::SourceMesh combed_hair(const Combed& combed) {
+  importer::SourceMesh mesh;
   mesh.name = "hair";
   constexpr int kStrips = 40, kRows = 10;
   for (int s = 0; s < kStrips; ++s) {
@@ -70,9 +71,9 @@ SourceMesh combed_hair(const Combed& combed) {
 
 HairMesh mesh_of(const Combed& combed) { return hair_from(combed_hair(combed)); }
 
-SourceModel model_of(const Combed& combed) {
-  SourceModel model;
-  add_node(model, "root", kNoIndex, {0, 0, 0});
+importer::SourceModel model_of(const Combed& combed) {
+  importer::SourceModel model;
+  add_node(model, "root", importer::kNoIndex, {0, 0, 0});
   model.meshes.push_back(combed_hair(combed));
   return model;
 }
@@ -101,7 +102,7 @@ TEST(HeadRoom, DirectionsCountAlikeAboveAndBelow) {
   // Hair all around, below or above a level inside the head and outside of it on the other side.
   for (const double level : {-0.6, 0.0, 0.6}) {
     for (const bool upper : {false, true}) {
-      SourceMesh ball;
+      importer::SourceMesh ball;
       constexpr std::uint32_t kAround = 64, kRows = 48;
       for (std::uint32_t row = 0; row <= kRows; ++row) {
         const double down = std::numbers::pi * row / kRows;
@@ -152,7 +153,7 @@ TEST(HeadRoom, EndsWhenAskedToStop) {
   const HeadGuess guess{kHead, {0.15, 0.4, 0.4}, 0.12, 0.5};
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_THROW((void)fit_head_room(mesh_of({}), guess, stop.get_token()), Stopped);
+  EXPECT_THROW((void)fit_head_room(mesh_of({}), guess, stop.get_token()), platform::Stopped);
 }
 
 TEST(FitHead, ComesOutThroughNoHair) {
@@ -174,7 +175,7 @@ TEST(FitHead, ComesOutThroughNoHair) {
 }
 
 TEST(FitHead, ATailBehindItDoesNotMoveIt) {
-  SourceModel model = model_of({});
+  importer::SourceModel model = model_of({});
   const FittedHead alone = head_of(model);
   append_piece(model.meshes[0], make_strip({.root = {0.01f, 1.7f, -0.12f}, .along = {0, -0.8f, -0.1f}, .rows = 30}), 0);
   model.meshes[0].uvs.clear();  // its other strips have none
@@ -184,9 +185,9 @@ TEST(FitHead, ATailBehindItDoesNotMoveIt) {
 }
 
 /// The vertices of kHead, in a mesh of its own that hangs from a node called Head at the neck.
-void add_head(SourceModel& model) {
+void add_head(importer::SourceModel& model) {
   const std::uint32_t node = add_node(model, "Head", 0, kHead.center - Vector3d(0, 0.1, 0));
-  SourceMesh face;
+  importer::SourceMesh face;
   face.name = "face";
   face.node = node;
   for (int i = 0; i < 400; ++i) {
@@ -199,8 +200,8 @@ void add_head(SourceModel& model) {
 }
 
 TEST(FitHead, IsTheFilesWhereHairIsATailAlone) {
-  SourceModel model;
-  add_node(model, "root", kNoIndex, {0, 0, 0});
+  importer::SourceModel model;
+  add_node(model, "root", importer::kNoIndex, {0, 0, 0});
   model.meshes.push_back(
       make_strip({.root = {0.01f, 1.7f, -0.08f}, .along = {0, -0.5f, -0.05f}, .across = {0.03f, 0, 0}, .rows = 20}));
   model.meshes.back().name = "hair";
@@ -212,8 +213,8 @@ TEST(FitHead, IsTheFilesWhereHairIsATailAlone) {
 }
 
 TEST(HeadBone, IsNoNodeThatUndoesQuantization) {
-  SourceModel model;
-  add_node(model, "Hair", kNoIndex, {0, 1.5, 0});
+  importer::SourceModel model;
+  add_node(model, "Hair", importer::kNoIndex, {0, 1.5, 0});
   model.meshes.push_back(
       make_strip({.root = {-0.05f, 1.7f, -0.1f}, .along = {0.1f, -0.4f, 0.2f}, .across = {0.03f, 0, 0}, .rows = 20}));
   const auto bone_of = [&] {
@@ -222,16 +223,16 @@ TEST(HeadBone, IsNoNodeThatUndoesQuantization) {
   };
   EXPECT_EQ(bone_of().name, "Hair") << "it stands in the hair, as the artist's pivot does";
   model.nodes[0].undoes_quantization = true;
-  EXPECT_EQ(bone_of().node, kNoIndex);
+  EXPECT_EQ(bone_of().node, importer::kNoIndex);
 }
 
 TEST(FitHead, IsWhatElseAMeshHasThatGaveHair) {
-  SourceModel model;
-  add_node(model, "root", kNoIndex, {0, 0, 0});
+  importer::SourceModel model;
+  add_node(model, "root", importer::kNoIndex, {0, 0, 0});
   add_head(model);
-  SourceMesh& person = model.meshes[0];
+  importer::SourceMesh& person = model.meshes[0];
   const auto of_face = std::uint32_t(person.positions.size());
-  const SourceMesh tail =
+  const importer::SourceMesh tail =
       make_strip({.root = {0.01f, 1.7f, -0.08f}, .along = {0, -0.5f, -0.05f}, .across = {0.03f, 0, 0}, .rows = 20});
   const std::uint32_t hair_bone = add_node(model, "hair_1", 1, {0.01, 1.7, -0.08});
   person.positions.insert(person.positions.end(), tail.positions.begin(), tail.positions.end());
@@ -249,9 +250,9 @@ TEST(FitHead, IsWhatElseAMeshHasThatGaveHair) {
 
 TEST(FitHead, AMeshThatHoldsAQuarterOfTheHairIsNoHead) {
   for (const auto& [inside, is_head] : {std::pair{10u, true}, {48u, true}, {52u, false}}) {
-    SourceModel model;
-    add_node(model, "root", kNoIndex, {0, 0, 0});
-    SourceMesh hair =
+    importer::SourceModel model;
+    add_node(model, "root", importer::kNoIndex, {0, 0, 0});
+    importer::SourceMesh hair =
         make_strip({.root = {0.01f, 1.7f, -0.1f}, .along = {0, -0.5f, -0.05f}, .across = {0.1f, 0, 0}, .rows = 99});
     for (std::uint32_t v = 0; v < inside; ++v) {
       hair.positions[v] = kHead.center.cast<float>() + Eigen::Vector3f(v % 2 ? 0.02f : -0.02f, 0.001f * float(v), 0);
@@ -264,7 +265,7 @@ TEST(FitHead, AMeshThatHoldsAQuarterOfTheHairIsNoHead) {
 }
 
 TEST(FitHead, IsTheRecipesElseTheHeadsMeshElseTheHairsInside) {
-  const SourceModel wig = make_wig();
+  const importer::SourceModel wig = make_wig();
   Recipe recipe = default_recipe();
   EXPECT_EQ(head_of(wig).origin, "the inside of the hair");
   recipe.head_center = {0, 1.6, 0};
@@ -290,8 +291,8 @@ TEST(FitHead, IsTheRecipesElseTheHeadsMeshElseTheHairsInside) {
 }
 
 TEST(FitHead, WhatIsFlatOrSmallIsNoHead) {
-  SourceModel wig = make_wig();
-  SourceMesh ties;
+  importer::SourceModel wig = make_wig();
+  importer::SourceMesh ties;
   ties.name = "ties";
   ties.node = 1;
   for (int i = 0; i < 100; ++i) ties.positions.emplace_back(i % 2 == 0 ? -0.02f : 0.02f, 1.4f, 0.0001f * float(i % 5));
@@ -302,8 +303,8 @@ TEST(FitHead, WhatIsFlatOrSmallIsNoHead) {
 
 TEST(FitHead, ALongHeadIsOneAndAPoleIsNot) {
   for (const auto& [height, is_head] : {std::pair{0.115f, true}, std::pair{0.13f, false}}) {
-    SourceModel wig = make_wig();
-    SourceMesh skull;
+    importer::SourceModel wig = make_wig();
+    importer::SourceMesh skull;
     skull.name = "skull";
     skull.node = 1;
     for (int i = 0; i < 100; ++i) {
@@ -332,8 +333,8 @@ TEST(FitHead, AFittedHeadLeavesEveryParticleOutside) {
 }
 
 TEST(FitHead, AHatIsNoHead) {
-  SourceModel wig = make_wig();
-  SourceMesh hat;
+  importer::SourceModel wig = make_wig();
+  importer::SourceMesh hat;
   hat.name = "hat";
   hat.node = 1;
   for (int i = 0; i < 100; ++i) {
@@ -346,16 +347,16 @@ TEST(FitHead, AHatIsNoHead) {
 }
 
 /// Hair around a head but for its face, which looks along +Z.
-SourceModel bob_that_faces(bool backwards) {
-  SourceModel model;
+importer::SourceModel bob_that_faces(bool backwards) {
+  importer::SourceModel model;
   model.path = "bob.glb";
-  const std::uint32_t node = add_node(model, "Head", kNoIndex, kHead.center);
-  SourceMesh strands;
+  const std::uint32_t node = add_node(model, "Head", importer::kNoIndex, kHead.center);
+  importer::SourceMesh strands;
   for (int i = 0; i < 24; ++i) {
     const double angle = (45 + 270.0 * i / 23 + (backwards ? 180 : 0)) * std::numbers::pi / 180;
     const Eigen::Vector3f out(float(std::sin(angle)), 0, float(std::cos(angle)));
     const Eigen::Vector3f root = kHead.center.cast<float>() + 0.11f * out + Eigen::Vector3f(0, 0.08f, 0);
-    const SourceMesh strip = make_strip(
+    const importer::SourceMesh strip = make_strip(
         {.root = root, .along = {0, -0.25f, 0}, .across = out.cross(Eigen::Vector3f::UnitY()) * 0.03f, .rows = 8});
     if (strands.positions.empty()) {
       strands = strip;
@@ -368,7 +369,7 @@ SourceModel bob_that_faces(bool backwards) {
   return model;
 }
 
-bool is_backwards(const SourceModel& model) {
+bool is_backwards(const importer::SourceModel& model) {
   const auto hair = select_hair(model, default_recipe(), unheard());
   return hair && faces_backwards(model, *hair, head_of(model));
 }
@@ -379,17 +380,17 @@ TEST(Facing, IsWhereThereIsNoHairBeforeTheFace) {
 }
 
 TEST(Facing, IsWhatTheFileSays) {
-  SourceModel model = bob_that_faces(true);
-  model.facing = Facing::kForwards;
+  importer::SourceModel model = bob_that_faces(true);
+  model.facing = importer::Facing::kForwards;
   EXPECT_FALSE(is_backwards(model));
-  model.facing = Facing::kBackwards;
+  model.facing = importer::Facing::kBackwards;
   EXPECT_TRUE(is_backwards(model));
 }
 
 TEST(Facing, OfHairThatSaysNothingIsForwards) {
-  SourceModel model = bob_that_faces(true);
+  importer::SourceModel model = bob_that_faces(true);
   append_piece(model.meshes[0], bob_that_faces(false).meshes[0], 0);
   EXPECT_FALSE(is_backwards(model)) << "hair all round";
 }
 
-}  // namespace coif::head_test
+}  // namespace coif::cook::head_test

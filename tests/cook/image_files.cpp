@@ -16,7 +16,7 @@
 #include <stb/stb_image_write.h>
 #pragma GCC diagnostic pop
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 namespace fs = std::filesystem;
@@ -102,4 +102,4 @@ fs::path ImageFolder::write_flat(const std::string& name, Rgba color) const {
   return write(name, encoded(flat(4, 4, color), FileFormat::kPng));
 }
 
-}  // namespace coif
+}  // namespace coif::cook

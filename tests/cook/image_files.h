@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 using Rgba = std::array<std::uint8_t, 4>;
 
@@ -51,4 +51,4 @@ class ImageFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace coif
+}  // namespace coif::cook

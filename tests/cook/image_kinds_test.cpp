@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace coif::image_kinds_test {
+namespace coif::cook::image_kinds_test {
 
 std::vector<std::uint8_t> bytes_of(std::string_view text) {
   std::vector<std::uint8_t> bytes(text.begin(), text.end());
@@ -52,4 +52,4 @@ TEST(ImageKinds, KindsThatAreNotReadAreNamedWithTheCommandThatConvertsThem) {
   }
 }
 
-}  // namespace coif::image_kinds_test
+}  // namespace coif::cook::image_kinds_test

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace coif::joined_surfaces_test {
+namespace coif::cook::joined_surfaces_test {
 
 // Hair of several materials that look different, in one image.
 
@@ -18,10 +18,10 @@ constexpr Rgba kBlue{20, 30, 200, 128};
 
 class JoinedSurfaces : public testing::Test {
  protected:
-  SourceMaterial& add(const char* name, const Image& image, const Eigen::Vector2f& high = {1, 1}) {
+  importer::SourceMaterial& add(const char* name, const Image& image, const Eigen::Vector2f& high = {1, 1}) {
     model_.path = "wig.glb";
     model_.images.push_back({name, encoded(image, FileFormat::kPng)});
-    SourceMaterial& material = add_surface(model_, name, {0.1f, 0.1f}, high);
+    importer::SourceMaterial& material = add_surface(model_, name, {0.1f, 0.1f}, high);
     material.base_texture.image = std::uint32_t(model_.images.size() - 1);
     return material;
   }
@@ -41,7 +41,7 @@ class JoinedSurfaces : public testing::Test {
     return texel_at(image, uv);
   }
 
-  SourceModel model_;
+  importer::SourceModel model_;
   HairMesh before_, hair_;
   Findings findings_;
 };
@@ -86,7 +86,7 @@ TEST_F(JoinedSurfaces, EachIsLitByItsOwnNormalMapOrByNone) {
     const auto value = [&](std::size_t c) { return two_sided(float(image.texels[2 * texel + c]) / 255); };
     return Eigen::Vector2f(value(0), value(1));
   };
-  SourceMaterial& leaning = add("strands", flat(16, 16, kRed));
+  importer::SourceMaterial& leaning = add("strands", flat(16, 16, kRed));
   model_.images.push_back({"normals", encoded(flat(64, 64, {204, 128, 230, 255}), FileFormat::kPng)});
   leaning.normal_texture.image = std::uint32_t(model_.images.size() - 1);
   add("band", flat(16, 16, kBlue));
@@ -111,7 +111,7 @@ TEST_F(JoinedSurfaces, APartWhoseTextureIsLostLooksLikeTheRest) {
 TEST_F(JoinedSurfaces, OneNormalMapServesMaterialsThatDifferInNothingElse) {
   model_.images.push_back({"normals", encoded(flat(8, 8, {204, 128, 230, 255}), FileFormat::kPng)});
   add("front", flat(16, 16, kRed));
-  SourceMaterial& back = add_surface(model_, "back");
+  importer::SourceMaterial& back = add_surface(model_, "back");
   back.base_texture.image = 1;
   back.normal_texture.image = 0;
   const BaseColor color = joined();
@@ -150,7 +150,7 @@ TEST_F(JoinedSurfaces, ALimitBelowTheGuttersStillGivesAnAtlas) {
 
 TEST_F(JoinedSurfaces, MaterialsThatLookTheSameNeedNoAtlas) {
   add("front", flat(16, 16, kRed));
-  SourceMaterial& back = add_surface(model_, "back");
+  importer::SourceMaterial& back = add_surface(model_, "back");
   back.base_texture.image = 0;
   const BaseColor color = joined();
   EXPECT_FALSE(color.atlas);
@@ -173,12 +173,12 @@ TEST_F(JoinedSurfaces, ImagesThatRepeatOftenLeaveTheMainMaterialAndAWarning) {
 }
 
 TEST_F(JoinedSurfaces, OpaqueAndMaskedPartsStayWhatTheyAre) {
-  add("band", flat(16, 16, kBlue)).alpha_use = AlphaUse::kOpaque;
-  SourceMaterial& strands = add("strands", flat(16, 16, {9, 9, 9, 100}));
-  strands.alpha_use = AlphaUse::kMask;
+  add("band", flat(16, 16, kBlue)).alpha_use = importer::AlphaUse::kOpaque;
+  importer::SourceMaterial& strands = add("strands", flat(16, 16, {9, 9, 9, 100}));
+  strands.alpha_use = importer::AlphaUse::kMask;
   strands.alpha_cutoff = 0.3f;
   const BaseColor color = joined();
-  EXPECT_EQ(color.alpha_use, AlphaUse::kMask);
+  EXPECT_EQ(color.alpha_use, importer::AlphaUse::kMask);
   EXPECT_FLOAT_EQ(color.alpha_cutoff, 0.3f);
   EXPECT_EQ(shown(*color.image, hair_, 0)[3], 255) << "opaque whatever its image holds";
   EXPECT_EQ(shown(*color.image, hair_, hair_.triangle_count() - 1)[3], 100);
@@ -187,22 +187,22 @@ TEST_F(JoinedSurfaces, OpaqueAndMaskedPartsStayWhatTheyAre) {
 TEST_F(JoinedSurfaces, MasksOfDifferentCutoffsAreCutEachByItsOwn) {
   const float cutoffs[] = {0.3f, 0.6f};
   for (const float cutoff : cutoffs) {
-    SourceMaterial& material = add("strands", flat(16, 16, {9, 9, 9, 115}));  // Alpha 0.45.
-    material.alpha_use = AlphaUse::kMask;
+    importer::SourceMaterial& material = add("strands", flat(16, 16, {9, 9, 9, 115}));  // Alpha 0.45.
+    material.alpha_use = importer::AlphaUse::kMask;
     material.alpha_cutoff = cutoff;
   }
   const BaseColor color = joined();
-  EXPECT_EQ(color.alpha_use, AlphaUse::kMask);
+  EXPECT_EQ(color.alpha_use, importer::AlphaUse::kMask);
   EXPECT_EQ(shown(*color.image, hair_, 0)[3], 255);
   EXPECT_EQ(shown(*color.image, hair_, hair_.triangle_count() - 1)[3], 0);
 }
 
 TEST_F(JoinedSurfaces, BlendedPartsMakeAllOfItMeasured) {
-  add("strands", flat(16, 16, kBlue)).alpha_use = AlphaUse::kBlend;
-  add("band", flat(16, 16, kRed)).alpha_use = AlphaUse::kOpaque;
+  add("strands", flat(16, 16, kBlue)).alpha_use = importer::AlphaUse::kBlend;
+  add("band", flat(16, 16, kRed)).alpha_use = importer::AlphaUse::kOpaque;
   const BaseColor color = joined();
-  EXPECT_EQ(color.alpha_use, AlphaUse::kUnknown);
+  EXPECT_EQ(color.alpha_use, importer::AlphaUse::kUnknown);
   EXPECT_EQ(shown(*color.image, hair_, 0), kBlue);
 }
 
-}  // namespace coif::joined_surfaces_test
+}  // namespace coif::cook::joined_surfaces_test

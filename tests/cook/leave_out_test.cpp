@@ -16,14 +16,14 @@
 #include <numbers>
 #include <string>
 
-namespace coif::leave_out_test {
+namespace coif::cook::leave_out_test {
 
 /// A cooked model that stays open.
 struct Cooked {
-  Cooked(const SourceModel& model, const Recipe& recipe) : result(run(model, recipe)), file(result.asset) {
+  Cooked(const importer::SourceModel& model, const Recipe& recipe) : result(run(model, recipe)), file(result.asset) {
     opened = bool(asset.open(file.bytes()));
   }
-  static CookResult run(const SourceModel& model, const Recipe& recipe) {
+  static CookResult run(const importer::SourceModel& model, const Recipe& recipe) {
     auto cooked = cook(model, recipe, {});
     EXPECT_TRUE(cooked) << (cooked ? "" : cooked.error().message);
     return cooked ? *cooked : CookResult{};
@@ -278,4 +278,4 @@ TEST(PackMaterial, BoundedLightsOfDarkHairAreNotCutFurther) {
             packed(R"("energy": "bounded")").light_cut);
 }
 
-}  // namespace coif::leave_out_test
+}  // namespace coif::cook::leave_out_test

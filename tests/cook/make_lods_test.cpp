@@ -10,13 +10,14 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif::make_lods_test {
+namespace coif::cook::make_lods_test {
 
 /// The wig with bent cards around it, each a patch.
-SourceModel make_bent_wig() {
-  SourceModel model = make_wig();
+importer::SourceModel make_bent_wig() {
+  importer::SourceModel model = make_wig();
   for (int i = 0; i < 12; ++i) {
-    SourceMesh card = make_card({.bend_radius = 0.1f + 0.02f * float(i), .root = {0.07f * float(i - 6), 1.6f, -0.1f}});
+    importer::SourceMesh card =
+        make_card({.bend_radius = 0.1f + 0.02f * float(i), .root = {0.07f * float(i - 6), 1.6f, -0.1f}});
     for (std::uint32_t v = 0; v <= card.positions.size(); ++v) card.influence_begin.push_back(v);
     for (const Eigen::Vector3f& p : card.positions) card.influences.push_back({p.y() > 1.5f ? 3u : 4u, 1.0f});
     model.meshes.push_back(card);
@@ -181,4 +182,4 @@ TEST(BentPoses, EveryBoneTurnsInOneOfThemAndLengthsStay) {
   EXPECT_EQ(bent_poses(mesh, {rigid, SkinWeights(6, {{1, 1.0}})}).size(), 1u);
 }
 
-}  // namespace coif::make_lods_test
+}  // namespace coif::cook::make_lods_test

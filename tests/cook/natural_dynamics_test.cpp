@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif::natural_dynamics_test {
+namespace coif::cook::natural_dynamics_test {
 
 using Eigen::Vector3d;
 
@@ -60,7 +60,7 @@ AssetContents with_preset(AssetContents contents, const char* preset = "natural"
 class Worn {
  public:
   explicit Worn(const AssetContents& contents)
-      : opened_(contents), rig(rig_of(opened_.asset())), solver_(opened_.asset(), {}, kCoifSolver, 4) {
+      : opened_(contents), rig(lab::rig_of(opened_.asset())), solver_(opened_.asset(), {}, kCoifSolver, 4) {
     solver_.reset({});
   }
 
@@ -72,18 +72,18 @@ class Worn {
   [[nodiscard]] Vector3d tip() const { return end(rig.bones.size() - 1); }
 
  private:
-  OpenedAsset opened_;
+  lab::OpenedAsset opened_;
 
  public:
-  const Rig rig;
+  const lab::Rig rig;
 
  private:
-  RuntimeSolver solver_;
+  lab::RuntimeSolver solver_;
 };
 
-std::vector<Vector3d> rest_ends(const Rig& rig) {
+std::vector<Vector3d> rest_ends(const lab::Rig& rig) {
   std::vector<Vector3d> ends;
-  for (const RigBone& bone : rig.bones) {
+  for (const lab::RigBone& bone : rig.bones) {
     const Vector3d start = bone.parent < 0 ? bone.joint : ends[std::size_t(bone.parent)];
     ends.push_back(start + bone.length * bone.rest_direction);
   }
@@ -178,7 +178,7 @@ struct Swing {
 
 Swing swing_after_charge(const AssetContents& contents) {
   Worn worn(contents);
-  const auto path = path_of(Motion::kCharge);
+  const auto path = motion::path_of(motion::Motion::kCharge);
   const Vector3d rest = rest_ends(worn.rig).back();
   std::vector<Vector3d> offsets;
   for (int frame = 1; frame <= 60 * 8; ++frame) {
@@ -211,4 +211,4 @@ TEST(NaturalHair, SwingsPastItsRestAndSettles) {
             swing_after_charge(with_preset(middle)).overshoot);
 }
 
-}  // namespace coif::natural_dynamics_test
+}  // namespace coif::cook::natural_dynamics_test

@@ -15,7 +15,7 @@
 #include <functional>
 #include <random>
 
-namespace coif::normal_map_test {
+namespace coif::cook::normal_map_test {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -235,7 +235,7 @@ TEST(KnownStrands, HaveAShiftOfTheirOwn) {
 }
 
 TEST(KnownStrands, HaveTheirRootsWhereTheyGrowUnlessTheRecipeSaysOtherwise) {
-  SourceModel source;
+  importer::SourceModel source;
   HairStrips hair;
   hair.patches.count = 2;
   Recipe recipe = default_recipe();
@@ -246,4 +246,4 @@ TEST(KnownStrands, HaveTheirRootsWhereTheyGrowUnlessTheRecipeSaysOtherwise) {
   EXPECT_EQ(declared_roots(recipe, source, hair), std::vector<std::string>(2, "high_v"));
 }
 
-}  // namespace coif::normal_map_test
+}  // namespace coif::cook::normal_map_test

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace coif::opacity_test {
+namespace coif::cook::opacity_test {
 
 // Alpha from an image of its own.
 
@@ -42,10 +42,10 @@ class Opacity : public testing::Test {
     return shown(recipe);
   }
 
-  SourceMaterial& material() { return model_.materials[0]; }
+  importer::SourceMaterial& material() { return model_.materials[0]; }
 
   ImageFolder folder_;
-  SourceModel model_;
+  importer::SourceModel model_;
   Findings findings_;
 };
 
@@ -102,7 +102,7 @@ TEST_F(Opacity, WithoutABaseTextureItIsOverTheColor) {
 TEST_F(Opacity, TheRecipesMapReplacesTheFiles) {
   folder_.write_flat("map.png", {10, 20, 30, 200});
   material().opacity_texture.path = "lost.png";
-  material().alpha_use = AlphaUse::kOpaque;
+  material().alpha_use = importer::AlphaUse::kOpaque;
   EXPECT_EQ(by_recipe(TextureChannel::kAuto)[3], 200);
   EXPECT_EQ(by_recipe(TextureChannel::kRed)[3], 10);
   EXPECT_EQ(by_recipe(TextureChannel::kBlue)[3], 30);
@@ -110,7 +110,7 @@ TEST_F(Opacity, TheRecipesMapReplacesTheFiles) {
   EXPECT_TRUE(findings_.warnings.empty()) << "what is replaced is not missed: " << findings_.warnings[0];
   Recipe recipe = default_recipe();
   recipe.opacity_texture.file = "map.png";
-  EXPECT_NE(cooked(recipe).alpha_use, AlphaUse::kOpaque) << "who names a map of alpha wants it seen";
+  EXPECT_NE(cooked(recipe).alpha_use, importer::AlphaUse::kOpaque) << "who names a map of alpha wants it seen";
   EXPECT_EQ(cooked(recipe).recipe_files, std::vector{folder_.path() / "map.png"});
 }
 
@@ -131,4 +131,4 @@ TEST_F(Opacity, ABaseColorOfTheRecipeMayBeOneChannel) {
   EXPECT_EQ(shown(recipe), (Rgba{20, 20, 20, 255}));
 }
 
-}  // namespace coif::opacity_test
+}  // namespace coif::cook::opacity_test

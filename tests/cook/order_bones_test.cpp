@@ -14,7 +14,7 @@
 #include <random>
 #include <set>
 
-namespace coif::order_bones_test {
+namespace coif::cook::order_bones_test {
 
 constexpr std::uint32_t kRoot = 0;  ///< The head carries every chain here.
 
@@ -172,8 +172,8 @@ TEST(OrderBones, NoTreeOfAnAssetsSizeKeepsTooManyBonesWaiting) {
 }
 
 /// A wig whose first chain forks with the long branch listed first.
-SourceModel forked_wig() {
-  SourceModel model = make_wig();
+importer::SourceModel forked_wig() {
+  importer::SourceModel model = make_wig();
   StripDesc side;
   side.root = {0.05f, 1.5f, -0.1f};
   const std::uint32_t tip = add_node(model, "side", 3, {0.05, 1.5, -0.1});
@@ -197,4 +197,4 @@ TEST(OrderBones, VerticesFollowTheirBonesIntoTheAsset) {
   EXPECT_GT(of_side, 0u);
 }
 
-}  // namespace coif::order_bones_test
+}  // namespace coif::cook::order_bones_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace coif::oscillator_test {
+namespace coif::cook::oscillator_test {
 
 /// Algorithm 1 without friction, far from its constraints: the distance to the default position, step by step, under a
 /// constant acceleration.
@@ -107,7 +107,7 @@ Skeleton two_bones() {
 }
 
 std::vector<DynamicsRecord> baked(const Recipe& recipe) {
-  return bake_dynamics(SourceModel(), two_bones(), recipe, {}, unheard()).records;
+  return bake_dynamics(importer::SourceModel(), two_bones(), recipe, {}, unheard()).records;
 }
 
 Recipe curve_recipe() {
@@ -230,4 +230,4 @@ TEST(BakeDynamics, TorsionAndParentShareAreTheRecipes) {
   }
 }
 
-}  // namespace coif::oscillator_test
+}  // namespace coif::cook::oscillator_test

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace coif::patch_overrides_test {
+namespace coif::cook::patch_overrides_test {
 
 using Numbers = std::vector<std::uint32_t>;
 
@@ -28,12 +28,12 @@ std::string refusal_of(const std::string& text) {
 
 /// Four tails around a head without bones, 0.4 m long: behind, right, in front and left, meshes "tail_0" to "tail_3",
 /// the last two of another material, which shows another part of the texture.
-SourceModel four_tails() {
-  SourceModel model;
+importer::SourceModel four_tails() {
+  importer::SourceModel model;
   model.path = "wig.glb";
-  const std::uint32_t node = add_node(model, "Head", kNoIndex, {0, 1.5, 0});
+  const std::uint32_t node = add_node(model, "Head", importer::kNoIndex, {0, 1.5, 0});
   for (std::uint32_t i = 0; i < 4; ++i) {
-    SourceMesh tail = make_tail(180 + 90.0 * i, 0.4f, 30);
+    importer::SourceMesh tail = make_tail(180 + 90.0 * i, 0.4f, 30);
     tail.name = "tail_" + std::to_string(i);
     tail.node = node;
     tail.material = i / 2;
@@ -48,7 +48,7 @@ SourceModel four_tails() {
   return model;
 }
 
-CookResult cooked(const SourceModel& model, const std::string& recipe) {
+CookResult cooked(const importer::SourceModel& model, const std::string& recipe) {
   auto result = cook(model, recipe_from(recipe), {.threads = 1, .list_patches = true, .draft = true});
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
   return result ? *result : CookResult{};
@@ -149,7 +149,7 @@ TEST(PatchOverrides, HoldPatchesToTheHead) {
 }
 
 TEST(PatchOverrides, HoldPatchesThatTheFilesBonesMove) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   const CookResult held = cooked(model, R"({"patches": [{"select": {"index": 0}, "chain": "none"}]})");
   AlignedBytes file(held.asset);
   Asset asset;
@@ -244,11 +244,11 @@ TEST(PatchOverrides, DampingMayBeACurve) {
 }
 
 TEST(PatchListing, PartsOfACutPatchKeepItsNumber) {
-  SourceModel model;
+  importer::SourceModel model;
   model.path = "cap.glb";
-  const std::uint32_t node = add_node(model, "Head", kNoIndex, {0, 1.5, 0});
-  SourceMesh tail = make_tail(180, 0.4f, 30), cap = make_cap(48, 12, 6.2f);
-  for (SourceMesh* mesh : {&tail, &cap}) {
+  const std::uint32_t node = add_node(model, "Head", importer::kNoIndex, {0, 1.5, 0});
+  importer::SourceMesh tail = make_tail(180, 0.4f, 30), cap = make_cap(48, 12, 6.2f);
+  for (importer::SourceMesh* mesh : {&tail, &cap}) {
     mesh->node = node;
     model.meshes.push_back(*mesh);
   }
@@ -259,4 +259,4 @@ TEST(PatchListing, PartsOfACutPatchKeepItsNumber) {
   EXPECT_EQ(std::ranges::count(result.patches.number_of_place, 0u), 1);
 }
 
-}  // namespace coif::patch_overrides_test
+}  // namespace coif::cook::patch_overrides_test

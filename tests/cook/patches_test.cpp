@@ -10,7 +10,7 @@
 #include <random>
 #include <set>
 
-namespace coif::patches_test {
+namespace coif::cook::patches_test {
 
 /// Algorithm 2 as the thesis prints it: each triangle against each group.
 std::size_t published_group_count(const HairMesh& mesh) {
@@ -63,8 +63,8 @@ TEST(ExtractPatches, TrianglesThatShareAVertexAreInOnePatch) {
 }
 
 /// A bent strip of twenty triangles, every one with vertices and a normal of its own.
-SourceMesh flat_shaded_strip() {
-  SourceMesh strip = make_strip({.along = {0, -0.3f, 0.1f}, .rows = 10});
+importer::SourceMesh flat_shaded_strip() {
+  importer::SourceMesh strip = make_strip({.along = {0, -0.3f, 0.1f}, .rows = 10});
   strip.positions[5].z() += 0.05f;
   split_vertices(strip);
   return strip;
@@ -91,7 +91,7 @@ TEST(ExtractPatches, AutoSeesThroughFlatShadingWithoutTextureCoordinates) {
 
 TEST(ExtractPatches, StripsThatTouchAlongAnEdgeAreTwoIslands) {
   // Side by side with a common edge, both unwrapped over the whole texture, as cards of one texture are.
-  SourceMesh strips = make_strip({.across = {0.05f, 0, 0}, .rows = 10});
+  importer::SourceMesh strips = make_strip({.across = {0.05f, 0, 0}, .rows = 10});
   append_piece(strips, make_strip({.root = {0.05f, 1.6f, -0.1f}, .across = {0.05f, 0, 0}, .rows = 10}), 0);
   const ExtractedPatches patches = patches_of(hair_from(strips), Connectivity::kAuto);
   EXPECT_EQ(patches.by_position, 1u);
@@ -99,7 +99,7 @@ TEST(ExtractPatches, StripsThatTouchAlongAnEdgeAreTwoIslands) {
 }
 
 TEST(ExtractPatches, StripsThatMeetInOnePointAreTwoIslands) {
-  SourceMesh strips = make_strip({.rows = 10});
+  importer::SourceMesh strips = make_strip({.rows = 10});
   append_piece(strips, make_strip({.root = {0.05f, 1.9f, -0.1f}, .rows = 10}), 0);
   const ExtractedPatches patches = patches_of(hair_from(strips), Connectivity::kAuto);
   EXPECT_EQ(patches.by_position, 1u);
@@ -107,7 +107,7 @@ TEST(ExtractPatches, StripsThatMeetInOnePointAreTwoIslands) {
 }
 
 TEST(ExtractPatches, AStripUnwrappedFaceByFaceIsOnePatch) {
-  SourceMesh strip = flat_shaded_strip();
+  importer::SourceMesh strip = flat_shaded_strip();
   for (std::size_t v = 0; v < strip.uvs.size(); ++v) strip.uvs[v] += Eigen::Vector2f(float(v / 3), 0);
   const ExtractedPatches patches = patches_of(hair_from(strip), Connectivity::kAuto);
   EXPECT_EQ(patches.by_island, 20u);
@@ -116,7 +116,7 @@ TEST(ExtractPatches, AStripUnwrappedFaceByFaceIsOnePatch) {
 }
 
 TEST(ExtractPatches, TheOrderOfTrianglesChangesNoGroup) {
-  SourceMesh strips = make_strip({.rows = 10});
+  importer::SourceMesh strips = make_strip({.rows = 10});
   append_piece(strips, make_strip({.root = {0.05f, 1.6f, -0.1f}, .rows = 10}), 0);
   const std::uint32_t count = patches_of(hair_from(strips), Connectivity::kAuto).patches.count;
   std::vector<std::uint32_t> reversed;
@@ -138,7 +138,7 @@ TEST(Weld, TheAutomaticDistanceGrowsWithTheModel) {
 }
 
 TEST(Weld, JoinsEqualVerticesAndDropsUnusedOnes) {
-  SourceMesh strip = make_strip({});
+  importer::SourceMesh strip = make_strip({});
   const std::size_t joined = strip.positions.size();
   split_vertices(strip);
   strip.normals.clear();
@@ -189,7 +189,7 @@ TEST(Weld, PlacesAreFoundAcrossCellBordersAndOnlyWithinTheDistance) {
 }
 
 TEST(FindPieces, OneCornerInCommonIsEnoughWhicheverItIs) {
-  SourceMesh mesh;
+  importer::SourceMesh mesh;
   for (int i = 0; i < 5; ++i) mesh.positions.emplace_back(float(i), float(i * i), 0);
   for (std::uint32_t first = 0; first < 3; ++first) {
     for (std::uint32_t second = 0; second < 3; ++second) {
@@ -236,9 +236,9 @@ TEST(SortPatches, DistanceIsThatOfTheAreaNotOfTheVertices) {
 }
 
 /// A strip and its copy with every triangle turned round, in vertices of its own.
-SourceMesh doubled_strip() {
-  SourceMesh mesh = make_strip({});
-  SourceMesh back = mesh;
+importer::SourceMesh doubled_strip() {
+  importer::SourceMesh mesh = make_strip({});
+  importer::SourceMesh back = mesh;
   for (std::size_t t = 0; t < back.triangles.size(); t += 3) std::swap(back.triangles[t + 1], back.triangles[t + 2]);
   append_piece(mesh, back, 0);
   return mesh;
@@ -256,7 +256,7 @@ TEST(MergeBackFaces, ACopyTurnedRoundBecomesAFlag) {
 }
 
 TEST(MergeBackFaces, ACopyThatLooksTheSameWayIsNoBack) {
-  SourceMesh strip = make_strip({});
+  importer::SourceMesh strip = make_strip({});
   append_piece(strip, make_strip({}), 0);
   HairMesh mesh = hair_from(strip);
   const MergedFaces merged = merge(mesh);
@@ -273,8 +273,8 @@ TEST(MergeBackFaces, KeepsTheWindingOfTheFirst) {
 }
 
 TEST(MergeBackFaces, TheReportSaysHowManyThereWere) {
-  SourceModel model = make_wig();
-  SourceMesh back = model.meshes[0];
+  importer::SourceModel model = make_wig();
+  importer::SourceMesh back = model.meshes[0];
   for (std::size_t t = 0; t < back.triangles.size(); t += 3) std::swap(back.triangles[t + 1], back.triangles[t + 2]);
   model.meshes.push_back(back);
   Findings findings;
@@ -300,4 +300,4 @@ TEST(ClosedSurfaces, ABoxIsClosedAndAStripIsNot) {
   EXPECT_FALSE(is_closed(strip, weld_places(strip.positions, 0)));
 }
 
-}  // namespace coif::patches_test
+}  // namespace coif::cook::patches_test

@@ -28,7 +28,7 @@
 #include <string>
 #include <vector>
 
-namespace coif::ponytail_test {
+namespace coif::cook::ponytail_test {
 
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
@@ -121,10 +121,10 @@ struct SmallSwings {
   }
 };
 
-std::vector<Vector3d> tip_during(const AssetContents& contents, Motion motion, double seconds) {
-  const OpenedAsset opened(contents);
-  RuntimeSolver solver(opened.asset(), {}, kCoifSolver, 2);
-  const auto path = path_of(motion);
+std::vector<Vector3d> tip_during(const AssetContents& contents, motion::Motion motion, double seconds) {
+  const lab::OpenedAsset opened(contents);
+  lab::RuntimeSolver solver(opened.asset(), {}, kCoifSolver, 2);
+  const auto path = motion::path_of(motion);
   solver.reset(path->pose(0));
   std::vector<Vector3d> tip{solver.bone_ends().back()};
   for (int frame = 1; frame <= seconds * 60; ++frame) {
@@ -136,7 +136,7 @@ std::vector<Vector3d> tip_during(const AssetContents& contents, Motion motion, d
 
 /// Metres to each side, in the last four of ten seconds.
 double sway_in_jog(const AssetContents& contents) {
-  const auto tip = tip_during(contents, Motion::kJog, 10);
+  const auto tip = tip_during(contents, motion::Motion::kJog, 10);
   const auto [least, most] = std::minmax_element(tip.end() - 240, tip.end(),
                                                  [](const Vector3d& a, const Vector3d& b) { return a.x() < b.x(); });
   return (most->x() - least->x()) / 2;
@@ -162,8 +162,8 @@ TEST(Ponytail, SwaysWhereTheoryLetsItGrowAndNowhereElse) {
 
 /// Metres to each side, of the end of a bone that sways most, in the last four of ten seconds.
 double widest_sway_in_jog(const Asset& asset) {
-  RuntimeSolver solver(asset, {}, kCoifSolver, 2);
-  const auto path = path_of(Motion::kJog);
+  lab::RuntimeSolver solver(asset, {}, kCoifSolver, 2);
+  const auto path = motion::path_of(motion::Motion::kJog);
   solver.reset(path->pose(0));
   std::vector<double> least(solver.bone_ends().size(), 1e9), most(least.size(), -1e9);
   for (int frame = 1; frame <= 600; ++frame) {
@@ -189,13 +189,13 @@ class ArtistsPonytails : public testing::TestWithParam<Worn> {};
 TEST_P(ArtistsPonytails, SwayInJogWhereTheyAreTied) {
   const auto path = std::filesystem::path(COIF_TEST_ASSETS) / "hair" / GetParam().path;
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path << ": no corpus of artists' files here";
-  const auto source = import_model(path);
+  const auto source = importer::import_model(path);
   ASSERT_TRUE(source) << source.error().message;
   const auto cooked = cook(*source, default_recipe(), {.threads = 2, .recipe_directory = {}, .draft = true});
   ASSERT_TRUE(cooked) << cooked.error().message;
   const auto says_tied = [](const std::string& note) { return note.find(" tied hair, ") != std::string::npos; };
   EXPECT_EQ(std::ranges::any_of(cooked->report.notes, says_tied), GetParam().is_tied);
-  const OpenedAsset opened(cooked->asset);
+  const lab::OpenedAsset opened(cooked->asset);
   const double sway = widest_sway_in_jog(opened.asset());
   if (GetParam().is_tied) {
     EXPECT_TRUE(sway > 0.05 && sway < 0.3) << sway;
@@ -212,4 +212,4 @@ INSTANTIATE_TEST_SUITE_P(Corpus, ArtistsPonytails,
                                          Worn{"mh2013_long2/long2.obj", false}, Worn{"mh2013_curly/curly.obj", false},
                                          Worn{"unitychan/UnityChan.fbx", false}));
 
-}  // namespace coif::ponytail_test
+}  // namespace coif::cook::ponytail_test

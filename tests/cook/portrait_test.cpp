@@ -101,13 +101,13 @@ TEST(Portrait, IsReadAsABodyWithItsTexturesAndItsHead) {
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "coif_portrait.glb";
   std::ofstream(path, std::ios::binary)
       .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
-  const auto model = import_model(path);
+  const auto model = importer::import_model(path);
   std::filesystem::remove(path);
   ASSERT_TRUE(model) << model.error().message;
   EXPECT_EQ(model->meshes.size(), 4u);
   EXPECT_EQ(model->images.size(), 2u);
-  EXPECT_TRUE(std::ranges::any_of(model->nodes, [](const SourceNode& node) { return node.name == "Head"; }));
-  for (const SourceMesh& mesh : model->meshes) {
+  EXPECT_TRUE(std::ranges::any_of(model->nodes, [](const importer::SourceNode& node) { return node.name == "Head"; }));
+  for (const importer::SourceMesh& mesh : model->meshes) {
     EXPECT_FALSE(mesh.influences.empty()) << mesh.name;
     const float roughness = model->materials[mesh.material].roughness;
     EXPECT_EQ(roughness < 0.3f, mesh.name == "eyes") << mesh.name;

@@ -20,7 +20,7 @@
 #include <map>
 #include <optional>
 
-namespace coif::real_files_test {
+namespace coif::cook::real_files_test {
 
 struct RealFile {
   const char* path;  ///< Below the corpus' folder "hair".
@@ -59,11 +59,11 @@ Recipe in_head_order() {
 }
 
 struct CookedFile {
-  SourceModel source;
+  importer::SourceModel source;
   CookResult result;
 };
 
-CookResult cook_model(const SourceModel& source, const Recipe& recipe, unsigned threads) {
+CookResult cook_model(const importer::SourceModel& source, const Recipe& recipe, unsigned threads) {
   auto result = cook(source, recipe, {.threads = threads, .recipe_directory = {}});
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
   return result ? *std::move(result) : CookResult{};
@@ -74,7 +74,7 @@ const CookedFile& cook_once(const std::filesystem::path& path) {
   static std::map<std::filesystem::path, CookedFile> cooked;
   const auto [at, is_new] = cooked.try_emplace(path);
   if (!is_new) return at->second;
-  auto source = import_model(path);
+  auto source = importer::import_model(path);
   EXPECT_TRUE(source) << (source ? "" : source.error().message);
   if (source) at->second.source = *std::move(source);
   at->second.result = cook_model(at->second.source, in_head_order(), 2);
@@ -141,9 +141,9 @@ TEST_P(RealFiles, AreOfAHeadsSizeInMetres) {
 TEST_P(RealFiles, HaveHardlyAnyHairInTheirHeadsAndHeadsOfAHeadsSize) {
   // In metres, as the cook sees it.
   Findings said;
-  const SourceModel& imported = cook_once(path_).source;
-  const std::optional<SourceModel> settled = settle_size(imported, default_recipe(), said).model;
-  const SourceModel& source = settled ? *settled : imported;
+  const importer::SourceModel& imported = cook_once(path_).source;
+  const std::optional<importer::SourceModel> settled = settle_size(imported, default_recipe(), said).model;
+  const importer::SourceModel& source = settled ? *settled : imported;
   const auto hair = select_hair(source, default_recipe(), unheard());
   ASSERT_TRUE(hair);
   const auto bone = find_head_bone(source, *hair, "");
@@ -289,4 +289,4 @@ TEST_P(RealLinks, HoldChainsAsTheyWereModelled) {
 INSTANTIATE_TEST_SUITE_P(Corpus, RealLinks, testing::ValuesIn(kSharedFiles),
                          [](const auto& tested) { return tested.param.name; });
 
-}  // namespace coif::real_files_test
+}  // namespace coif::cook::real_files_test

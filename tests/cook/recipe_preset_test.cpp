@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-namespace coif::recipe_preset_test {
+namespace coif::cook::recipe_preset_test {
 
 TEST(RecipePreset, EachIsARecipeOfItsOwn) {
   std::set<std::string> printed{print_recipe(default_recipe())};
@@ -53,4 +53,4 @@ TEST(RecipePreset, IsRefusedByName) {
   EXPECT_NE(wrong.error().message.find("anime"), std::string::npos) << wrong.error().message;
 }
 
-}  // namespace coif::recipe_preset_test
+}  // namespace coif::cook::recipe_preset_test

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <map>
 
-namespace coif::recipe_test {
+namespace coif::cook::recipe_test {
 
 std::string message_of(const std::string& text) {
   const auto recipe = parse_recipe(text, "r.json");
@@ -315,4 +315,4 @@ TEST(Recipe, KeysOfLaterVersionsChangeNoHashUnlessTheySaySomething) {
   EXPECT_NE(canonical_recipe(recipe).find("\"opacity\": \"a.png\""), std::string::npos);
 }
 
-}  // namespace coif::recipe_test
+}  // namespace coif::cook::recipe_test

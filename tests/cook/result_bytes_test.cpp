@@ -8,7 +8,7 @@
 #include <exception>
 #include <string>
 
-namespace coif::result_bytes_test {
+namespace coif::cook::result_bytes_test {
 
 CookResult cooked_wig() {
   CookSettings settings;
@@ -54,4 +54,4 @@ TEST(ResultBytes, OtherBytesAreRefused) {
     EXPECT_THROW((void)decode_result(std::span(bytes).first(size)), std::exception) << size;
 }
 
-}  // namespace coif::result_bytes_test
+}  // namespace coif::cook::result_bytes_test

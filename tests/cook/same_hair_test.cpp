@@ -15,7 +15,7 @@
 #include <filesystem>
 #include <memory>
 
-namespace coif::same_hair_test {
+namespace coif::cook::same_hair_test {
 
 using Eigen::Vector3f;
 
@@ -33,9 +33,9 @@ class SameHair : public testing::Test {
   }
 
   /// Without being told of unit or axis, but for the settings.
-  std::unique_ptr<Cooked> cooked(const char* file, const ImportSettings& settings = {}) {
+  std::unique_ptr<Cooked> cooked(const char* file, const importer::ImportSettings& settings = {}) {
     auto result = std::make_unique<Cooked>();
-    const auto source = import_model(folder_ / file, settings);
+    const auto source = importer::import_model(folder_ / file, settings);
     EXPECT_TRUE(source) << (source ? "" : source.error().message);
     if (!source) return result;
     auto cooked = cook(*source, default_recipe(), {.threads = 2, .draft = true});  // tuned alike, what is alike
@@ -107,7 +107,7 @@ TEST_F(SameHair, APonyTailIsTheSameFromFbxColladaGlbAndGlbWithZUp) {
 
 TEST_F(SameHair, LongHairIsTheSameFromObjColladaFbxAndGlb) {
   // The modeller's unit is the decimetre, which none of these files says.
-  ImportSettings decimetres;
+  importer::ImportSettings decimetres;
   decimetres.metres_per_unit = 0.1;
   const auto first = cooked("long01.obj", decimetres);
   EXPECT_GT(first->report.simulated_bones, 12u);
@@ -175,4 +175,4 @@ TEST_F(SameHair, AMirroredInstanceGivesTwoMirroredHalves) {
   }
 }
 
-}  // namespace coif::same_hair_test
+}  // namespace coif::cook::same_hair_test

@@ -182,12 +182,12 @@ TEST(LongSample, IsTheCommittedFile) {
 }
 
 TEST(LongSample, CooksWithoutWarningsIntoAHundredChainsOfSixteenBones) {
-  const auto source = import_model(kFolder + "long.glb");
+  const auto source = importer::import_model(kFolder + "long.glb");
   ASSERT_TRUE(source) << source.error().message;
-  auto recipe = read_recipe(kFolder + "long.recipe.json");
+  auto recipe = cook::read_recipe(kFolder + "long.recipe.json");
   ASSERT_TRUE(recipe) << recipe.error().message;
-  recipe->order_method = OrderMethod::kHead;  // spares the search for orders, which says nothing of chains
-  const auto cooked = cook(*source, *recipe, {.threads = 2, .recipe_directory = {}});
+  recipe->order_method = cook::OrderMethod::kHead;  // spares the search for orders, which says nothing of chains
+  const auto cooked = cook::cook(*source, *recipe, {.threads = 2, .recipe_directory = {}});
   ASSERT_TRUE(cooked) << cooked.error().message;
   EXPECT_TRUE(cooked->report.warnings.empty()) << cooked->report.warnings[0];
   AlignedBytes file(cooked->asset);

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
-namespace coif::select_hair_test {
+namespace coif::cook::select_hair_test {
 
-Told<HairChoice> choice_of(const SourceModel& model) {
+Told<HairChoice> choice_of(const importer::SourceModel& model) {
   return told([&](Findings& findings) {
     auto choice = choose_hair(model, default_recipe(), findings);
     EXPECT_TRUE(choice) << (choice ? "" : choice.error().message);
@@ -21,14 +21,15 @@ std::size_t taken(const Told<HairChoice>& choice, std::size_t mesh) {
   return std::size_t(std::ranges::count(choice.made.taken.at(mesh), true));
 }
 
-Told<tl::expected<HairMesh, ToolError>> selected(const SourceModel& model, const Recipe& recipe = default_recipe()) {
+Told<tl::expected<HairMesh, ToolError>> selected(const importer::SourceModel& model,
+                                                 const Recipe& recipe = default_recipe()) {
   return told([&](Findings& findings) { return select_hair(model, recipe, findings); });
 }
 
 /// The wig in one mesh with a face and a body below, nothing of which is called hair except bones.
-SourceModel merged_body() {
-  SourceModel model = make_wig();
-  SourceMesh& mesh = model.meshes[0];
+importer::SourceModel merged_body() {
+  importer::SourceModel model = make_wig();
+  importer::SourceMesh& mesh = model.meshes[0];
   mesh.name = "Body";
   append_piece(mesh, make_cap(6, 4, 6.2f, 0.09f), 1);
   append_piece(mesh, make_strip({.root = {0, 1.4f, 0}, .along = {0, -1, 0}}), 0);
@@ -50,9 +51,9 @@ TEST(HairNames, WhatIsWornInHairOrSpeltLikeItIsNot) {
 }
 
 TEST(ChooseHair, AMaterialCalledHairSaysSo) {
-  SourceModel model = merged_body();
-  for (SourceNode& node : model.nodes) node.name = node.name == "Head" ? "Head" : "bone";
-  SourceMesh strip = make_strip({});
+  importer::SourceModel model = merged_body();
+  for (importer::SourceNode& node : model.nodes) node.name = node.name == "Head" ? "Head" : "bone";
+  importer::SourceMesh strip = make_strip({});
   strip.name = "Object_7";
   strip.material = 0;
   model.materials.emplace_back();
@@ -66,8 +67,8 @@ TEST(ChooseHair, AMaterialCalledHairSaysSo) {
 }
 
 TEST(ChooseHair, ATextureCalledHairSaysSoButNotItsFolder) {
-  SourceModel model = merged_body();
-  for (SourceNode& node : model.nodes) node.name = node.name == "Head" ? "Head" : "bone";
+  importer::SourceModel model = merged_body();
+  for (importer::SourceNode& node : model.nodes) node.name = node.name == "Head" ? "Head" : "bone";
   model.meshes.push_back(make_strip({}));
   model.meshes.push_back(make_strip({}));
   model.materials.resize(2);
@@ -83,7 +84,7 @@ TEST(ChooseHair, ATextureCalledHairSaysSoButNotItsFolder) {
 }
 
 TEST(ChooseHair, APartOfTheHairMeshWithAnotherMaterialIsAnAdornment) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   model.meshes.push_back(make_strip({}));  // also called hair, on the same node
   model.meshes[1].node = model.meshes[0].node;
   model.materials.resize(2);
@@ -97,34 +98,34 @@ TEST(ChooseHair, APartOfTheHairMeshWithAnotherMaterialIsAnAdornment) {
 }
 
 TEST(ChooseHair, MergedHairIsCutOutByBonesCalledHair) {
-  const SourceModel model = merged_body();
+  const importer::SourceModel model = merged_body();
   const auto choice = choice_of(model);
   EXPECT_EQ(taken(choice, 0), 10u) << "neither the face nor the body";
   EXPECT_NE(choice.notes.at(0).find("pieces that hair bones move"), std::string::npos);
 }
 
 TEST(ChooseHair, ATouchOfAHairBoneDoesNotMakeAFaceHair) {
-  SourceModel model = merged_body();
-  SourceMesh& mesh = model.meshes[0];
+  importer::SourceModel model = merged_body();
+  importer::SourceMesh& mesh = model.meshes[0];
   const std::size_t face_vertex = 13;  // the strip has twelve vertices
   mesh.influences.at(mesh.influence_begin.at(face_vertex)).node = 3;
   EXPECT_EQ(taken(choice_of(model), 0), 10u);
 }
 
 TEST(ChooseHair, SpringsBelowTheHeadAreHairBonesWhateverTheirNames) {
-  SourceModel model = merged_body();
+  importer::SourceModel model = merged_body();
   model.nodes[3].name = "J_Sec_01";
   model.nodes[4].name = "J_Sec_02";
   EXPECT_NE(taken(choice_of(model), 0), 10u) << "nothing says so yet";
-  model.springs.push_back({"", {{.node = 3}, {.node = 4}}, kNoIndex, {}});
+  model.springs.push_back({"", {{.node = 3}, {.node = 4}}, importer::kNoIndex, {}});
   EXPECT_EQ(taken(choice_of(model), 0), 10u);
 }
 
 TEST(ChooseHair, TransparentPiecesOnTheHeadAreHairButNotLashes) {
-  SourceModel model = merged_body();
-  for (SourceNode& node : model.nodes) node.name = node.name == "Head" ? "Head" : "bone";
+  importer::SourceModel model = merged_body();
+  for (importer::SourceNode& node : model.nodes) node.name = node.name == "Head" ? "Head" : "bone";
   const std::uint32_t lid = add_node(model, "REyeBlinkTop", 1, {0.03, 1.62, 0.09});
-  SourceMesh cards = make_strip({});
+  importer::SourceMesh cards = make_strip({});
   cards.name = "opacity_mesh";
   cards.material = 0;
   cards.influence_begin = {0};
@@ -136,16 +137,16 @@ TEST(ChooseHair, TransparentPiecesOnTheHeadAreHairButNotLashes) {
   append_piece(cards, make_strip({.root = {0, 0.3f, 0}, .along = {0, -0.2f, 0}}), 0);  // a skirt's lace
   model.meshes.push_back(cards);
   model.materials.emplace_back();
-  model.materials[0].alpha_use = AlphaUse::kBlend;
+  model.materials[0].alpha_use = importer::AlphaUse::kBlend;
   const auto choice = choice_of(model);
   EXPECT_EQ(taken(choice, 0), 0u);
   EXPECT_EQ(taken(choice, 1), 8u);
 }
 
 TEST(ChooseHair, AFileOfNothingButAHairstyleIsAllHairWithoutAWarning) {
-  SourceModel model;
+  importer::SourceModel model;
   model.path = "style.obj";
-  add_node(model, "root", kNoIndex, {0, 0, 0});
+  add_node(model, "root", importer::kNoIndex, {0, 0, 0});
   model.meshes.push_back(make_strip({}));
   model.meshes[0].name = "defaultobject";
   const auto choice = choice_of(model);
@@ -154,13 +155,13 @@ TEST(ChooseHair, AFileOfNothingButAHairstyleIsAllHairWithoutAWarning) {
 }
 
 TEST(ChooseHair, ABodyOfWhichNothingIsHairIsTakenWholeWithAWarning) {
-  SourceModel model = merged_body();
-  for (SourceNode& node : model.nodes) node.name = node.name == "Head" ? "Head" : "bone";
+  importer::SourceModel model = merged_body();
+  for (importer::SourceNode& node : model.nodes) node.name = node.name == "Head" ? "Head" : "bone";
   EXPECT_EQ(choice_of(model).warnings.size(), 1u);
 }
 
 TEST(Carriers, BonesOfTheFaceCarryNoChain) {
-  SourceModel model = merged_body();
+  importer::SourceModel model = merged_body();
   model.meshes[0].name = "hair";
   for (std::size_t n : {2u, 3u, 4u, 5u}) model.nodes[n].name = n < 4 ? "MJaw" : "MBottomLip";
   const HairMesh hair = whole_hair(model);
@@ -169,9 +170,9 @@ TEST(Carriers, BonesOfTheFaceCarryNoChain) {
 }
 
 /// The wig with a body: a second mesh that no hair bone moves.
-SourceModel wig_with_body() {
-  SourceModel model = make_wig();
-  SourceMesh body = make_strip({.root = {0, 1.4f, 0}, .along = {0, -1, 0}, .rows = 6});
+importer::SourceModel wig_with_body() {
+  importer::SourceModel model = make_wig();
+  importer::SourceMesh body = make_strip({.root = {0, 1.4f, 0}, .along = {0, -1, 0}, .rows = 6});
   body.name = "body";
   body.node = 0;
   model.meshes.push_back(body);
@@ -187,14 +188,14 @@ TEST(SelectHair, TakesWhatIsCalledHairAndSaysWhatItLeft) {
 }
 
 TEST(SelectHair, TakesEverythingWhereNothingIsCalledHair) {
-  SourceModel model = wig_with_body();
+  importer::SourceModel model = wig_with_body();
   model.meshes[0].name = "thing";
-  for (SourceNode& node : model.nodes) node.name = "node";
+  for (importer::SourceNode& node : model.nodes) node.name = "node";
   EXPECT_EQ(selected(model).made->triangle_count(), 22u);
 }
 
 TEST(SelectHair, CutsHairOutOfAMergedMeshByItsBones) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   append_piece(model.meshes[0], make_strip({.root = {1, 1, 1}}), 1);
   Recipe recipe = default_recipe();
   recipe.hair_bones = {"hair_*"};
@@ -215,7 +216,7 @@ TEST(SelectHair, APatternThatMatchesNothingNamesWhatThereIs) {
 }
 
 TEST(SelectHair, TrianglesWithoutAreaAreLeftOut) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   model.meshes[0].triangles.insert(model.meshes[0].triangles.end(), {0, 0, 1, 2, 2, 2});
   const auto hair = selected(model);
   EXPECT_EQ(hair.made->triangle_count(), 10u);
@@ -223,7 +224,7 @@ TEST(SelectHair, TrianglesWithoutAreaAreLeftOut) {
 }
 
 TEST(SelectHair, AModelWithoutAreaSaysSo) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   for (Eigen::Vector3f& p : model.meshes[0].positions) p = {0, 1, 0};
   const auto hair = selected(model);
   ASSERT_FALSE(hair.made);
@@ -232,8 +233,8 @@ TEST(SelectHair, AModelWithoutAreaSaysSo) {
 }
 
 TEST(SelectHair, MeshesWithAndWithoutTextureCoordinatesJoin) {
-  SourceModel model = make_wig();
-  SourceMesh bare = make_strip({.root = {0.2f, 1.6f, 0}});
+  importer::SourceModel model = make_wig();
+  importer::SourceMesh bare = make_strip({.root = {0.2f, 1.6f, 0}});
   bare.uvs.clear();
   bare.node = 1;
   model.meshes.push_back(bare);
@@ -244,10 +245,11 @@ TEST(SelectHair, MeshesWithAndWithoutTextureCoordinatesJoin) {
 }
 
 TEST(ChooseHair, ABodyOfWhichNothingIsKnownToBeHairIsNeverTaken) {
-  SourceModel model = make_wig();
-  for (SourceNode& node : model.nodes) node.name = node.name == "Head" ? "Head" : "bone";
+  importer::SourceModel model = make_wig();
+  for (importer::SourceNode& node : model.nodes) node.name = node.name == "Head" ? "Head" : "bone";
   model.nodes.back().name = "LeftFoot";
-  for (SourceInfluence& influence : model.meshes[0].influences) influence.node = std::uint32_t(model.nodes.size() - 1);
+  for (importer::SourceInfluence& influence : model.meshes[0].influences)
+    influence.node = std::uint32_t(model.nodes.size() - 1);
   model.meshes[0].name = "Body";
   model.materials.resize(1);
   model.materials[0].name = "Skin";
@@ -261,8 +263,8 @@ TEST(ChooseHair, ABodyOfWhichNothingIsKnownToBeHairIsNeverTaken) {
 }
 
 /// A hemisphere of `radius` around (0, 1.6, 0), or all of the ball.
-SourceMesh shell(const std::string& name, float radius, bool whole) {
-  SourceMesh mesh;
+importer::SourceMesh shell(const std::string& name, float radius, bool whole) {
+  importer::SourceMesh mesh;
   mesh.name = name;
   constexpr std::uint32_t kColumns = 24, kRows = 10;
   for (std::uint32_t row = 0; row <= kRows; ++row) {
@@ -284,10 +286,10 @@ SourceMesh shell(const std::string& name, float radius, bool whole) {
 }
 
 TEST(ChooseHair, ACapUnderTheHairIsHairAndTheHeadIsNot) {
-  SourceModel model;
-  add_node(model, "root", kNoIndex, {0, 0, 0});
+  importer::SourceModel model;
+  add_node(model, "root", importer::kNoIndex, {0, 0, 0});
   model.meshes = {shell("hair", 0.1f, false), shell("calotta", 0.095f, false), shell("face", 0.09f, true)};
-  SourceMesh eyes = shell("eyes", 0.02f, true);
+  importer::SourceMesh eyes = shell("eyes", 0.02f, true);
   for (Eigen::Vector3f& p : eyes.positions) p += Eigen::Vector3f(0, 0.02f, 0.07f);
   model.meshes.push_back(eyes);
   Findings findings;
@@ -305,8 +307,8 @@ TEST(ChooseHair, ACapUnderTheHairIsHairAndTheHeadIsNot) {
 
 TEST(ChooseHair, ACapIsWithinATenthOfTheHairsWidth) {
   for (const auto& [radius, is_cap] : {std::pair{0.09f, true}, {0.081f, true}, {0.0795f, false}, {0.07f, false}}) {
-    SourceModel model;
-    add_node(model, "root", kNoIndex, {0, 0, 0});
+    importer::SourceModel model;
+    add_node(model, "root", importer::kNoIndex, {0, 0, 0});
     model.meshes = {shell("hair", 0.1f, false), shell("calotta", radius, false)};
     const auto choice = choose_hair(model, default_recipe(), unheard());
     ASSERT_TRUE(choice);
@@ -315,8 +317,8 @@ TEST(ChooseHair, ACapIsWithinATenthOfTheHairsWidth) {
 }
 
 TEST(ChooseHair, HairWithoutDepthHasNoCap) {
-  SourceModel model;
-  add_node(model, "root", kNoIndex, {0, 0, 0});
+  importer::SourceModel model;
+  add_node(model, "root", importer::kNoIndex, {0, 0, 0});
   model.meshes = {make_strip({.root = {0, 1.6f, 0}, .rows = 8}), make_strip({.root = {0, 1.6f, 0}, .rows = 4})};
   model.meshes[1].name = "calotta";
   const auto choice = choose_hair(model, default_recipe(), unheard());
@@ -325,20 +327,20 @@ TEST(ChooseHair, HairWithoutDepthHasNoCap) {
 }
 
 TEST(GuessHeadNode, AMeshCalledHeadIsNoBoneUnlessTheSkeletonGoesOn) {
-  SourceModel model;
-  add_node(model, "root", kNoIndex, {0, 0, 0});
+  importer::SourceModel model;
+  add_node(model, "root", importer::kNoIndex, {0, 0, 0});
   const std::uint32_t head = add_node(model, "head", 0, {0, 1.6, 0});
   model.meshes.push_back(make_strip({}));
   model.meshes[0].node = head;
-  EXPECT_EQ(guess_head_node(model), kNoIndex);
+  EXPECT_EQ(guess_head_node(model), importer::kNoIndex);
   add_node(model, "hair", head, {0, 1.7, 0});
   EXPECT_EQ(guess_head_node(model), head);
 }
 
 /// `copies` strips at one place, each of eight triangles.
-SourceModel strips_in_one_place(int copies) {
-  SourceModel model = make_wig();
-  const SourceMesh strip = model.meshes[0];
+importer::SourceModel strips_in_one_place(int copies) {
+  importer::SourceModel model = make_wig();
+  const importer::SourceMesh strip = model.meshes[0];
   for (int i = 1; i < copies; ++i) append_piece(model.meshes[0], strip, 1);
   return model;
 }
@@ -355,9 +357,9 @@ TEST(SelectHair, AFileOfCopiesIsDamaged) {
 }
 
 TEST(SelectHair, HairOfKilometresIsDamaged) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   const auto scaled_to = [&](float metres) {
-    SourceModel scaled = model;
+    importer::SourceModel scaled = model;
     Eigen::AlignedBox3f box;
     for (const Eigen::Vector3f& at : scaled.meshes[0].positions) box.extend(at);
     for (Eigen::Vector3f& at : scaled.meshes[0].positions) at *= metres / box.sizes().norm();
@@ -372,4 +374,4 @@ TEST(SelectHair, HairOfKilometresIsDamaged) {
   EXPECT_NE(damaged.made.error().message.find("source.metres_per_unit"), std::string::npos);
 }
 
-}  // namespace coif::select_hair_test
+}  // namespace coif::cook::select_hair_test

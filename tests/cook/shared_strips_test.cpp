@@ -14,7 +14,7 @@
 #include <array>
 #include <functional>
 
-namespace coif::shared_strips_test {
+namespace coif::cook::shared_strips_test {
 
 /// Share of a bone at a place of the card: across it from 0 left to 1 right, and down it from 0 at the root to 1
 /// at the tip.
@@ -98,12 +98,12 @@ TEST(SharedStrips, AreNotTailsThatGrowOutOfOneCap) {
 }
 
 /// A strip between two chains, the left edge on one and the right edge on the other, 5 cm apart.
-SourceModel sheet_of_two_chains() {
-  SourceModel model;
+importer::SourceModel sheet_of_two_chains() {
+  importer::SourceModel model;
   model.path = "sheet.glb";
-  add_node(model, "root", kNoIndex, {0, 0, 0});
+  add_node(model, "root", importer::kNoIndex, {0, 0, 0});
   const std::uint32_t head = add_node(model, "Head", 0, {0, 1.6, 0});
-  SourceMesh mesh = make_strip({.root = {0, 1.65f, -0.1f}, .along = {0, -0.25f, 0}, .rows = 5});
+  importer::SourceMesh mesh = make_strip({.root = {0, 1.65f, -0.1f}, .along = {0, -0.25f, 0}, .rows = 5});
   mesh.node = head;
   std::array<std::array<std::uint32_t, 3>, 2> nodes{};
   for (std::size_t side = 0; side < 2; ++side) {
@@ -167,4 +167,4 @@ TEST(SharedStrips, AreWhatChainsAreLinkedFor) {
   EXPECT_EQ(cooked_sheet(R"([["right_2", "left_*"]])").asset.size(), result.asset.size());
 }
 
-}  // namespace coif::shared_strips_test
+}  // namespace coif::cook::shared_strips_test

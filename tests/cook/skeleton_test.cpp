@@ -11,10 +11,10 @@
 #include <cmath>
 #include <random>
 
-namespace coif::skeleton_test {
+namespace coif::cook::skeleton_test {
 
-tl::expected<Skeleton, ToolError> skeleton_of(const SourceModel& model, const Recipe& recipe = default_recipe(),
-                                              Findings& findings = unheard()) {
+tl::expected<Skeleton, ToolError> skeleton_of(const importer::SourceModel& model,
+                                              const Recipe& recipe = default_recipe(), Findings& findings = unheard()) {
   const auto hair = select_hair(model, recipe, unheard());
   EXPECT_TRUE(hair) << hair.error().message;
   const auto head = find_head_bone(model, *hair, recipe.head_bone);
@@ -22,7 +22,7 @@ tl::expected<Skeleton, ToolError> skeleton_of(const SourceModel& model, const Re
   return build_skeleton(model, *hair, *head, recipe, findings);
 }
 
-FittedHead head_of(const SourceModel& model, const Recipe& recipe = default_recipe()) {
+FittedHead head_of(const importer::SourceModel& model, const Recipe& recipe = default_recipe()) {
   const auto hair = select_hair(model, recipe, unheard());
   EXPECT_TRUE(hair) << hair.error().message;
   const auto head = find_head_bone(model, *hair, recipe.head_bone);
@@ -55,7 +55,7 @@ TEST(BuildSkeleton, BonesEndAtTheNextJointAndTheLastAtItsEndMarker) {
 }
 
 TEST(BuildSkeleton, WithoutAnEndMarkerTheLastBoneEndsWithItsVertices) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   model.nodes.pop_back();
   const auto skeleton = skeleton_of(model);
   ASSERT_TRUE(skeleton);
@@ -64,7 +64,7 @@ TEST(BuildSkeleton, WithoutAnEndMarkerTheLastBoneEndsWithItsVertices) {
 
 TEST(BuildSkeleton, AMarkerFarBeforeTheEndOfTheHairMarksNoEnd) {
   for (const double share : {0.15, 0.3, 0.5, 0.8}) {
-    SourceModel model = make_wig();
+    importer::SourceModel model = make_wig();
     model.nodes.back().model_from_node.translation() = Eigen::Vector3d(0, 1.5 - 0.1 * share, -0.1);
     const auto skeleton = skeleton_of(model);
     ASSERT_TRUE(skeleton);
@@ -73,9 +73,9 @@ TEST(BuildSkeleton, AMarkerFarBeforeTheEndOfTheHairMarksNoEnd) {
 }
 
 TEST(BuildSkeleton, WhatABoneCarriesByHalfIsItsOwn) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   model.nodes.pop_back();
-  SourceMesh& mesh = model.meshes[0];
+  importer::SourceMesh& mesh = model.meshes[0];
   const auto tail = [&](float weight) {
     // The lowest vertices, with this much of their weight on the last bone.
     for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
@@ -92,9 +92,9 @@ TEST(BuildSkeleton, WhatABoneCarriesByHalfIsItsOwn) {
 
 /// The wig, whose end marker (node 5) has this much of the vertices at the end of the last bone (node 4).
 tl::expected<Skeleton, ToolError> skeleton_with_end_weight(float weight) {
-  SourceModel model = make_wig();
-  SourceMesh& mesh = model.meshes[0];
-  std::vector<SourceInfluence> influences;
+  importer::SourceModel model = make_wig();
+  importer::SourceMesh& mesh = model.meshes[0];
+  std::vector<importer::SourceInfluence> influences;
   std::vector<std::uint32_t> begin{0};
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
     if (mesh.positions[v].y() > 1.45f) {
@@ -125,8 +125,8 @@ TEST(BuildSkeleton, AnEndMarkerThatSmoothingGaveSomeSkinIsNoBone) {
 /// Where the bone of node 0 ends that starts at the origin below one that comes from the side, 0.2 m. It has so much of
 /// one vertex 0.1 m below and of another 0.2 m below.
 Eigen::Vector3d tail_by_weights(float upper, float lower) {
-  SourceModel model;
-  add_node(model, "hair", kNoIndex, {0, 0, 0});
+  importer::SourceModel model;
+  add_node(model, "hair", importer::kNoIndex, {0, 0, 0});
   HairMesh hair;
   hair.positions = {{0, -0.1f, 0}, {0, -0.2f, 0}};
   hair.influences = {{0, upper}, {0, lower}};
@@ -148,8 +148,8 @@ TEST(FindBoneTail, WithoutVerticesItIsAsFarAgainAsTheParent) {
 }
 
 TEST(BuildSkeleton, ABoneAloneBelowTheHeadIsSimulated) {
-  SourceModel model = make_wig();
-  for (SourceInfluence& influence : model.meshes[0].influences) influence.node = 2;
+  importer::SourceModel model = make_wig();
+  for (importer::SourceInfluence& influence : model.meshes[0].influences) influence.node = 2;
   const auto skeleton = skeleton_of(model);
   ASSERT_TRUE(skeleton);
   ASSERT_EQ(skeleton->bones.size(), 2u);
@@ -167,7 +167,7 @@ TEST(BuildSkeleton, TheRecipeMovesTheBorderBetweenScalpAndChain) {
 }
 
 TEST(BuildSkeleton, BranchesHangFromTheirParentsParticle) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   const std::uint32_t branch = add_node(model, "branch", 3, {0.05, 1.52, -0.1});
   add_node(model, "branch_end", branch, {0.1, 1.45, -0.1});
   model.meshes[0].influences.back().node = branch;
@@ -182,7 +182,7 @@ TEST(BuildSkeleton, BranchesHangFromTheirParentsParticle) {
 }
 
 TEST(BuildSkeleton, FindsTheHeadAmongItsNamesakes) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   model.nodes[1].name = "mixamorig:Head";
   add_node(model, "mixamorig:HeadTop_End", 1, {0, 1.8, 0});
   add_node(model, "Headphones", 0, {0, 1.7, 0});
@@ -190,7 +190,7 @@ TEST(BuildSkeleton, FindsTheHeadAmongItsNamesakes) {
 }
 
 TEST(BuildSkeleton, TheRecipeNamesTheHeadByAPattern) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   model.nodes[1].name = "rig:Kopf_01";
   Recipe recipe = default_recipe();
   recipe.head_bone = "*:Kopf_??";
@@ -207,7 +207,7 @@ TEST(BuildSkeleton, AHeadThatIsNotThereIsAnErrorWithACure) {
 }
 
 TEST(BuildSkeleton, HairWithoutBonesFollowsTheHeadWithAWarning) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   model.meshes[0].influences.clear();
   model.meshes[0].influence_begin.clear();
   Findings findings;
@@ -220,7 +220,7 @@ TEST(BuildSkeleton, HairWithoutBonesFollowsTheHeadWithAWarning) {
 }
 
 TEST(BuildSkeleton, JointsOnTopOfEachOtherStillGiveBones) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   for (std::size_t n = 3; n < model.nodes.size(); ++n) model.nodes[n].model_from_node = model.nodes[3].model_from_node;
   const auto skeleton = skeleton_of(model);
   ASSERT_TRUE(skeleton);
@@ -232,7 +232,7 @@ TEST(BuildSkeleton, JointsOnTopOfEachOtherStillGiveBones) {
 }
 
 TEST(BuildSkeleton, MoreBonesThanAnAssetHoldsIsUnsupported) {
-  SourceModel model = make_wig();
+  importer::SourceModel model = make_wig();
   std::uint32_t node = 4;
   for (int i = 0; i < 5000; ++i) node = add_node(model, "long", node, {0, 1.4 - 0.001 * i, -0.1});
   model.meshes[0].influences.back().node = node;
@@ -242,7 +242,7 @@ TEST(BuildSkeleton, MoreBonesThanAnAssetHoldsIsUnsupported) {
 }
 
 TEST(HeadColliders, HaveTheShapeThatTheRecipeWants) {
-  const SourceModel wig = make_wig();
+  const importer::SourceModel wig = make_wig();
   Recipe recipe = default_recipe();
   recipe.head_center = {0, 1.6, 0};
   recipe.head_radii = {0.05, 0.08, 0.06};
@@ -342,4 +342,4 @@ TEST(SkinWeights, AddUpTo255AndKeepTheHeaviestFour) {
   }
 }
 
-}  // namespace coif::skeleton_test
+}  // namespace coif::cook::skeleton_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <fstream>
 
-namespace coif::source_images_test {
+namespace coif::cook::source_images_test {
 
 /// Thin opaque strands, one texel in four, on a transparent black ground.
 Image strands(std::uint32_t size) {
@@ -319,4 +319,4 @@ TEST(Image, WhatIsNotAnImageIsRefusedWithACure) {
   EXPECT_NE(image.error().find("save it as PNG"), std::string::npos);
 }
 
-}  // namespace coif::source_images_test
+}  // namespace coif::cook::source_images_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <functional>
 
-namespace coif::split_folds_test {
+namespace coif::cook::split_folds_test {
 
 using Eigen::Vector2f;
 using Eigen::Vector3f;
@@ -19,7 +19,7 @@ constexpr std::uint32_t kRows = 16;
 
 /// A strip that lies over a head from ear to ear; `uv_at` from places across it and along it, 0..1.
 HairMesh band(const std::function<Vector2f(float across, float along)>& uv_at, std::uint32_t columns = 2) {
-  SourceMesh mesh;
+  importer::SourceMesh mesh;
   for (std::uint32_t row = 0; row <= kRows; ++row) {
     for (std::uint32_t c = 0; c <= columns; ++c) {
       const float along = float(row) / kRows, across = float(c) / float(columns), turn = 3.14159f * along;
@@ -194,4 +194,4 @@ TEST(SplitPartings, AWreathAQuarterOfTheHeadAndALoopThatHangsOffItStayWhole) {
   EXPECT_EQ(cut_wreath(0.95f, 0.1f, 0.09f), 0u) << "off the head";
 }
 
-}  // namespace coif::split_folds_test
+}  // namespace coif::cook::split_folds_test

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-namespace coif::spring_colliders_test {
+namespace coif::cook::spring_colliders_test {
 
-using Shape = SourceCollider::Shape;
+using Shape = importer::SourceCollider::Shape;
 constexpr std::uint32_t kHead = 1;
 constexpr std::uint32_t kBody = 0;
 
@@ -15,7 +15,7 @@ constexpr std::uint32_t kBody = 0;
 class SpringCollidersTest : public testing::Test {
  protected:
   SpringCollidersTest() {
-    add_node(model_, "root", kNoIndex, {0, 0, 0});
+    add_node(model_, "root", importer::kNoIndex, {0, 0, 0});
     add_node(model_, "Head", 0, {0, 1.6, 0});
     skeleton_.bones.resize(1);
     skeleton_.bones[0].kind = BoneKind::kHead;
@@ -33,7 +33,7 @@ class SpringCollidersTest : public testing::Test {
     hair.parent = 0;
     skeleton_.bones.push_back(hair);
     skeleton_.bone_of_node.insert(skeleton_.bone_of_node.end(), {bone, bone});
-    SourceSpring spring;
+    importer::SourceSpring spring;
     spring.name = name;
     spring.joints.resize(2);
     spring.joints[0].node = node;
@@ -44,7 +44,7 @@ class SpringCollidersTest : public testing::Test {
   }
 
   std::uint32_t add_collider(Shape shape, std::uint32_t node) {
-    SourceCollider collider;
+    importer::SourceCollider collider;
     collider.shape = shape;
     collider.node = node;
     collider.center = {0, 1.7, 0};
@@ -58,7 +58,7 @@ class SpringCollidersTest : public testing::Test {
     return told([&](Findings& findings) { return spring_colliders(model_, head, skeleton_, findings); });
   }
 
-  SourceModel model_;
+  importer::SourceModel model_;
   Skeleton skeleton_;
 };
 
@@ -100,12 +100,12 @@ TEST_F(SpringCollidersTest, ACapsuleWithoutLengthIsASphere) {
 
 TEST_F(SpringCollidersTest, WhatIsNotOnTheHeadIsTheBodys) {
   const std::uint32_t chest = add_collider(Shape::kSphere, kBody), crown = add_collider(Shape::kSphere, kHead);
-  for (SourceSpring& spring : model_.springs) spring.colliders = {chest, crown};
+  for (importer::SourceSpring& spring : model_.springs) spring.colliders = {chest, crown};
   const Told<Colliders> found = run();
   EXPECT_EQ(found.made.shapes.size(), 1u);
   EXPECT_EQ(found.made.of_bone, (std::vector<std::uint32_t>{0, 1, 1}));
   EXPECT_TRUE(found.left_out.empty());
-  EXPECT_TRUE(run(kNoIndex).made.shapes.empty()) << "without a head nothing is on it";
+  EXPECT_TRUE(run(importer::kNoIndex).made.shapes.empty()) << "without a head nothing is on it";
 }
 
 TEST_F(SpringCollidersTest, AShapeOnSwingingHairMovesWithTheRigidBoneAboveIt) {
@@ -148,7 +148,7 @@ TEST_F(SpringCollidersTest, WhatHoldsHairAtRestIsToldAndWhatIsOutOfReachIsLeftOu
   const std::uint32_t around_a = add_collider(Shape::kSphere, kHead), far = add_collider(Shape::kSphere, kHead);
   model_.colliders[around_a].center = skeleton_.bones[1].tail;
   model_.colliders[far].center = {9, 1.6, 0};
-  for (SourceSpring& spring : model_.springs) spring.colliders = {around_a, far};
+  for (importer::SourceSpring& spring : model_.springs) spring.colliders = {around_a, far};
   const HeadBone head{.node = kHead};
   const auto found = told([&](Findings& findings) {
     return find_colliders(model_, head, FittedHead{}, skeleton_, default_recipe(), findings);
@@ -160,4 +160,4 @@ TEST_F(SpringCollidersTest, WhatHoldsHairAtRestIsToldAndWhatIsOutOfReachIsLeftOu
   EXPECT_NE(found.warnings[0].find("1 bones are inside a collider at rest"), std::string::npos) << found.warnings[0];
 }
 
-}  // namespace coif::spring_colliders_test
+}  // namespace coif::cook::spring_colliders_test

@@ -9,12 +9,12 @@
 #include <cmath>
 #include <numbers>
 
-namespace coif::spring_dynamics_test {
+namespace coif::cook::spring_dynamics_test {
 
 using Eigen::Vector3d;
 
-SourceSpringJoint joint_of(double stiffness, double gravity_power, double drag, double length = 0.1) {
-  SourceSpringJoint joint;
+importer::SourceSpringJoint joint_of(double stiffness, double gravity_power, double drag, double length = 0.1) {
+  importer::SourceSpringJoint joint;
   joint.length = length;
   joint.stiffness = stiffness;
   joint.gravity_power = gravity_power;
@@ -23,7 +23,7 @@ SourceSpringJoint joint_of(double stiffness, double gravity_power, double drag, 
 }
 
 /// A chain along +X whose dynamics come from the mapping. `lengths` of the cooked bones.
-TestRig mapped_rig(const std::vector<SourceSpringJoint>& joints, const std::vector<double>& lengths) {
+TestRig mapped_rig(const std::vector<importer::SourceSpringJoint>& joints, const std::vector<double>& lengths) {
   TestRig rig;
   for (std::size_t j = 0; j < joints.size(); ++j) {
     rig.add({.parent = std::uint32_t(j), .rest_direction = {1, 0, 0}, .length = float(lengths[j])});
@@ -35,7 +35,7 @@ TestRig mapped_rig(const std::vector<SourceSpringJoint>& joints, const std::vect
 /// Algorithm 1 on such a chain, one step per frame of 1/60 s.
 class MappedChain {
  public:
-  MappedChain(const std::vector<SourceSpringJoint>& joints, const std::vector<double>& lengths)
+  MappedChain(const std::vector<importer::SourceSpringJoint>& joints, const std::vector<double>& lengths)
       : step_(mapped_rig(joints, lengths)) {
     step_.dt = 1.0f / 60.0f;
   }
@@ -58,9 +58,9 @@ double angle_below_horizon(const Vec3& direction) { return std::atan2(-double(di
 Vec3 gravity_before_brake(double drag) { return {0, float(-9.81 / (1 - drag)), 0}; }
 
 TEST(SpringDynamics, OneBoneMovesFrameByFrameAsVrmMovesIt) {
-  const SourceSpringJoint settings[] = {joint_of(1, 0.2, 0.4), joint_of(4, 0, 0.1), joint_of(0.3, 1, 0.8, 0.3),
-                                        joint_of(2.5, -0.5, 0.4, 0.07)};
-  for (const SourceSpringJoint& joint : settings) {
+  const importer::SourceSpringJoint settings[] = {joint_of(1, 0.2, 0.4), joint_of(4, 0, 0.1),
+                                                  joint_of(0.3, 1, 0.8, 0.3), joint_of(2.5, -0.5, 0.4, 0.07)};
+  for (const importer::SourceSpringJoint& joint : settings) {
     VrmChain vrm({joint}, {Vector3d::UnitX()});
     MappedChain mapped({joint}, {joint.length});
     Vector3d root = Vector3d::Zero();
@@ -79,7 +79,7 @@ TEST(SpringDynamics, OneBoneMovesFrameByFrameAsVrmMovesIt) {
 
 TEST(SpringDynamics, TheOscillatorThatResistanceStandsForSagsAsFarAsVrm) {
   for (const double drag : {0.0, 0.4, 0.9}) {
-    const SourceSpringJoint joint = joint_of(1, 0.6, drag);
+    const importer::SourceSpringJoint joint = joint_of(1, 0.6, drag);
     VrmChain vrm({joint}, {Vector3d::UnitX()});
     for (int frame = 0; frame < 3000; ++frame) vrm.step(Vector3d::Zero());
     const DynamicsRecord record = dynamics_of_joint(joint, joint.length);
@@ -91,7 +91,7 @@ TEST(SpringDynamics, TheOscillatorThatResistanceStandsForSagsAsFarAsVrm) {
 }
 
 TEST(SpringDynamics, AlgorithmOneSagsByTheBrakedShareOfIt) {
-  const SourceSpringJoint joint = joint_of(1, 0.6, 0.4);
+  const importer::SourceSpringJoint joint = joint_of(1, 0.6, 0.4);
   MappedChain mapped({joint}, {joint.length});
   for (int frame = 0; frame < 600; ++frame) mapped.step({0, -9.81f, 0});
   const double settled = angle_below_horizon(mapped.particles()[0].position);
@@ -100,7 +100,7 @@ TEST(SpringDynamics, AlgorithmOneSagsByTheBrakedShareOfIt) {
 }
 
 TEST(SpringDynamics, ThreeBonesSettleNearWhereVrmSettlesThem) {
-  const std::vector<SourceSpringJoint> joints(3, joint_of(1, 0.3, 0.4));
+  const std::vector<importer::SourceSpringJoint> joints(3, joint_of(1, 0.3, 0.4));
   VrmChain vrm(joints, std::vector<Vector3d>(3, Vector3d::UnitX()));
   MappedChain mapped(joints, {0.1, 0.1, 0.1});
   for (int frame = 0; frame < 1200; ++frame) {
@@ -116,7 +116,7 @@ TEST(SpringDynamics, ThreeBonesSettleNearWhereVrmSettlesThem) {
 }
 
 TEST(SpringDynamics, SwingsDieOutAsFastAsInVrm) {
-  const SourceSpringJoint joint = joint_of(0.5, 0, 0.1, 0.3);
+  const importer::SourceSpringJoint joint = joint_of(0.5, 0, 0.1, 0.3);
   VrmChain vrm({joint}, {Vector3d::UnitX()});
   vrm.pose(Eigen::Quaterniond(Eigen::AngleAxisd(-0.5, Vector3d::UnitZ())));
   MappedChain mapped({joint}, {joint.length});
@@ -135,7 +135,7 @@ TEST(SpringDynamics, SwingsDieOutAsFastAsInVrm) {
 }
 
 TEST(SpringDynamics, ALeafTurnsAlikeWhateverTheHairsLengthThere) {
-  const SourceSpringJoint leaf = joint_of(1, 0.3, 0.2, 0.07);
+  const importer::SourceSpringJoint leaf = joint_of(1, 0.3, 0.2, 0.07);
   MappedChain as_in_vrm({leaf}, {0.07});
   MappedChain longer({leaf}, {0.21});
   for (int frame = 0; frame < 30; ++frame) {
@@ -165,7 +165,7 @@ TEST(SpringDynamics, EverySettingGivesWhatAnAssetMayHold) {
 }
 
 TEST(SpringDynamics, GravityKeepsItsVerticalPart) {
-  SourceSpringJoint joint = joint_of(1, 0.5, 0.4);
+  importer::SourceSpringJoint joint = joint_of(1, 0.5, 0.4);
   const float down = dynamics_of_joint(joint, 0.1).gravity_scale;
   EXPECT_NEAR(down, 0.5f * 60 / 9.81f, 1.0e-5f);
   joint.gravity_direction = {0.8, -0.6, 0};
@@ -174,4 +174,4 @@ TEST(SpringDynamics, GravityKeepsItsVerticalPart) {
   EXPECT_FLOAT_EQ(dynamics_of_joint(joint, 0.1).gravity_scale, -down);
 }
 
-}  // namespace coif::spring_dynamics_test
+}  // namespace coif::cook::spring_dynamics_test

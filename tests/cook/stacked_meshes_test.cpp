@@ -10,18 +10,19 @@
 #include <algorithm>
 #include <string>
 
-namespace coif::stacked_meshes_test {
+namespace coif::cook::stacked_meshes_test {
 
 /// Two meshes that are hair, on nodes of their own, of so many rows of triangles in one place.
-SourceModel two_meshes(std::uint32_t rows, std::uint32_t other_rows, const Eigen::Vector3f& other_root = {0, 0, 0}) {
-  SourceModel model = make_wig();
+importer::SourceModel two_meshes(std::uint32_t rows, std::uint32_t other_rows,
+                                 const Eigen::Vector3f& other_root = {0, 0, 0}) {
+  importer::SourceModel model = make_wig();
   const std::uint32_t nodes[] = {add_node(model, "Hair_High", 0, {0, 0, 0}), add_node(model, "Hair_Low", 0, {0, 0, 0})};
   model.meshes.clear();
   for (const std::uint32_t node : nodes) {
     const bool is_other = node == nodes[1];
-    SourceMesh mesh = make_strip({.root = is_other ? other_root : Eigen::Vector3f(0, 0, 0),
-                                  .along = {0, -1, 0},
-                                  .rows = is_other ? other_rows : rows});
+    importer::SourceMesh mesh = make_strip({.root = is_other ? other_root : Eigen::Vector3f(0, 0, 0),
+                                            .along = {0, -1, 0},
+                                            .rows = is_other ? other_rows : rows});
     mesh.name = model.nodes[node].name;
     mesh.node = node;
     model.meshes.push_back(std::move(mesh));
@@ -29,7 +30,7 @@ SourceModel two_meshes(std::uint32_t rows, std::uint32_t other_rows, const Eigen
   return model;
 }
 
-bool tells_of_stacked(const SourceModel& model, const std::string& text) {
+bool tells_of_stacked(const importer::SourceModel& model, const std::string& text) {
   const auto hair = told([&](Findings& findings) { return select_hair(model, default_recipe(), findings); });
   return std::ranges::any_of(hair.warnings, [&](const std::string& w) { return w.find(text) != std::string::npos; });
 }
@@ -43,4 +44,4 @@ TEST(StackedMeshes, OfOneShapeAreWarnedOf) {
   EXPECT_FALSE(tells_of_stacked(two_meshes(20, 5, {0, -0.5f, 0}), "lies on")) << "lower";
 }
 
-}  // namespace coif::stacked_meshes_test
+}  // namespace coif::cook::stacked_meshes_test

@@ -13,19 +13,19 @@
 
 #include <algorithm>
 
-namespace coif::stages_test {
+namespace coif::cook::stages_test {
 
 /// A recipe, and all that stages tell.
 class Stages : public testing::Test {
  protected:
   Stages() { settings_.draft = true; }
 
-  SourceHair hair_of(const SourceModel& model) {
+  SourceHair hair_of(const importer::SourceModel& model) {
     auto hair = find_hair(model, recipe_, recipe_, settings_, log_);
     EXPECT_TRUE(hair) << (hair ? "" : hair.error().message);
     return hair ? std::move(*hair) : SourceHair{};
   }
-  Strips strips_of(const SourceModel& model) {
+  Strips strips_of(const importer::SourceModel& model) {
     SourceHair hair = hair_of(model);
     auto strips = find_strips(model, std::move(hair.mesh), hair.color, recipe_, recipe_, settings_, log_);
     EXPECT_TRUE(strips) << (strips ? "" : strips.error().message);
@@ -44,7 +44,7 @@ class Stages : public testing::Test {
 };
 
 TEST_F(Stages, FindHairLeavesTheSourceAsItIs) {
-  const SourceModel wig = make_wig();
+  const importer::SourceModel wig = make_wig();
   const SourceHair hair = hair_of(wig);
   EXPECT_EQ(&hair.model(wig), &wig) << "it is in metres with Y up";
   EXPECT_EQ(hair.mesh.triangle_count(), wig.meshes[0].triangles.size() / 3);
@@ -52,10 +52,10 @@ TEST_F(Stages, FindHairLeavesTheSourceAsItIs) {
 }
 
 TEST_F(Stages, FindHairMakesMetres) {
-  SourceModel wig = make_wig();
+  importer::SourceModel wig = make_wig();
   for (Eigen::Vector3f& at : wig.meshes[0].positions) at *= 100;
-  for (SourceNode& node : wig.nodes) node.model_from_node.translation() *= 100;
-  wig.space.unit = Statement::kUnsaid;
+  for (importer::SourceNode& node : wig.nodes) node.model_from_node.translation() *= 100;
+  wig.space.unit = importer::Statement::kUnsaid;
   const SourceHair hair = hair_of(wig);
   ASSERT_TRUE(hair.settled) << "hair of 30 m is in centimetres";
   EXPECT_NEAR(hair.mesh.positions[0].y(), wig.meshes[0].positions[0].y() / 100, 1e-5f);
@@ -70,7 +70,7 @@ TEST_F(Stages, FindStripsKnowsPatchesHeadAndStrands) {
 }
 
 TEST_F(Stages, MakeRigNeedsNothingThatIsDrawn) {
-  const SourceModel wig = make_wig();
+  const importer::SourceModel wig = make_wig();
   Strips strips = strips_of(wig);
   strips.hair.mesh.uvs.clear();
   const auto rig = make_rig(wig, strips, recipe_, settings_, log_);
@@ -82,7 +82,7 @@ TEST_F(Stages, MakeRigNeedsNothingThatIsDrawn) {
 }
 
 TEST_F(Stages, MakeRigSaysWhatItsRecipeLacks) {
-  const SourceModel wig = make_wig();
+  const importer::SourceModel wig = make_wig();
   recipe_.body_colliders.resize(1);
   recipe_.body_colliders[0].bone = "Chest";
   recipe_.body_colliders[0].radius = 0.1;
@@ -93,7 +93,7 @@ TEST_F(Stages, MakeRigSaysWhatItsRecipeLacks) {
 }
 
 TEST_F(Stages, OneAfterAnotherTheyAreTheCook) {
-  const SourceModel wig = make_wig();
+  const importer::SourceModel wig = make_wig();
   SourceHair hair = hair_of(wig);
   auto strips = find_strips(wig, std::move(hair.mesh), hair.color, recipe_, recipe_, settings_, log_);
   ASSERT_TRUE(strips);
@@ -115,7 +115,7 @@ TEST_F(Stages, OneAfterAnotherTheyAreTheCook) {
   for (const PassTime& pass : cooked->report.passes) names.push_back(pass.name);
   EXPECT_EQ(told_passes(), names);
   EXPECT_EQ(report_.notes, cooked->report.notes);
-  const OpenedAsset by_hand(*asset), by_cook(cooked->asset);
+  const lab::OpenedAsset by_hand(*asset), by_cook(cooked->asset);
   ASSERT_TRUE(by_hand.status());
   ASSERT_TRUE(by_cook.status());
   EXPECT_EQ(by_hand.asset().vertices().size(), by_cook.asset().vertices().size());
@@ -123,7 +123,7 @@ TEST_F(Stages, OneAfterAnotherTheyAreTheCook) {
 }
 
 TEST_F(Stages, WriteHairRefusesWhatTheRuntimeWould) {
-  const SourceModel wig = make_wig();
+  const importer::SourceModel wig = make_wig();
   auto rig = make_rig(wig, strips_of(wig), recipe_, settings_, log_);
   ASSERT_TRUE(rig);
   rig->contents.bones[1].parent = 77;
@@ -134,4 +134,4 @@ TEST_F(Stages, WriteHairRefusesWhatTheRuntimeWould) {
       << asset.error().message;
 }
 
-}  // namespace coif::stages_test
+}  // namespace coif::cook::stages_test

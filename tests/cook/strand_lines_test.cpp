@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace coif::strand_lines_test {
+namespace coif::cook::strand_lines_test {
 
 constexpr std::uint32_t kSide = 128;
 
@@ -69,7 +69,7 @@ TEST(StrandLines, FadeTowardsTheirTips) {
   EXPECT_NEAR(faded.fade[1], 0.75f, 0.03f) << "V is 0 where alpha is 1";
   EXPECT_NEAR(faded.fade[0], 0, 0.03f);
   EXPECT_GE(faded.differ[1], faded.fade[1]);
-  color.alpha_use = AlphaUse::kOpaque;
+  color.alpha_use = importer::AlphaUse::kOpaque;
   EXPECT_EQ(find_strand_lines(hair, color, 1).at(0).fade[1], 0) << "alpha that is not used says nothing";
 }
 
@@ -101,4 +101,4 @@ TEST(StrandLines, AMapFromRootToTipSaysWhichEndIsTheRoot) {
       << "the recipe has said it";
 }
 
-}  // namespace coif::strand_lines_test
+}  // namespace coif::cook::strand_lines_test

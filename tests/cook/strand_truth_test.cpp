@@ -19,7 +19,7 @@
 #include <filesystem>
 #include <map>
 
-namespace coif::strand_truth_test {
+namespace coif::cook::strand_truth_test {
 
 /// Patches, by how their strands were found to run.
 struct Tally {
@@ -86,7 +86,7 @@ Tally judge(const Found& found, const std::vector<Eigen::Vector3f>& truth) {
 
 Tally judge_style(const StyledHair& style) {
   HairMesh mesh = hair_from(style.source.meshes.front());
-  SourceModel source = style.source;
+  importer::SourceModel source = style.source;
   source.nodes.resize(1);
   const FittedHead head = fit_head(source, mesh, {}, default_recipe(), unheard());
   BaseColor color;
@@ -130,7 +130,7 @@ std::vector<float> depth_of_vertices(const HairMesh& mesh, std::span<const float
   std::vector<float> depth;
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
     float sum = 0;
-    for (const SourceInfluence& influence : mesh.influences_of(v))
+    for (const importer::SourceInfluence& influence : mesh.influences_of(v))
       sum += influence.weight * depth_of_node[influence.node];
     depth.push_back(sum);
   }
@@ -165,7 +165,7 @@ constexpr const char* kRigged[] = {"mh_ponytail01/ponytail01_skinned.glb", "unit
                                    "churro/ChurroChurro.vrm"};
 
 Tally judge_file(const std::filesystem::path& path) {
-  const auto source = import_model(path);
+  const auto source = importer::import_model(path);
   EXPECT_TRUE(source);
   const Recipe recipe = default_recipe();
   auto mesh = select_hair(*source, recipe, unheard());
@@ -193,4 +193,4 @@ TEST(StrandTruth, OfRiggedFilesWhoseBonesAreNotLookedAt) {
   EXPECT_GE(all.share(), 0.95);
 }
 
-}  // namespace coif::strand_truth_test
+}  // namespace coif::cook::strand_truth_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <set>
 
-namespace coif::strands_test {
+namespace coif::cook::strands_test {
 
 FittedHead head_of_hair() {
   FittedHead head;
@@ -78,7 +78,7 @@ TEST(StrandDirection, TheRootIsTheEndAtTheHeadEvenWhenItIsBelow) {
 
 TEST(StrandDirection, OnlyTheEndsSayWhichIsTheRoot) {
   // A lock that stands off the side of the head and comes back: its middle is farther away than its tip.
-  SourceMesh lock = make_strip({.across = {0, 0, 0.03f}, .rows = 24, .v_upwards = true});
+  importer::SourceMesh lock = make_strip({.across = {0, 0, 0.03f}, .rows = 24, .v_upwards = true});
   for (std::size_t v = 0; v < lock.positions.size(); ++v) {
     const float along = float(v / 2) / 24;
     lock.positions[v].x() = 0.09f + 0.07f * along + 0.3f * std::sin(3.1415927f * along);
@@ -101,7 +101,7 @@ TEST(StrandDirection, BonesSayMoreThanWhereTheEndsAre) {
 
 TEST(StrandDirection, APatchThatCannotTellFollowsTheTextureOfTheOthers) {
   // Three strips hang with V down; one lies level on the skull, far from them, with V to the left.
-  SourceMesh strips = make_strip({.root = {0.1f, 1.6f, 0}});
+  importer::SourceMesh strips = make_strip({.root = {0.1f, 1.6f, 0}});
   append_piece(strips, make_strip({.root = {0.2f, 1.6f, 0}}), 0);
   append_piece(strips, make_strip({.root = {0.3f, 1.6f, 0}}), 0);
   const auto first = std::uint32_t(strips.positions.size());
@@ -113,14 +113,14 @@ TEST(StrandDirection, APatchThatCannotTellFollowsTheTextureOfTheOthers) {
 
 TEST(StrandDirection, StrandsThatAreCombedOverTheHeadToATailEndThere) {
   // Over the skull from the forehead to the back, both ends on it and level, where another strip hangs free.
-  SourceMesh combed = make_strip({.across = {0.03f, 0, 0}, .rows = 12});
+  importer::SourceMesh combed = make_strip({.across = {0.03f, 0, 0}, .rows = 12});
   for (std::size_t v = 0; v < combed.positions.size(); ++v) {
     const float turn = 0.3f + 2.5f * float(v / 2) / 12;
     combed.positions[v].y() = 1.6f + 0.091f * std::sin(turn);
     combed.positions[v].z() = -0.091f * std::cos(turn) * -1;
   }
-  SourceMesh tail = make_strip({.root = {0, 1.62f, -0.1f}, .along = {0, -0.4f, -0.1f}, .rows = 12});
-  for (SourceMesh* strip : {&combed, &tail}) strip->uvs.clear();
+  importer::SourceMesh tail = make_strip({.root = {0, 1.62f, -0.1f}, .along = {0, -0.4f, -0.1f}, .rows = 12});
+  for (importer::SourceMesh* strip : {&combed, &tail}) strip->uvs.clear();
   const std::size_t of_comb = combed.positions.size();
   append_piece(combed, tail, 0);
   const StrandField field = strands_of(hair_from(combed));
@@ -154,9 +154,10 @@ TEST(StrandDirection, PatchesThatNothingTellsAboutAreNamedByTheirNumbers) {
 
 TEST(StrandDirection, APatchWithoutTextureFollowsItsNeighbours) {
   // Level strips side by side on the skull; all but one end in free air, so that one is carried along by them.
-  SourceMesh strips = make_strip({.root = {0.05f, 1.69f, 0}, .along = {-0.1f, 0, 0}, .across = {0, 0, 0.01f}});
+  importer::SourceMesh strips =
+      make_strip({.root = {0.05f, 1.69f, 0}, .along = {-0.1f, 0, 0}, .across = {0, 0, 0.01f}});
   for (const float z : {-0.01f, 0.01f}) {
-    SourceMesh beside =
+    importer::SourceMesh beside =
         make_strip({.root = {0.05f, 1.69f, z}, .along = {-0.3f, 0, 0}, .across = {0, 0, 0.01f}, .rows = 8});
     append_piece(strips, beside, 0);
   }
@@ -173,7 +174,7 @@ TEST(StrandDirection, PalettesSayNothingAboutStrands) {
 }
 
 TEST(StrandDirection, WithoutTextureTheStrandFollowsTheBendOfTheSurface) {
-  SourceMesh strip = make_strip({.rows = 24});
+  importer::SourceMesh strip = make_strip({.rows = 24});
   for (std::size_t v = 0; v < strip.positions.size(); ++v) {
     // Half a ring from the crown round the back to the nape.
     const float angle = 3.1f * float(v / 2) / 24;
@@ -200,7 +201,7 @@ TEST(StrandDirection, ARecipeSaysOnWhichSideTheRootsAre) {
 }
 
 TEST(StrandDirection, TangentsAreUnitAndPerpendicularToNormals) {
-  SourceMesh strip = make_strip({.along = {0.1f, -0.2f, -0.1f}, .rows = 8});
+  importer::SourceMesh strip = make_strip({.along = {0.1f, -0.2f, -0.1f}, .rows = 8});
   for (std::size_t v = 0; v < strip.positions.size(); ++v) strip.positions[v].z() += 0.02f * float(v % 5);
   HairStrips hair = strips_from(hair_from(strip));
   hair.complete_normals();
@@ -243,7 +244,8 @@ TEST(SmoothNormals, GivenNormalsAreKept) {
 
 /// Cuts what is wider than `widest` metres.
 struct Shell : HairStrips {
-  Shell(const SourceMesh& source, double widest) : HairStrips(patched(hair_from(source), Connectivity::kAuto)) {
+  Shell(const importer::SourceMesh& source, double widest)
+      : HairStrips(patched(hair_from(source), Connectivity::kAuto)) {
     StrandSettings settings;
     settings.depth_of_node = {0};
     strands = find_strand_direction(*this, head_of_hair(), settings, unheard());
@@ -288,10 +290,10 @@ TEST(SplitShells, SeparatedPatchesShareNoVertexAndKeepTheirStrands) {
   const Shell shell(make_cap(24, 8, 6.2f), 0.07);
   ASSERT_EQ(shell.strands.place.size(), shell.mesh.positions.size());
   ASSERT_EQ(shell.welded.size(), shell.mesh.positions.size());
-  std::vector<std::uint32_t> owner(shell.mesh.positions.size(), kNoIndex);
+  std::vector<std::uint32_t> owner(shell.mesh.positions.size(), importer::kNoIndex);
   for (std::size_t i = 0; i < shell.mesh.triangles.size(); ++i) {
     std::uint32_t& patch = owner[shell.mesh.triangles[i]];
-    if (patch == kNoIndex) patch = shell.patches.patch_of[i / 3];
+    if (patch == importer::kNoIndex) patch = shell.patches.patch_of[i / 3];
     EXPECT_EQ(patch, shell.patches.patch_of[i / 3]);
   }
   const std::size_t before = make_cap(24, 8, 6.2f).positions.size();
@@ -308,4 +310,4 @@ TEST(SplitShells, SeparatedPatchesShareNoVertexAndKeepTheirStrands) {
   }
 }
 
-}  // namespace coif::strands_test
+}  // namespace coif::cook::strands_test

@@ -7,14 +7,14 @@
 #include <limits>
 #include <utility>
 
-namespace coif::texture_atlas_test {
+namespace coif::cook::texture_atlas_test {
 
 /// One strip for each rectangle of texture coordinates, each a surface of its own.
 struct Surfaces {
   explicit Surfaces(std::span<const std::pair<Eigen::Vector2f, Eigen::Vector2f>> rectangles) {
-    SourceMesh mesh;
+    importer::SourceMesh mesh;
     for (const auto& [low, high] : rectangles) {
-      const SourceMesh strip = strip_over(low, high);
+      const importer::SourceMesh strip = strip_over(low, high);
       of_triangle.insert(of_triangle.end(), strip.triangles.size() / 3, surfaces++);
       append_piece(mesh, strip, 0);
     }
@@ -302,4 +302,4 @@ TEST(RepeatEdges, EdgesWithinATexelStay) {
   EXPECT_EQ(part.repeated(before).texels, before.texels) << "what is painted beside is filtered by less than half";
 }
 
-}  // namespace coif::texture_atlas_test
+}  // namespace coif::cook::texture_atlas_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace coif::texture_detail_test {
+namespace coif::cook::texture_detail_test {
 
 Image all_used(const Image& image) {
   return {image.width, image.height, 1, std::vector<std::uint8_t>(image.texel_count(), 255)};
@@ -83,4 +83,4 @@ TEST(TextureDetail, ColoursUnderClearTexelsAndTexelsThatNothingShowsDoNotCount) 
       << "of the rows that show one colour";
 }
 
-}  // namespace coif::texture_detail_test
+}  // namespace coif::cook::texture_detail_test

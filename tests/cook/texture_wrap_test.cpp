@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coif::texture_wrap_test {
+namespace coif::cook::texture_wrap_test {
 
 // What a triangle shows after the cook, whose textures repeat, is what its file's sampler shows.
 
@@ -14,11 +14,11 @@ Rgba gradient(std::uint32_t x, std::uint32_t y) { return {std::uint8_t(8 * x), s
 
 class TextureWraps : public testing::Test {
  protected:
-  BaseColor cooked(TextureWrap wrap, const Eigen::Vector2f& low, const Eigen::Vector2f& high) {
+  BaseColor cooked(importer::TextureWrap wrap, const Eigen::Vector2f& low, const Eigen::Vector2f& high) {
     model_ = {};
     model_.path = "wig.glb";
     model_.images = {{"gradient", encoded(painted(32, 32, gradient), FileFormat::kPng)}};
-    SourceMaterial& material = add_surface(model_, "hair", low, high);
+    importer::SourceMaterial& material = add_surface(model_, "hair", low, high);
     material.base_texture.image = 0;
     material.base_texture.wrap[0] = material.base_texture.wrap[1] = wrap;
     before_ = hair_ = whole_hair(model_);
@@ -46,7 +46,7 @@ class TextureWraps : public testing::Test {
     }
   }
 
-  SourceModel model_;
+  importer::SourceModel model_;
   HairMesh before_, hair_;
   Findings findings_;
 };
@@ -58,14 +58,14 @@ float mirrored(float u) {
 }
 
 TEST_F(TextureWraps, ClampedImagesGoOnWithTheirEdge) {
-  const BaseColor color = cooked(TextureWrap::kClamp, {-0.3f, -0.1f}, {1.25f, 1.2f});
+  const BaseColor color = cooked(importer::TextureWrap::kClamp, {-0.3f, -0.1f}, {1.25f, 1.2f});
   EXPECT_TRUE(color.atlas) << "a tile as large as the coordinates reach";
   expect_shown(color, clamped);
   EXPECT_TRUE(findings_.warnings.empty());
 }
 
 TEST_F(TextureWraps, ClampedImagesThatNobodyLeavesStayAsTheyAre) {
-  const BaseColor color = cooked(TextureWrap::kClamp, {0, 0}, {1, 1});
+  const BaseColor color = cooked(importer::TextureWrap::kClamp, {0, 0}, {1, 1});
   EXPECT_FALSE(color.atlas);
   EXPECT_EQ(color.image->width, 32u);
   expect_shown(color, clamped);
@@ -76,27 +76,27 @@ TEST_F(TextureWraps, ClampedImagesThatNobodyLeavesStayAsTheyAre) {
 }
 
 TEST_F(TextureWraps, WhatIsFartherOutThanATileCanBeIsTold) {
-  (void)cooked(TextureWrap::kClamp, {-3, 0}, {4, 1});
+  (void)cooked(importer::TextureWrap::kClamp, {-3, 0}, {4, 1});
   ASSERT_EQ(findings_.warnings.size(), 1u);
   EXPECT_NE(findings_.warnings[0].find("clamped"), std::string::npos);
 }
 
 TEST_F(TextureWraps, MirroredImagesThatAreCrossedAreStoredWithTheirMirrorImage) {
-  const BaseColor color = cooked(TextureWrap::kMirror, {-0.7f, 0.2f}, {2.6f, 3.9f});
+  const BaseColor color = cooked(importer::TextureWrap::kMirror, {-0.7f, 0.2f}, {2.6f, 3.9f});
   EXPECT_EQ(color.image->width, 64u);
   expect_shown(color, mirrored);
 }
 
 TEST_F(TextureWraps, MirroredImagesThatNobodyCrossesAreFolded) {
-  const BaseColor color = cooked(TextureWrap::kMirror, {1, 0}, {2, 1});
+  const BaseColor color = cooked(importer::TextureWrap::kMirror, {1, 0}, {2, 1});
   EXPECT_EQ(color.image->width, 32u);
   expect_shown(color, mirrored);
 }
 
 TEST_F(TextureWraps, RepeatingImagesAreLeftAlone) {
-  const BaseColor color = cooked(TextureWrap::kRepeat, {-0.3f, 0}, {1.5f, 2});
+  const BaseColor color = cooked(importer::TextureWrap::kRepeat, {-0.3f, 0}, {1.5f, 2});
   EXPECT_FALSE(color.atlas);
   EXPECT_EQ(hair_.uvs, before_.uvs);
 }
 
-}  // namespace coif::texture_wrap_test
+}  // namespace coif::cook::texture_wrap_test

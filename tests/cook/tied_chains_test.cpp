@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace coif::tied_chains_test {
+namespace coif::cook::tied_chains_test {
 
 using Eigen::Vector3d;
 using Eigen::Vector3f;
@@ -30,7 +30,7 @@ constexpr std::uint32_t kBones = 4;
 constexpr int kStrips = 12;
 
 Bundles bundles_of(const std::vector<BundleDesc>& all) {
-  SourceMesh mesh;
+  importer::SourceMesh mesh;
   Skeleton skeleton;
   skeleton.bones.emplace_back().kind = BoneKind::kHead;
   for (const BundleDesc& bundle : all) {
@@ -38,7 +38,7 @@ Bundles bundles_of(const std::vector<BundleDesc>& all) {
       const double angle = 2 * std::numbers::pi * i / kStrips;
       const Vector3d at =
           bundle.root + Vector3d(bundle.width / 2 * std::cos(angle), 0, bundle.thickness / 2 * std::sin(angle));
-      const SourceMesh strip = make_strip(
+      const importer::SourceMesh strip = make_strip(
           {.root = at.cast<float>(), .along = {0, -float(bundle.length), 0}, .across = {0.004f, 0, 0}, .rows = 8});
       if (mesh.positions.empty())
         mesh = strip;
@@ -94,7 +94,7 @@ TEST(TiedChains, KeepWhatTheRecipeSays) {
   const Bundles made = bundles_of({{}});
   const auto loosened = [&](const Recipe& recipe) {
     Findings findings;
-    SaidMotion motion = bake_dynamics(SourceModel(), made.rig.skeleton, recipe, {}, findings);
+    SaidMotion motion = bake_dynamics(importer::SourceModel(), made.rig.skeleton, recipe, {}, findings);
     loosen_tied_chains(made.rig.skeleton, {true}, recipe, {}, motion, findings);
     return motion;
   };
@@ -113,4 +113,4 @@ TEST(TiedChains, KeepWhatTheRecipeSays) {
   EXPECT_FALSE(loosened(recipe).is_tied(1)) << "no preset moves it";
 }
 
-}  // namespace coif::tied_chains_test
+}  // namespace coif::cook::tied_chains_test

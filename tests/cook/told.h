@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace coif {
+namespace coif::cook {
 
 /// What a pass returned, beside what it said.
 template <typename Result>
@@ -27,4 +27,4 @@ template <typename Pass>
   return findings = {};
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -10,7 +10,7 @@
 #include <limits>
 #include <random>
 
-namespace coif::transparency_test {
+namespace coif::cook::transparency_test {
 
 constexpr std::uint32_t kSide = 64;
 
@@ -26,7 +26,7 @@ Image used_part(float left, float right) {
   return used_texels(hair_from(strip_over({left, 0.02f}, {right, 0.98f})), kSide, kSide);
 }
 
-Told<Transparency> chosen_for(const Image& image, const Image& used, AlphaUse use,
+Told<Transparency> chosen_for(const Image& image, const Image& used, importer::AlphaUse use,
                               const Recipe& recipe = default_recipe()) {
   BaseColor color;
   color.image = image;
@@ -37,17 +37,17 @@ Told<Transparency> chosen_for(const Image& image, const Image& used, AlphaUse us
 
 TEST(Transparency, AFaceInTheSameImageDoesNotCount) {
   const Image image = hair_beside_a_face();
-  const auto hair = chosen_for(image, used_part(0.01f, 0.48f), AlphaUse::kUnknown);
+  const auto hair = chosen_for(image, used_part(0.01f, 0.48f), importer::AlphaUse::kUnknown);
   EXPECT_LT(hair.made.opaque_threshold, 200 / 255.0) << "the cores are opaque";
   EXPECT_GT(hair.made.opaque_threshold, 60 / 255.0);
-  const auto face = chosen_for(image, used_part(0.52f, 0.99f), AlphaUse::kUnknown);
+  const auto face = chosen_for(image, used_part(0.52f, 0.99f), importer::AlphaUse::kUnknown);
   EXPECT_EQ(face.made.opaque_threshold, 0);
-  const auto both = chosen_for(image, used_part(0.01f, 0.99f), AlphaUse::kUnknown);
+  const auto both = chosen_for(image, used_part(0.01f, 0.99f), importer::AlphaUse::kUnknown);
   EXPECT_GT(both.made.opaque_threshold, hair.made.opaque_threshold) << "the face would hide the hair's own core";
 }
 
 TEST(Transparency, BlendedHairIsMeasuredToo) {
-  const auto chosen = chosen_for(hair_beside_a_face(), used_part(0.01f, 0.48f), AlphaUse::kBlend);
+  const auto chosen = chosen_for(hair_beside_a_face(), used_part(0.01f, 0.48f), importer::AlphaUse::kBlend);
   EXPECT_GT(chosen.made.opaque_threshold, 0.5);
   EXPECT_DOUBLE_EQ(chosen.made.discard_threshold, default_recipe().discard_threshold);
   ASSERT_EQ(chosen.notes.size(), 1u);
@@ -57,26 +57,26 @@ TEST(Transparency, BlendedHairIsMeasuredToo) {
 }
 
 TEST(Transparency, AMaskedMaterialKeepsItsCutoffAndBlendsNothing) {
-  const auto masked = chosen_for(hair_beside_a_face(), used_part(0.01f, 0.48f), AlphaUse::kMask);
+  const auto masked = chosen_for(hair_beside_a_face(), used_part(0.01f, 0.48f), importer::AlphaUse::kMask);
   EXPECT_FLOAT_EQ(float(masked.made.opaque_threshold), 0.35f);
   EXPECT_EQ(masked.made.discard_threshold, masked.made.opaque_threshold);
   EXPECT_TRUE(masked.warnings.empty());
 }
 
 TEST(Transparency, AnOpaqueMaterialIgnoresAlphaAndWarnsWhereMuchOfItIsClear) {
-  const auto hair = chosen_for(hair_beside_a_face(), used_part(0.01f, 0.48f), AlphaUse::kOpaque);
+  const auto hair = chosen_for(hair_beside_a_face(), used_part(0.01f, 0.48f), importer::AlphaUse::kOpaque);
   EXPECT_TRUE(hair.made.ignores_alpha);
   EXPECT_EQ(hair.made.opaque_threshold, 0);
   ASSERT_EQ(hair.warnings.size(), 1u);
   EXPECT_NE(hair.warnings[0].find("have alpha below 0.5"), std::string::npos);
-  const auto face = chosen_for(hair_beside_a_face(), used_part(0.52f, 0.99f), AlphaUse::kOpaque);
+  const auto face = chosen_for(hair_beside_a_face(), used_part(0.52f, 0.99f), importer::AlphaUse::kOpaque);
   EXPECT_TRUE(face.made.ignores_alpha);
   EXPECT_TRUE(face.warnings.empty()) << face.warnings[0];
 }
 
 TEST(Transparency, WarnsOfHairWithoutAnOpaqueCore) {
   const Image faint = painted(kSide, kSide, [](std::uint32_t x, auto) { return Rgba{9, 9, 9, std::uint8_t(x + 20)}; });
-  const auto chosen = chosen_for(faint, used_part(0, 1), AlphaUse::kUnknown);
+  const auto chosen = chosen_for(faint, used_part(0, 1), importer::AlphaUse::kUnknown);
   ASSERT_EQ(chosen.warnings.size(), 1u);
   EXPECT_NE(chosen.warnings[0].find("paint opaque cores"), std::string::npos);
   EXPECT_TRUE(chosen.warnings[0].starts_with("only 0.0 % of the hair's texels have alpha 0.50")) << chosen.warnings[0];
@@ -84,16 +84,17 @@ TEST(Transparency, WarnsOfHairWithoutAnOpaqueCore) {
     return Rgba{9, 9, 9, x == 0 && y < 32 ? std::uint8_t{255} : std::uint8_t{90}};
   });
   const Image all{kSide, kSide, 1, std::vector<std::uint8_t>(std::size_t(kSide) * kSide, 255)};
-  const auto small = chosen_for(core, all, AlphaUse::kUnknown);
+  const auto small = chosen_for(core, all, importer::AlphaUse::kUnknown);
   ASSERT_EQ(small.warnings.size(), 1u);
   EXPECT_TRUE(small.warnings[0].starts_with("only 0.8 % ")) << "32 of 4096: " << small.warnings[0];
-  EXPECT_TRUE(chosen_for(hair_beside_a_face(), used_part(0.01f, 0.48f), AlphaUse::kUnknown).warnings.empty());
+  EXPECT_TRUE(chosen_for(hair_beside_a_face(), used_part(0.01f, 0.48f), importer::AlphaUse::kUnknown).warnings.empty());
 }
 
 TEST(Transparency, TheRecipeComesBeforeTheMaterial) {
   Recipe recipe = default_recipe();
   recipe.opaque_threshold = 0.9;
-  for (const AlphaUse use : {AlphaUse::kUnknown, AlphaUse::kMask, AlphaUse::kOpaque}) {
+  for (const importer::AlphaUse use :
+       {importer::AlphaUse::kUnknown, importer::AlphaUse::kMask, importer::AlphaUse::kOpaque}) {
     const auto chosen = chosen_for(hair_beside_a_face(), used_part(0.01f, 0.48f), use, recipe);
     EXPECT_EQ(chosen.made.opaque_threshold, 0.9);
     EXPECT_FALSE(chosen.made.ignores_alpha);
@@ -105,7 +106,7 @@ TEST(Transparency, TheRecipeComesBeforeTheMaterial) {
 TEST(Transparency, WhatIsOpaqueIsDrawn) {
   Recipe recipe = default_recipe();
   recipe.discard_threshold = 1;
-  const auto chosen = chosen_for(hair_beside_a_face(), used_part(0.01f, 0.48f), AlphaUse::kUnknown, recipe);
+  const auto chosen = chosen_for(hair_beside_a_face(), used_part(0.01f, 0.48f), importer::AlphaUse::kUnknown, recipe);
   EXPECT_GT(chosen.made.opaque_threshold, 0);
   EXPECT_LE(chosen.made.discard_threshold, chosen.made.opaque_threshold);
 }
@@ -115,7 +116,7 @@ TEST(Transparency, FactorsMultiplyTheTexture) {
   recipe.base_color[3] = 0.8;
   const Image image = hair_beside_a_face();
   const Image used = used_part(0.52f, 0.99f);
-  const auto chosen = chosen_for(image, used, AlphaUse::kUnknown, recipe);
+  const auto chosen = chosen_for(image, used, importer::AlphaUse::kUnknown, recipe);
   EXPECT_GT(chosen.made.opaque_threshold, 0.5) << "alpha is 0.8 everywhere";
   EXPECT_LE(chosen.made.opaque_threshold, 0.8);
 }
@@ -272,7 +273,7 @@ TEST(UsedTexels, SliversCountWhereTheyPass) {
 }
 
 TEST(UsedTexels, ATriangleWithinOneRowCountsToItsCorners) {
-  SourceMesh sliver = strip_over({0, 0}, {1, 1});
+  importer::SourceMesh sliver = strip_over({0, 0}, {1, 1});
   sliver.triangles.resize(3);
   const Eigen::Vector2f corners[] = {{2.5f, 20.2f}, {30.5f, 20.5f}, {9.5f, 20.8f}};
   for (int k = 0; k < 3; ++k) sliver.uvs[sliver.triangles[std::size_t(k)]] = corners[k] / float(kSide);
@@ -298,4 +299,4 @@ TEST(UsedTexels, CoordinatesThatAreNoNumbersCountForNothing) {
   EXPECT_EQ(count(used_texels(hair, kSmallSide, kSmallSide)), 0);
 }
 
-}  // namespace coif::transparency_test
+}  // namespace coif::cook::transparency_test

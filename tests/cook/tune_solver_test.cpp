@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif::tune_solver_test {
+namespace coif::cook::tune_solver_test {
 
 constexpr float kLength = 0.4f;
 
@@ -180,7 +180,7 @@ TEST(TuneSolver, WithoutABudgetNothingIsRefused) {
   EXPECT_TRUE(std::isfinite(result->tuning[0].reached_error));
   wild.tuning = result->tuning;
   wild.quality = result->quality;
-  EXPECT_TRUE(OpenedAsset(wild).asset().is_open()) << "whatever was measured, the asset is one";
+  EXPECT_TRUE(lab::OpenedAsset(wild).asset().is_open()) << "whatever was measured, the asset is one";
 }
 
 TEST(TuneSolver, RigidHairHasNothingToTune) {
@@ -265,17 +265,17 @@ TEST(TuneSolver, StoresTheNamesOfItsMotions) {
 }
 
 TEST(ReferenceWork, IsBoundedByMultiplesOfAFirstRun) {
-  const OpenedAsset opened(calm_chain());
-  const Rig rig = rig_of(opened.asset());
-  ReferenceSettings settings{.sample_times = {0.5, 1.0},
-                             .steps_per_second = 360,
-                             .most_steps_per_second = 1e6,
-                             .wanted_self_difference_pct = 0};
-  const double first = first_run_work(rig, {}, settings);
+  const lab::OpenedAsset opened(calm_chain());
+  const lab::Rig rig = lab::rig_of(opened.asset());
+  lab::ReferenceSettings settings{.sample_times = {0.5, 1.0},
+                                  .steps_per_second = 360,
+                                  .most_steps_per_second = 1e6,
+                                  .wanted_self_difference_pct = 0};
+  const double first = lab::first_run_work(rig, {}, settings);
   EXPECT_GE(first, 360.0 * double(rig.bones.size()));
   for (const double most : {0.5, 2.0, 4.0, 40.0}) {
     settings.most_work = most;
-    const ReferenceRun run = solve_reference(rig, {}, *path_of(Motion::kNod), settings);
+    const lab::ReferenceRun run = lab::solve_reference(rig, {}, *motion::path_of(motion::Motion::kNod), settings);
     EXPECT_LE(double(run.bone_steps), most * first + double(rig.bones.size())) << most;
     EXPECT_TRUE(run.was_cut());
     EXPECT_EQ(run.is_solved(), most > 3) << "two runs are three times the first";
@@ -283,4 +283,4 @@ TEST(ReferenceWork, IsBoundedByMultiplesOfAFirstRun) {
   }
 }
 
-}  // namespace coif::tune_solver_test
+}  // namespace coif::cook::tune_solver_test

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace coif::vertex_colors_test {
+namespace coif::cook::vertex_colors_test {
 
 constexpr Rgba kWhite{255, 255, 255, 255};
 
@@ -21,14 +21,14 @@ class VertexColors : public testing::Test {
 
   /// A surface over the whole of a white image, or of none, whose vertices have the color of where they stand in the
   /// texture.
-  SourceMaterial& add(const char* name, bool has_image,
-                      const std::function<Eigen::Vector4f(const Eigen::Vector2f&)>& color) {
-    SourceMaterial& material = add_surface(model_, name);
+  importer::SourceMaterial& add(const char* name, bool has_image,
+                                const std::function<Eigen::Vector4f(const Eigen::Vector2f&)>& color) {
+    importer::SourceMaterial& material = add_surface(model_, name);
     if (has_image) {
       model_.images = {{"white", encoded(flat(64, 64, kWhite), FileFormat::kPng)}};
       material.base_texture.image = 0;
     }
-    SourceMesh& mesh = model_.meshes.back();
+    importer::SourceMesh& mesh = model_.meshes.back();
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
       mesh.colors.push_back(
           color(mesh.uvs.empty() ? Eigen::Vector2f(0, float(v) / float(mesh.positions.size() - 1)) : mesh.uvs[v]));
@@ -53,7 +53,7 @@ class VertexColors : public testing::Test {
     return texel_at(image, uv);
   }
 
-  SourceModel model_;
+  importer::SourceModel model_;
   HairMesh hair_;
   Findings findings_;
 };
@@ -138,7 +138,7 @@ TEST_F(VertexColors, AllBlackOrAllClearOnesAreNumbersUnlessTheRecipeInsists) {
     ASSERT_EQ(findings_.warnings.size(), 1u);
     EXPECT_NE(findings_.warnings[0].find("\"textures.vertex_colors\""), std::string::npos);
     Recipe recipe = default_recipe();
-    recipe.vertex_colors = coif::VertexColors::kMultiply;
+    recipe.vertex_colors = coif::cook::VertexColors::kMultiply;
     EXPECT_EQ(cooked(recipe).factor, nothing);
   }
 }
@@ -146,7 +146,7 @@ TEST_F(VertexColors, AllBlackOrAllClearOnesAreNumbersUnlessTheRecipeInsists) {
 TEST_F(VertexColors, TheRecipeDoesWithoutThem) {
   add("hair", true, [](const auto&) { return Eigen::Vector4f(0.5f, 0.25f, 0.125f, 0.75f); });
   Recipe recipe = default_recipe();
-  recipe.vertex_colors = coif::VertexColors::kIgnore;
+  recipe.vertex_colors = coif::cook::VertexColors::kIgnore;
   EXPECT_EQ(cooked(recipe).factor, Eigen::Vector4f::Ones());
   EXPECT_TRUE(findings_.warnings.empty());
 }
@@ -172,4 +172,4 @@ TEST_F(VertexColors, WithoutTextureCoordinatesAnImageOfTheColorsShowsThem) {
   EXPECT_TRUE(findings_.warnings.empty()) << findings_.warnings[0];
 }
 
-}  // namespace coif::vertex_colors_test
+}  // namespace coif::cook::vertex_colors_test

@@ -2,12 +2,12 @@
 
 #include "base/geometry.h"
 
-namespace coif {
+namespace coif::cook {
 
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-VrmChain::VrmChain(std::vector<SourceSpringJoint> joints, std::vector<Vector3d> rest_directions)
+VrmChain::VrmChain(std::vector<importer::SourceSpringJoint> joints, std::vector<Vector3d> rest_directions)
     : joints_(std::move(joints)), rest_(std::move(rest_directions)), tails_(joints_.size()) {
   pose(Quaterniond::Identity());
 }
@@ -26,7 +26,7 @@ void VrmChain::step(const Vector3d& root) {
   Vector3d start = root;
   Quaterniond parent = Quaterniond::Identity();  // turn from rest
   for (std::size_t j = 0; j < joints_.size(); ++j) {
-    const SourceSpringJoint& joint = joints_[j];
+    const importer::SourceSpringJoint& joint = joints_[j];
     const Vector3d rest = parent * rest_[j];
     const Vector3d next = tails_[j] + (tails_[j] - before_[j]) * (1 - joint.drag) + rest * (joint.stiffness * kFrame) +
                           joint.gravity_direction * (joint.gravity_power * kFrame);
@@ -37,4 +37,4 @@ void VrmChain::step(const Vector3d& root) {
   }
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -10,13 +10,13 @@
 #include <cmath>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// One chain of joints with a fixed or carried root, no colliders, in double precision.
 class VrmChain {
  public:
   /// Joints of length > 0; at rest each points along `rest_directions` (unit, model space).
-  VrmChain(std::vector<SourceSpringJoint> joints, std::vector<Eigen::Vector3d> rest_directions);
+  VrmChain(std::vector<importer::SourceSpringJoint> joints, std::vector<Eigen::Vector3d> rest_directions);
 
   /// One frame of 1/60 s that ends with the root at `root`.
   void step(const Eigen::Vector3d& root);
@@ -25,7 +25,7 @@ class VrmChain {
   [[nodiscard]] const std::vector<Eigen::Vector3d>& tails() const { return tails_; }
 
  private:
-  std::vector<SourceSpringJoint> joints_;
+  std::vector<importer::SourceSpringJoint> joints_;
   std::vector<Eigen::Vector3d> rest_;
   std::vector<Eigen::Vector3d> tails_, before_;
 };
@@ -55,4 +55,4 @@ struct SoftChain {
   return rig;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -11,29 +11,29 @@ namespace coif::fuzz {
 
 bool try_recipe(Input input) {
   const std::string text(reinterpret_cast<const char*>(input.data()), input.size());
-  const auto recipe = parse_recipe(text, "a.recipe.json");
+  const auto recipe = cook::parse_recipe(text, "a.recipe.json");
   if (!recipe) {
     promise(recipe.error().kind == ToolError::Kind::kBadInput, "a refusal is the recipe's fault");
     promise(recipe.error().message.starts_with("a.recipe.json: "), "a refusal names the file");
     promise(recipe.error().message.size() < 1000, "a refusal is a sentence");
     return false;
   }
-  const std::string printed = print_recipe(*recipe);
-  const auto again = parse_recipe(printed, "printed");
+  const std::string printed = cook::print_recipe(*recipe);
+  const auto again = cook::parse_recipe(printed, "printed");
   promise(again.has_value(), "a printed recipe parses");
-  promise(print_recipe(*again) == printed, "a printed recipe parses back to the same");
+  promise(cook::print_recipe(*again) == printed, "a printed recipe parses back to the same");
   return true;
 }
 
 bool try_manifest(Input input) {
   static const LoneFile file("manifest.json");
-  const auto requests = read_manifest(file.with(input), "out");
+  const auto requests = cache::read_manifest(file.with(input), "out");
   if (!requests) {
     promise(requests.error().kind == ToolError::Kind::kBadInput, "a refusal is the manifest's fault");
     return false;
   }
   std::set<std::string> outputs;
-  for (const CookRequest& request : *requests) {
+  for (const cache::CookRequest& request : *requests) {
     promise(request.output.starts_with("out/"), "no output leaves the folder");
     promise(request.output.find("/../") == std::string::npos, "no output climbs");
     promise(!request.output.ends_with('/'), "an output is a file");
@@ -43,12 +43,12 @@ bool try_manifest(Input input) {
 }
 
 bool try_cache_entry(Input input) {
-  const auto entry = decode_entry(std::as_bytes(input));
+  const auto entry = cache::decode_entry(std::as_bytes(input));
   if (!entry) return false;
-  const auto bytes = encode_entry(*entry);
-  const auto again = decode_entry(bytes);
+  const auto bytes = cache::encode_entry(*entry);
+  const auto again = cache::decode_entry(bytes);
   promise(again.has_value(), "an entry that was read can be written and read");
-  promise(encode_entry(*again) == bytes, "an entry comes back as it was");
+  promise(cache::encode_entry(*again) == bytes, "an entry comes back as it was");
   return true;
 }
 

@@ -54,9 +54,9 @@ void write_assets(const fs::path& folder) {
 }
 
 void write_clips(const fs::path& folder) {
-  test::ClipDocument clip;
+  importer::test::ClipDocument clip;
   clip.document["nodes"] = {{{"name", "body"}, {"children", {1}}, {"translation", {0, 1, 0}}}, {{"name", "head"}}};
-  clip.animate(1, "rotation", {0, 0.5f, 1}, test::turns_about_x({0, 0.5f, 1}, [](double t) { return t; }));
+  clip.animate(1, "rotation", {0, 0.5f, 1}, importer::test::turns_about_x({0, 0.5f, 1}, [](double t) { return t; }));
   clip.animate(0, "translation", {0.25f, 0.75f}, {0, 1, 0, 0, 2, 0}, "STEP");
   clip.animate(1, "scale", {0}, {1, 1, 1});
   write(folder / "nod.glb", clip.glb());
@@ -64,14 +64,15 @@ void write_clips(const fs::path& folder) {
 }
 
 void write_outcomes(const fs::path& folder) {
-  write(folder / "model", encode_outcome(test::small_source_model()));
-  write(folder / "error", encode_outcome(tl::unexpected(ToolError{ToolError::Kind::kBadInput, "x.obj: broken"})));
+  write(folder / "model", importer::encode_outcome(importer::test::small_source_model()));
+  write(folder / "error",
+        importer::encode_outcome(tl::unexpected(ToolError{ToolError::Kind::kBadInput, "x.obj: broken"})));
 }
 
 std::string small_lines() {
-  test::Bytes buffer;
+  groom::test::Bytes buffer;
   buffer.add_all<float>({0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0}).add_all<std::uint16_t>({0, 1, 1, 2, 2, 3});
-  return test::glb_of(
+  return importer::test::glb_of(
       R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "scale": [1, 2, 1]}],
     "meshes": [{"primitives": [{"mode": 1, "attributes": {"POSITION": 0}, "indices": 1}, {"mode": 3, "attributes": {"POSITION": 0}}]}],
     "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
@@ -82,29 +83,31 @@ std::string small_lines() {
 }
 
 void write_fbx_objects(const fs::path& folder) {
-  write(folder / "text.fbx", test::text_fbx({{1, "group", 0, "", "LodGroup"},
-                                             {2,
-                                              "fine",
-                                              1,
-                                              test::fbx_property("Visibility", "Visibility", 1),
-                                              "Mesh",
-                                              {{"Longer", 50}, {"Wide", 20, 2, "25,100"}}},
-                                             {3, "coarse", 1, test::fbx_property("Visibility", "Visibility", 0)}}));
+  write(folder / "text.fbx",
+        importer::test::text_fbx({{1, "group", 0, "", "LodGroup"},
+                                  {2,
+                                   "fine",
+                                   1,
+                                   importer::test::fbx_property("Visibility", "Visibility", 1),
+                                   "Mesh",
+                                   {{"Longer", 50}, {"Wide", 20, 2, "25,100"}}},
+                                  {3, "coarse", 1, importer::test::fbx_property("Visibility", "Visibility", 0)}}));
   for (const std::uint32_t version : {7400u, 7500u})
-    write(folder / fmt::format("binary_{}.fbx", version), test::small_binary_fbx(version));
+    write(folder / fmt::format("binary_{}.fbx", version), importer::test::small_binary_fbx(version));
 }
 
 void write_grooms(const fs::path& folder) {
-  write(folder / "hair_file" / "all.hair", test::small_hair().bytes);
-  write(folder / "hair_file" / "points.hair", test::small_hair(3).bytes);
-  write(folder / "tressfx" / "three.tfx", test::small_tfx_3().bytes);
-  write(folder / "tressfx" / "four.tfx", test::small_tfx_4().bytes);
+  write(folder / "hair_file" / "all.hair", groom::test::small_hair().bytes);
+  write(folder / "hair_file" / "points.hair", groom::test::small_hair(3).bytes);
+  write(folder / "tressfx" / "three.tfx", groom::test::small_tfx_3().bytes);
+  write(folder / "tressfx" / "four.tfx", groom::test::small_tfx_4().bytes);
   write(folder / "obj_lines" / "lines.obj",
         std::string("o hair\nv 0 0 0\nv 0 1 0\nv +1e0 2 0\ng tips\nl 1/1 2 \\\n 3\nl -2 -1\n"));
   write(folder / "gltf_lines" / "lines.glb", small_lines());
-  write(folder / "groom_stream" / "groom", encode_groom(*read_hair_file(test::small_hair().span())));
+  write(folder / "groom_stream" / "groom",
+        groom::encode_groom(*groom::read_hair_file(groom::test::small_hair().span())));
   write(folder / "groom_stream" / "error",
-        encode_groom(tl::unexpected(ToolError{ToolError::Kind::kBadInput, "x.hair: broken"})));
+        groom::encode_groom(tl::unexpected(ToolError{ToolError::Kind::kBadInput, "x.hair: broken"})));
 }
 
 }  // namespace
@@ -122,6 +125,6 @@ int main(int argc, char** argv) {
   write_fbx_objects(folder / "fbx_objects");
   write_outcomes(folder / "model_stream");
   write_grooms(folder);
-  write(folder / "cache_entry" / "entry", coif::encode_entry(coif::small_entry()));
-  write(folder / "recipe" / "every_key.recipe.json", coif::print_recipe(coif::default_recipe()));
+  write(folder / "cache_entry" / "entry", coif::cache::encode_entry(coif::cache::small_entry()));
+  write(folder / "recipe" / "every_key.recipe.json", coif::cook::print_recipe(coif::cook::default_recipe()));
 }

@@ -104,7 +104,7 @@ void send_blocks(GLuint program, std::span<const Mat34> palette) {
 class CpuSkinning : public testing::Test {
  protected:
   void SetUp() override {
-    auto context = EglContext::create();
+    auto context = render::EglContext::create();
     if (!context) COIF_FAIL_FOR_LACK_OF(context.error().message);
     context_.emplace(std::move(*context));
   }
@@ -129,7 +129,7 @@ class CpuSkinning : public testing::Test {
     return out;
   }
 
-  std::optional<EglContext> context_;
+  std::optional<render::EglContext> context_;
 };
 
 double apart(const Vec3& a, const Vec3& b) {

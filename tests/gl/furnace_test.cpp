@@ -128,7 +128,7 @@ TEST(Furnace, ReturnsOneFromAWhiteMatteSurface) {
 TEST(Furnace, ModelsOfSurfacesStayBelowTheirBoundAndComeNearIt) {
   for (const Case& c : published_cases()) {
     const Albedo albedo = furnace_albedo(c.material);
-    const double bound = furnace_bound(c.material);
+    const double bound = cook::furnace_bound(c.material);
     print_row(c, albedo, bound);
     EXPECT_LE(albedo.most, 1.005 * bound) << c.name;
     EXPECT_GE(albedo.most, 0.8 * bound) << c.name;
@@ -138,7 +138,7 @@ TEST(Furnace, ModelsOfSurfacesStayBelowTheirBoundAndComeNearIt) {
 
 TEST(Furnace, BoundedMaterialsReturnNoMoreThanTheyGet) {
   for (Case c : published_cases()) {
-    c.material.light_cut = bounding_cut(c.material);
+    c.material.light_cut = cook::bounding_cut(c.material);
     const Albedo albedo = furnace_albedo(c.material);
     print_row(c, albedo, 1);
     EXPECT_LE(albedo.most, 1.005) << c.name;
@@ -149,9 +149,9 @@ TEST(Furnace, BoundedMaterialsReturnNoMoreThanTheyGet) {
 TEST(Furnace, FibersReturnNoMoreThanTheyGet) {
   for (const Case& c : fiber_cases()) {
     const Albedo albedo = furnace_albedo(c.material);
-    print_row(c, albedo, furnace_bound(c.material));
+    print_row(c, albedo, cook::furnace_bound(c.material));
     EXPECT_LE(albedo.most, 1.005) << c.name;
-    EXPECT_EQ(bounding_cut(c.material), 0) << c.name;
+    EXPECT_EQ(cook::bounding_cut(c.material), 0) << c.name;
   }
 }
 

@@ -36,7 +36,7 @@ Status draw_head(HairRenderer& renderer, const HairModel& model, const HeadDraw&
 }
 
 void GlTest::SetUp() {
-  auto context = EglContext::create();
+  auto context = render::EglContext::create();
   if (!context) COIF_FAIL_FOR_LACK_OF(context.error().message);
   context_.emplace(std::move(*context));
   ASSERT_EQ(renderer_.create(context_->loader(), kSmallBlocks), Status::kOk) << renderer_.failure();

@@ -55,7 +55,7 @@ class GlTest : public testing::Test {
     draw(card_contents(cards), desc);
   }
 
-  std::optional<EglContext> context_;
+  std::optional<render::EglContext> context_;
   HairRenderer renderer_;
 };
 

@@ -129,9 +129,9 @@ double decode(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((s
 class LinearLight : public GlTest {
  protected:
   Bytes drawn(const AssetContents& contents, std::span<const Light> lights, double wall, bool framebuffer_encodes) {
-    std::optional<OffscreenTarget> target;
+    std::optional<render::OffscreenTarget> target;
     if (framebuffer_encodes) {
-      auto made = OffscreenTarget::create(kSize, kSize, 0);
+      auto made = render::OffscreenTarget::create(kSize, kSize, 0);
       EXPECT_TRUE(made) << made.error().message;
       if (!made) return {};
       target.emplace(std::move(*made));

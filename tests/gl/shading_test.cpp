@@ -131,7 +131,7 @@ TEST_F(Shading, BackFaceIsLitOnTheSideThatIsSeen) {
 }
 
 TEST_F(Shading, FramebufferThatEncodesGivesTheSameColors) {
-  const auto target = OffscreenTarget::create(kSize, kSize, 0);
+  const auto target = render::OffscreenTarget::create(kSize, kSize, 0);
   ASSERT_TRUE(target) << target.error().message;
   for (const Case& c : cases()) {
     target->bind();
@@ -144,7 +144,7 @@ TEST_F(Shading, FramebufferThatEncodesGivesTheSameColors) {
 }
 
 TEST_F(Shading, FramebufferThatEncodesBlendsLinearLight) {
-  const auto target = OffscreenTarget::create(kSize, kSize, 0);
+  const auto target = render::OffscreenTarget::create(kSize, kSize, 0);
   ASSERT_TRUE(target) << target.error().message;
   target->bind();
   clear();

@@ -130,7 +130,7 @@ class DrawState : public GlTest {
 };
 
 TEST_F(DrawState, IsLeftAtInitialValuesWhereDrawSetsIt) {
-  for (const TransparencyMode* mode : transparency_modes()) {
+  for (const TransparencyMode* mode : render::transparency_modes()) {
     set_hostile_owned_state();
     HeadDraw desc = at_rest();
     desc.transparency = mode;
@@ -156,7 +156,7 @@ TEST_F(DrawState, DoesNotDependOnWhatTheHostLeft) {
 }
 
 TEST_F(DrawState, TexturesSamplersAndBuffersAreUnbound) {
-  for (const TransparencyMode* mode : transparency_modes()) {
+  for (const TransparencyMode* mode : render::transparency_modes()) {
     HeadDraw desc = at_rest();
     desc.transparency = mode;
     ASSERT_EQ(draw_head(renderer_, model_, desc), Status::kOk);
@@ -178,7 +178,7 @@ TEST_F(DrawState, TexturesSamplersAndBuffersAreUnbound) {
 
 TEST_F(DrawState, IsUntouchedWhereDrawDoesNotClaimIt) {
   set_unusual_foreign_state();
-  for (const TransparencyMode* mode : transparency_modes()) {
+  for (const TransparencyMode* mode : render::transparency_modes()) {
     const auto before = query_all(kForeign);
     HeadDraw desc = at_rest();
     desc.transparency = mode;

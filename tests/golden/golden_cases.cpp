@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint32_t kWidth = 160, kHeight = 120;
 
 const TransparencyMode* mode_called(std::string_view name) {
-  for (const TransparencyMode* mode : transparency_modes()) {
+  for (const TransparencyMode* mode : render::transparency_modes()) {
     if (name == name_of(*mode)) return mode;
   }
   return &kBlendMode;
@@ -33,7 +33,7 @@ GoldenCase golden(const char* name, double yaw, double pitch, const char* transp
   return made;
 }
 
-GoldenCase moving(GoldenCase made, Motion motion, double seconds) {
+GoldenCase moving(GoldenCase made, motion::Motion motion, double seconds) {
   made.settings.motion = motion;
   made.settings.time = seconds;
   return made;
@@ -45,7 +45,7 @@ std::vector<GoldenCase> golden_cases() {
   return {golden("front", 20, 5),
           golden("back", 200, 10),
           golden("above", -60, 60),
-          moving(golden("turn", 90, 0), Motion::kTurn, 0.45),
+          moving(golden("turn", 90, 0), motion::Motion::kTurn, 0.45),
           golden("coverage", 20, 5, "coverage"),
           golden("opaque", 20, 5, "opaque")};
 }

@@ -19,7 +19,7 @@ namespace coif {
 
 struct GoldenCase {
   std::string name;  ///< Of the PNG, without suffix.
-  PictureSettings settings;
+  render::PictureSettings settings;
 };
 
 /// Every side, a movement, and ways to draw whose pixels do not hang on a pattern.

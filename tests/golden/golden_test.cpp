@@ -18,11 +18,11 @@ namespace coif::golden_test {
 
 constexpr const char* kRenew = "; where the change is meant: tests/golden/renew.sh BUILD_FOLDER, and look at them";
 
-Picture read_png(const std::string& path) {
+render::Picture read_png(const std::string& path) {
   int width = 0, height = 0, channels = 0;
   stbi_uc* pixels = stbi_load(path.c_str(), &width, &height, &channels, 4);
   if (pixels == nullptr) return {};
-  Picture picture{std::uint32_t(width), std::uint32_t(height), {pixels, pixels + 4 * width * height}, "", 0};
+  render::Picture picture{std::uint32_t(width), std::uint32_t(height), {pixels, pixels + 4 * width * height}, "", 0};
   stbi_image_free(pixels);
   return picture;
 }
@@ -30,20 +30,20 @@ Picture read_png(const std::string& path) {
 class Golden : public testing::Test {
  protected:
   void SetUp() override {
-    if (const auto context = EglContext::create(); !context) COIF_FAIL_FOR_LACK_OF(context.error().message);
+    if (const auto context = render::EglContext::create(); !context) COIF_FAIL_FOR_LACK_OF(context.error().message);
     ASSERT_TRUE(sample_.asset().is_open()) << COIF_COOKED_SAMPLE " is absent: ctest cooks it, test cli.cook_sample";
   }
 
-  static Picture taken(const Asset& asset, const GoldenCase& golden) {
-    auto picture = render_picture(asset, golden.settings);
+  static render::Picture taken(const Asset& asset, const GoldenCase& golden) {
+    auto picture = render::render_picture(asset, golden.settings);
     EXPECT_TRUE(picture) << golden.name << ": " << picture.error().message;
-    return picture ? std::move(*picture) : Picture{};
+    return picture ? std::move(*picture) : render::Picture{};
   }
 
   /// By what its lightness differs from the kept one's, whatever the verdict.
-  static testing::AssertionResult looks_as_kept(const Picture& picture, const GoldenCase& golden) {
+  static testing::AssertionResult looks_as_kept(const render::Picture& picture, const GoldenCase& golden) {
     const std::string path = std::string(COIF_GOLDEN_FOLDER "/") + golden.name + ".png";
-    const Picture kept = read_png(path);
+    const render::Picture kept = read_png(path);
     if (kept.rgba.empty() || kept.rgba.size() != picture.rgba.size()) {
       return testing::AssertionFailure() << path << ": absent, or of another size" << kRenew;
     }
@@ -82,16 +82,16 @@ TEST_F(Golden, PicturesAreTheSameBytesFromRunToRun) {
 
 TEST_F(Golden, RoundingOfAnotherDriverPasses) {
   const GoldenCase golden = named("front");
-  Picture rounded = taken(sample_.asset(), golden);
+  render::Picture rounded = taken(sample_.asset(), golden);
   std::mt19937 random(1);
   for (std::uint8_t& value : rounded.rgba) value = std::uint8_t(std::clamp(int(value) + int(random() % 5) - 2, 0, 255));
   EXPECT_TRUE(looks_as_kept(rounded, golden));
 }
 
 TEST_F(Golden, WrongOrderFails) {
-  AssetContents reversed = finest_level(sample_.asset());
+  AssetContents reversed = report::finest_level(sample_.asset());
   for (PatchRecord& patch : reversed.patches) patch.head_distance = 10 - patch.head_distance;
-  const OpenedAsset inside_out(in_head_order(std::move(reversed)));
+  const lab::OpenedAsset inside_out(report::in_head_order(std::move(reversed)));
   ASSERT_TRUE(inside_out.asset().is_open());
   for (const char* name : {"front", "back", "above"}) {
     EXPECT_FALSE(looks_as_kept(taken(inside_out.asset(), named(name)), named(name)));
@@ -108,7 +108,7 @@ TEST_F(Golden, MissingPassFails) {
 
 TEST_F(Golden, HairThatMovedByTwoPixelsFails) {
   const GoldenCase golden = named("front");
-  Picture moved = taken(sample_.asset(), golden);
+  render::Picture moved = taken(sample_.asset(), golden);
   std::ranges::rotate(moved.rgba, moved.rgba.begin() + 8);
   EXPECT_FALSE(looks_as_kept(moved, golden));
 }

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace coif::test {
+namespace coif::groom::test {
 
 /// Little-endian numbers one after the other.
 class Bytes {
@@ -81,4 +81,4 @@ inline Bytes small_tfx_4() {
   return file;
 }
 
-}  // namespace coif::test
+}  // namespace coif::groom::test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-namespace coif::join_lines_test {
+namespace coif::groom::join_lines_test {
 
 using Line = std::vector<std::uint32_t>;
 
@@ -65,4 +65,4 @@ TEST(JoinedLines, SegmentsInAnyOrderAreTheStrandsAgain) {
   }
 }
 
-}  // namespace coif::join_lines_test
+}  // namespace coif::groom::join_lines_test

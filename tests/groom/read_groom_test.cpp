@@ -11,7 +11,7 @@
 #include <fstream>
 #include <map>
 
-namespace coif::read_groom_test {
+namespace coif::groom::read_groom_test {
 
 namespace fs = std::filesystem;
 
@@ -21,7 +21,7 @@ std::string fault_of(const fs::path& path) {
 }
 
 /// A glTF whose node 0 has lines of four vertices, a unit apart along X.
-fs::path write_gltf(const test::TemporaryFolder& folder, int mode, const std::vector<std::uint16_t>& indices,
+fs::path write_gltf(const importer::test::TemporaryFolder& folder, int mode, const std::vector<std::uint16_t>& indices,
                     const char* node = "") {
   test::Bytes buffer;
   buffer.add_all<float>({0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0}).add_all(indices);
@@ -38,7 +38,7 @@ fs::path write_gltf(const test::TemporaryFolder& folder, int mode, const std::ve
 }
 
 TEST(ReadGroom, LinesOfGltfAreSegmentsStripsAndLoops) {
-  const test::TemporaryFolder folder;
+  const importer::test::TemporaryFolder folder;
   const auto segments = read_groom(write_gltf(folder, 1, {0, 1, 1, 2, 2, 3}));
   ASSERT_TRUE(segments) << segments.error().message;
   EXPECT_EQ(segments->begin, (std::vector<std::uint32_t>{0, 4}));
@@ -55,20 +55,20 @@ TEST(ReadGroom, LinesOfGltfAreSegmentsStripsAndLoops) {
 }
 
 TEST(ReadGroom, UnitAndAxisOfTheCallerGoBeforeTheFiles) {
-  const test::TemporaryFolder folder;
+  const importer::test::TemporaryFolder folder;
   const fs::path file = folder.write("a.tfx", test::small_tfx_4().bytes);
-  ImportSettings settings;
+  importer::ImportSettings settings;
   settings.metres_per_unit = 0.01;
-  settings.up_axis = UpAxis::kZ;
+  settings.up_axis = importer::UpAxis::kZ;
   const auto groom = read_groom(file, settings);
   ASSERT_TRUE(groom) << groom.error().message;
   EXPECT_TRUE(groom->points[5].isApprox(Eigen::Vector3f(0.01f, 0.005f, -0.02f)));
   EXPECT_FLOAT_EQ(groom->widths[0], 0.0001f);
-  EXPECT_EQ(groom->space.unit, Statement::kGiven);
+  EXPECT_EQ(groom->space.unit, importer::Statement::kGiven);
 }
 
 TEST(ReadGroom, NamesTheFileTheFaultAndTheCure) {
-  const test::TemporaryFolder folder;
+  const importer::test::TemporaryFolder folder;
   const fs::path cut = folder.write("cut.tfx", test::small_tfx_3().bytes.substr(0, 300));
   EXPECT_EQ(fault_of(cut),
             cut.string() + ": cannot be read as TressFX: cut off in the points: 4 of 72 bytes from byte 296 on");
@@ -80,7 +80,7 @@ TEST(ReadGroom, NamesTheFileTheFaultAndTheCure) {
 }
 
 TEST(GroomStream, AnswersOfAnHonestProcessComeThroughAndOthersDoNot) {
-  const test::TemporaryFolder folder;
+  const importer::test::TemporaryFolder folder;
   const auto groom = read_groom(folder.write("a.hair", test::small_hair().bytes));
   ASSERT_TRUE(groom) << groom.error().message;
   const auto bytes = encode_groom(*groom);
@@ -127,4 +127,4 @@ TEST(GroomCorpus, HasTheStrandsThatTheManifestCounts) {
   EXPECT_EQ(of_parts, 4714u);
 }
 
-}  // namespace coif::read_groom_test
+}  // namespace coif::groom::read_groom_test

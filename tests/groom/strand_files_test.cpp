@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <random>
 
-namespace coif::strand_files_test {
+namespace coif::groom::strand_files_test {
 
 using test::Bytes;
 using test::small_hair;
@@ -210,4 +210,4 @@ TEST(StrandFiles, DamageAnywhereIsRefusedOrRepaired) {
   damage_everywhere(lines, cut, obj);
 }
 
-}  // namespace coif::strand_files_test
+}  // namespace coif::groom::strand_files_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coif::write_groom_test {
+namespace coif::groom::write_groom_test {
 
 /// Back in the axes that readers leave alone: the writer has Z up.
 Eigen::Vector3f from_z_up(const Eigen::Vector3f& p) { return {p.x(), p.z(), -p.y()}; }
@@ -59,4 +59,4 @@ TEST(WriteGroom, RefusesWhatTheFormatCannotHold) {
   EXPECT_EQ(other.error().kind, ToolError::Kind::kUsage);
 }
 
-}  // namespace coif::write_groom_test
+}  // namespace coif::groom::write_groom_test

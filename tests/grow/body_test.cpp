@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coif::body_test {
+namespace coif::grow::body_test {
 
 using Eigen::Vector3f;
 using grow::BodyField;
@@ -92,4 +92,4 @@ TEST(HeadFrame, IsNoneWhereThereIsNoSkull) {
   EXPECT_FALSE(grow::find_head(plank.positions, plank.triangles));
 }
 
-}  // namespace coif::body_test
+}  // namespace coif::grow::body_test

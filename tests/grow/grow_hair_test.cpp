@@ -12,21 +12,21 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif::grow_hair_test {
+namespace coif::grow::grow_hair_test {
 
 using Eigen::Vector3f;
 
-Recipe recipe_of(const std::string& keys) {
-  const auto recipe = parse_recipe("{\"grow\": " + keys + "}", "test");
+cook::Recipe recipe_of(const std::string& keys) {
+  const auto recipe = cook::parse_recipe("{\"grow\": " + keys + "}", "test");
   EXPECT_TRUE(recipe) << (recipe ? "" : recipe.error().message);
-  return recipe.value_or(default_recipe());
+  return recipe.value_or(cook::default_recipe());
 }
 
-Groom grown(const std::string& keys, unsigned threads = 2) {
-  static const SourceModel body = sample_body();
+groom::Groom grown(const std::string& keys, unsigned threads = 2) {
+  static const importer::SourceModel body = sample_body();
   const auto groom = grow_from(recipe_of(keys), body, "test", threads);
   EXPECT_TRUE(groom) << (groom ? "" : groom.error().message);
-  return groom ? *groom : Groom{};
+  return groom ? *groom : groom::Groom{};
 }
 
 float length_of(std::span<const Vector3f> strand) {
@@ -43,7 +43,7 @@ Vector3f direction_of(const Vector3f& point) {
 /// Metres from the bust's triangles, negative inside.
 float away_from_skin(const Vector3f& point) {
   static const grow::BodySurface skin = [] {
-    SourceMesh mesh = sample_body().meshes[0];
+    importer::SourceMesh mesh = sample_body().meshes[0];
     return grow::BodySurface(std::move(mesh.positions), std::move(mesh.triangles));
   }();
   const float away = skin.distance(point, 10);
@@ -53,8 +53,8 @@ float away_from_skin(const Vector3f& point) {
 class EveryStyle : public testing::TestWithParam<const char*> {};
 
 TEST_P(EveryStyle, BeginsOnTheSkinAndNeverPassesThroughIt) {
-  const Groom groom = grown(std::string("{\"strands\": 400, \"style\": \"") + GetParam() + "\"}");
-  EXPECT_EQ(find_groom_fault(groom), "");
+  const groom::Groom groom = grown(std::string("{\"strands\": 400, \"style\": \"") + GetParam() + "\"}");
+  EXPECT_EQ(groom::find_groom_fault(groom), "");
   EXPECT_EQ(groom.strand_count(), 400u);
   EXPECT_TRUE(groom.root_first);
   EXPECT_EQ(groom.widths.size(), groom.points.size());
@@ -79,29 +79,30 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, EveryStyle,
 
 TEST(GrowHair, EveryStyleIsNamed) {
   std::string words = "none";
-  for (const BuiltInStyle& style : built_in_styles()) {
+  for (const cook::BuiltInStyle& style : cook::built_in_styles()) {
     words += std::string("|") + style.name;
     EXPECT_EQ(recipe_of(std::string("{\"style\": \"") + style.name + "\"}").grow_style, style.name);
   }
-  EXPECT_EQ(words, kStyleWords);
+  EXPECT_EQ(words, cook::kStyleWords);
 }
 
 TEST(GrowHair, KeysGoBeforeTheStylesOwn) {
   EXPECT_TRUE(recipe_of(R"({"style": "bob"})").grow_parting.has_value());
   EXPECT_FALSE(recipe_of(R"({"parting": null, "style": "bob"})").grow_parting.has_value());
-  const auto chosen = parse_recipe(R"({"grow": {"style": "bob", "curl_radius": 0.5e-2}})", "test", {"", "ponytail"});
+  const auto chosen =
+      cook::parse_recipe(R"({"grow": {"style": "bob", "curl_radius": 0.5e-2}})", "test", {"", "ponytail"});
   ASSERT_TRUE(chosen);
   EXPECT_EQ(chosen->grow_style, "ponytail");
   EXPECT_TRUE(chosen->grow_gather.has_value());
   EXPECT_EQ(chosen->grow_curl_radius, 0.005);
-  const auto again = parse_recipe(print_recipe(*chosen), "printed");
+  const auto again = cook::parse_recipe(cook::print_recipe(*chosen), "printed");
   ASSERT_TRUE(again);
-  EXPECT_EQ(print_recipe(*again), print_recipe(*chosen));
+  EXPECT_EQ(cook::print_recipe(*again), cook::print_recipe(*chosen));
 }
 
 TEST(GrowHair, RepeatsOnAnyNumberOfThreadsAndDiffersBySeed) {
-  const Groom one = grown(R"({"style": "wavy", "strands": 200})", 1),
-              three = grown(R"({"style": "wavy", "strands": 200})", 3);
+  const groom::Groom one = grown(R"({"style": "wavy", "strands": 200})", 1),
+                     three = grown(R"({"style": "wavy", "strands": 200})", 3);
   EXPECT_EQ(one.points, three.points);
   EXPECT_EQ(one.widths, three.widths);
   EXPECT_EQ(one.colors, three.colors);
@@ -109,8 +110,8 @@ TEST(GrowHair, RepeatsOnAnyNumberOfThreadsAndDiffersBySeed) {
 }
 
 TEST(GrowHair, RootsKeepToTheHairline) {
-  const Recipe recipe = recipe_of(R"({"strands": 3000})");
-  const Groom groom = grown(R"({"strands": 3000})");
+  const cook::Recipe recipe = recipe_of(R"({"strands": 3000})");
+  const groom::Groom groom = grown(R"({"strands": 3000})");
   std::size_t on_face = 0, at_back = 0;
   for (std::size_t i = 0; i < groom.strand_count(); ++i) {
     const Vector3f root = direction_of(groom.strand(i)[0]);
@@ -124,17 +125,17 @@ TEST(GrowHair, RootsKeepToTheHairline) {
 }
 
 TEST(GrowHair, IsAsLongAsAskedAndCutLevel) {
-  const Groom plain =
+  const groom::Groom plain =
       grown(R"({"strands": 300, "length_top": 0.2, "length_front": 0.2, "length_sides": 0.2, "length_back": 0.2,
     "length_random": 0, "clump": 0, "clump_children": 0, "frizz": 0, "flyaways": 0})");
   for (std::size_t i = 0; i < plain.strand_count(); ++i) EXPECT_NEAR(length_of(plain.strand(i)), 0.2f, 0.025f);
-  const Groom cut = grown(R"({"strands": 300, "cut": -1, "length_random": 0})");
+  const groom::Groom cut = grown(R"({"strands": 300, "cut": -1, "length_random": 0})");
   const double level = sample::kCraniumCenter.y() - sample::kCraniumRadii.y();
   for (std::size_t i = 0; i < cut.strand_count(); ++i) EXPECT_GT(cut.strand(i).back().y(), level - 0.01);
 }
 
 TEST(GrowHair, APartingSendsHairToItsSides) {
-  const Groom groom = grown(R"({"strands": 1500, "parting": 0, "flyaways": 0})");
+  const groom::Groom groom = grown(R"({"strands": 1500, "parting": 0, "flyaways": 0})");
   std::size_t on_top = 0, crossed = 0;
   for (std::size_t i = 0; i < groom.strand_count(); ++i) {
     const Vector3f root = direction_of(groom.strand(i)[0]);
@@ -147,7 +148,7 @@ TEST(GrowHair, APartingSendsHairToItsSides) {
 }
 
 TEST(GrowHair, LiesCloseToTheSkull) {
-  const Groom groom = grown(R"({"style": "bob", "strands": 600, "flyaways": 0})");
+  const groom::Groom groom = grown(R"({"style": "bob", "strands": 600, "flyaways": 0})");
   float farthest = 0;
   for (const Vector3f& p : groom.points) {
     if (direction_of(p).y() > 0.3f) farthest = std::max(farthest, away_from_skin(p));
@@ -156,7 +157,7 @@ TEST(GrowHair, LiesCloseToTheSkull) {
 }
 
 TEST(GrowHair, RootsAreDensestWhereHairLeavesThemToBothSides) {
-  const Groom groom = grown(R"({"strands": 6000, "parting": 0})");
+  const groom::Groom groom = grown(R"({"strands": 6000, "parting": 0})");
   const auto between = [&](float from, float to) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < groom.strand_count(); ++i) {
@@ -170,7 +171,7 @@ TEST(GrowHair, RootsAreDensestWhereHairLeavesThemToBothSides) {
 
 TEST(GrowHair, WavesOfALockGoTogetherAndGrowTowardsTheTips) {
   const std::string keys = R"("style": "wavy", "strands": 1200, "flyaways": 0, "frizz": 0)";
-  const Groom waved = grown("{" + keys + "}"), plain = grown("{" + keys + ", \"wave_height\": 0.00001}");
+  const groom::Groom waved = grown("{" + keys + "}"), plain = grown("{" + keys + ", \"wave_height\": 0.00001}");
   ASSERT_EQ(waved.points.size(), plain.points.size());
   const auto shift = [&](std::size_t i, float t) {
     const auto k = std::size_t(t * float(waved.strand(i).size() - 1));
@@ -193,7 +194,7 @@ TEST(GrowHair, WavesOfALockGoTogetherAndGrowTowardsTheTips) {
 }
 
 TEST(GrowHair, FallsBeforeOrBehindTheShoulders) {
-  const Groom groom = grown(R"({"style": "long", "strands": 500, "flyaways": 0})");
+  const groom::Groom groom = grown(R"({"style": "long", "strands": 500, "flyaways": 0})");
   std::size_t over_the_end = 0;
   for (std::size_t i = 0; i < groom.strand_count(); ++i) {
     const bool beyond = std::ranges::any_of(groom.strand(i), [](const Vector3f& p) { return std::abs(p.x()) > 0.19f; });
@@ -203,7 +204,7 @@ TEST(GrowHair, FallsBeforeOrBehindTheShoulders) {
 }
 
 TEST(GrowHair, ATieHoldsEveryStrand) {
-  const Groom groom = grown(R"({"style": "ponytail", "strands": 300, "flyaways": 0})");
+  const groom::Groom groom = grown(R"({"style": "ponytail", "strands": 300, "flyaways": 0})");
   // Behind the tie all hair is in one tail: no strand's tip is before the middle of the head.
   for (std::size_t i = 0; i < groom.strand_count(); ++i) {
     EXPECT_LT(groom.strand(i).back().z(), sample::kCraniumCenter.z());
@@ -212,11 +213,11 @@ TEST(GrowHair, ATieHoldsEveryStrand) {
 }
 
 TEST(GrowHair, GrowsWithTheHeadWhereverThatIs) {
-  SourceModel large = sample_body();
+  importer::SourceModel large = sample_body();
   for (Vector3f& p : large.meshes[0].positions) p = 2 * p + Vector3f(1, -3, 0.5f);
   const auto groom = grow_from(recipe_of(R"({"style": "bob", "strands": 100})"), large, "test", 2);
   ASSERT_TRUE(groom);
-  const Groom usual = grown(R"({"style": "bob", "strands": 100})");
+  const groom::Groom usual = grown(R"({"style": "bob", "strands": 100})");
   double apart = 0;
   for (std::size_t i = 0; i < 100; ++i)
     apart += double((groom->strand(i)[0] - (2 * usual.strand(i)[0] + Vector3f(1, -3, 0.5f))).norm()) / 100;
@@ -225,12 +226,12 @@ TEST(GrowHair, GrowsWithTheHeadWhereverThatIs) {
 }
 
 TEST(GrowHair, TurnsWithABodyThatLooksBackwards) {
-  SourceModel turned = sample_body();
+  importer::SourceModel turned = sample_body();
   for (Vector3f& p : turned.meshes[0].positions) p = Vector3f(-p.x(), p.y(), -p.z());
-  turned.facing = Facing::kBackwards;
+  turned.facing = importer::Facing::kBackwards;
   const auto groom = grow_from(recipe_of(R"({"style": "short", "strands": 50})"), turned, "test", 1);
   ASSERT_TRUE(groom);
-  const Groom usual = grown(R"({"style": "short", "strands": 50})");
+  const groom::Groom usual = grown(R"({"style": "short", "strands": 50})");
   for (std::size_t i = 0; i < 50; ++i) {
     const Vector3f p = usual.strand(i)[0];
     EXPECT_LT((groom->strand(i)[0] - Vector3f(-p.x(), p.y(), -p.z())).norm(), 1e-3f);
@@ -238,8 +239,8 @@ TEST(GrowHair, TurnsWithABodyThatLooksBackwards) {
 }
 
 TEST(GrowHair, SaysWhyNothingGrows) {
-  const SourceModel plank = test::model_of(test::ellipsoid(Vector3f::Zero(), {1, 0.05f, 0.01f}));
-  const auto headless = grow_from(default_recipe(), plank, "a.recipe.json", 1);
+  const importer::SourceModel plank = test::model_of(test::ellipsoid(Vector3f::Zero(), {1, 0.05f, 0.01f}));
+  const auto headless = grow_from(cook::default_recipe(), plank, "a.recipe.json", 1);
   ASSERT_FALSE(headless);
   EXPECT_EQ(headless.error().kind, ToolError::Kind::kBadInput);
   EXPECT_TRUE(headless.error().message.starts_with("a.recipe.json: no head at the top of body.glb; say where"))
@@ -252,4 +253,4 @@ TEST(GrowHair, SaysWhyNothingGrows) {
   EXPECT_NE(bald.error().message.find("leaves no room for hair"), std::string::npos) << bald.error().message;
 }
 
-}  // namespace coif::grow_hair_test
+}  // namespace coif::grow::grow_hair_test

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif::test {
+namespace coif::grow::test {
 
 struct MadeUpMesh {
   std::vector<Eigen::Vector3f> positions;
@@ -49,11 +49,11 @@ inline void append(const MadeUpMesh& part, MadeUpMesh& whole) {
   for (const std::uint32_t v : part.triangles) whole.triangles.push_back(first + v);
 }
 
-inline SourceModel model_of(MadeUpMesh mesh, const char* name = "body") {
-  SourceModel model;
+inline importer::SourceModel model_of(MadeUpMesh mesh, const char* name = "body") {
+  importer::SourceModel model;
   model.path = "body.glb";
-  model.nodes.push_back({name, kNoIndex, Eigen::Affine3d::Identity()});
-  SourceMesh part;
+  model.nodes.push_back({name, importer::kNoIndex, Eigen::Affine3d::Identity()});
+  importer::SourceMesh part;
   part.name = name;
   part.positions = std::move(mesh.positions);
   part.triangles = std::move(mesh.triangles);
@@ -61,4 +61,4 @@ inline SourceModel model_of(MadeUpMesh mesh, const char* name = "body") {
   return model;
 }
 
-}  // namespace coif::test
+}  // namespace coif::grow::test

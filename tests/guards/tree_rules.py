@@ -1,6 +1,6 @@
-#!/usr/bin/env python3
+#!/ usr / bin / env python3
 """What no file of the project may be: too long, written for one machine or one tracker, a copy of a test asset that is
-not ours to ship, or named so that anything could end up in it.
+not ours to ship, named so that anything could end up in it, or in another folder's namespace.
 
 usage: tree_rules.py SOURCE_DIR ASSET_DIR | --self-test
 """
@@ -12,7 +12,7 @@ from pathlib import Path
 
 MAX_LINES = 300
 MAX_TEST_LINES = 400  # One file for a unit, however much is promised of it.
-# Files that are longer for a reason: path -> the reason.
+#Files that are longer for a reason : path->the reason.
 LONGER = {
     "tools/cook/cook.cpp": "the list of a cook's passes, which one reads from top to bottom",
     "tests/mutants/mutants.txt": "a list, three lines to a mistake",
@@ -27,6 +27,8 @@ BAD_TEXT = [
     (re.compile(r"\b(?:tickets?|issue\s*#?\d+|(?:fixes|closes|see)\s+#\d+)\b", re.IGNORECASE), "a tracker's number"),
     (re.compile(r"\b(?:chatgpt|claude|copilot|as an ai|language model)\b", re.IGNORECASE), "talk about its making"),
 ]
+PLAIN = {"base"}  # Folders of tools whose words are all tools': they are in namespace coif itself.
+NAMES = {"import": "importer"}  # Other names of namespaces than folders': that one is a word of C++.
 FOLDERS = ("formats", "runtime", "tools", "shaders", "tests", "sample_assets", ".ci")
 
 
@@ -48,6 +50,19 @@ def text_problems(path, text):
         for pattern, what in BAD_TEXT:
             if pattern.search(line):
                 yield f"{path}:{number}: {what}: {line.strip()[:80]}"
+
+
+def namespace_problems(path, text):
+    """tools/cook is coif::cook, and tests/cook too. Files may declare in other folders' namespaces what they forward."""
+    top, folder, *rest = path.split("/")[:3] + [""] * 2
+    if top != "tools" or not rest[0] or Path(path).suffix not in {".h", ".cpp"}:
+        return
+    own = "coif" if folder in PLAIN else f"coif::{NAMES.get(folder, folder)}"
+    opened = re.findall(r"^namespace (coif[\w:]*)", text, re.MULTILINE)
+    if opened and own not in opened:
+        yield f"{path}: opens {opened[0]}; what is in tools/{folder} is in {own}"
+    if own != "coif" and "coif" in opened:
+        yield f"{path}: opens coif, which is the runtime's; what is in tools/{folder} is in {own}"
 
 
 def digest(path):
@@ -72,7 +87,9 @@ def check(source, assets):
         if BAD_NAMES & set(re.split(r"[/._]", path.lower())):
             bad.append(f"{path}: a name for a place where anything may end up")
         if file.suffix in TEXT:
-            bad += text_problems(path, file.read_text(encoding="utf-8", errors="replace"))
+            text = file.read_text(encoding="utf-8", errors="replace")
+            bad += text_problems(path, text)
+            bad += namespace_problems(path, text)
     if not assets.is_dir():
         print(f"no test assets at {assets}: copies of them were not looked for")
     return len(files), bad + list(copied(source, files, assets))
@@ -81,8 +98,10 @@ def check(source, assets):
 def self_test():
     must_fail = {"tools/cook/long.cpp": "//\n" * 301, "tests/long.cpp": "//\n" * 401, "tools/x.cpp": "// /" + "work/main\n", "formats/a.md": "TO" "DO\n",
                  "tests/b.cpp": "// see #12\n", "tools/string_utils.h": "", "tools/utils/x.h": "",
-                 "sample_assets/a/a.glb": "bytes of an artist", "runtime/c.cpp": "// made by Chat" "GPT\n"}
-    must_pass = {"tools/cook/fine.cpp": "//\n" * 300, "tests/fine.cpp": "//\n" * 400, "README.md": "an issue of a file, at https://example.org/home/x\n"}
+                 "sample_assets/a/a.glb": "bytes of an artist", "runtime/c.cpp": "// made by Chat" "GPT\n", "tools/cook/a.h": "namespace coif {\n", "tools/cook/b.h": "namespace coif::view {\n",
+                 "tools/base/c.h": "namespace coif::base {\n"}
+    must_pass = {"tools/cook/fine.cpp": "//\n" * 300, "tests/fine.cpp": "//\n" * 400, "README.md": "an issue of a file, at https://example.org/home/x\n",
+                 "tools/cook/d.h": "namespace coif::view {\nclass Page;\n}\nnamespace coif::cook {\n", "tools/base/e.h": "namespace coif {\n"}
     bad = []
     for path, text in {**must_fail, **must_pass}.items():
         with tempfile.TemporaryDirectory() as tree, tempfile.TemporaryDirectory() as assets:

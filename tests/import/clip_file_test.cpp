@@ -10,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-namespace coif::test::clip_file_test {
+namespace coif::importer::test::clip_file_test {
 
 namespace fs = std::filesystem;
 using Eigen::AngleAxisd;
@@ -262,4 +262,4 @@ TEST_F(ClipFileTest, OtherFormatsAndAbsentFilesAreRefusedAsSuch) {
   EXPECT_EQ(text.error().kind, Kind::kBadInput);
 }
 
-}  // namespace coif::test::clip_file_test
+}  // namespace coif::importer::test::clip_file_test

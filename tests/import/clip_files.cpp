@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace coif::test {
+namespace coif::importer::test {
 namespace {
 
 using nlohmann::json;
@@ -67,4 +67,4 @@ std::vector<float> turns_about_x(const std::vector<float>& seconds, const std::f
   return values;
 }
 
-}  // namespace coif::test
+}  // namespace coif::importer::test

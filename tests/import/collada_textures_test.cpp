@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <string>
 
-namespace coif::collada_textures_test {
+namespace coif::importer::collada_textures_test {
 
 using test::import_or_fail;
 using test::TemporaryFolder;
@@ -239,4 +239,4 @@ TEST(ColladaTexturesShared, BlendersSecondUvMapIsTaken) {
       << dae.mean_uv.transpose() << " and " << gltf.mean_uv.transpose();
 }
 
-}  // namespace coif::collada_textures_test
+}  // namespace coif::importer::collada_textures_test

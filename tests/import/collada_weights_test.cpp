@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace coif::collada_weights_test {
+namespace coif::importer::collada_weights_test {
 
 using test::import_or_fail;
 using test::TemporaryFolder;
@@ -59,4 +59,4 @@ TEST(ColladaWeights, BelowZeroAndNotFiniteAreDroppedAndTold) {
   EXPECT_FALSE(warns(model, "do not add up")) << warnings_of(model);
 }
 
-}  // namespace coif::collada_weights_test
+}  // namespace coif::importer::collada_weights_test

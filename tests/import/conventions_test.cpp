@@ -10,7 +10,7 @@
 #include <string>
 #include <tuple>
 
-namespace coif::conventions_test {
+namespace coif::importer::conventions_test {
 
 using Eigen::Vector2f;
 using Eigen::Vector3f;
@@ -374,4 +374,4 @@ TEST_F(Conventions, ImporterIsNamedWithItsVersion) {
   EXPECT_GE(model.importer_version[0], 5);
 }
 
-}  // namespace coif::conventions_test
+}  // namespace coif::importer::conventions_test

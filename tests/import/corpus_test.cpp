@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace coif::corpus_test {
+namespace coif::importer::corpus_test {
 
 namespace fs = std::filesystem;
 using test::import_or_fail;
@@ -214,4 +214,4 @@ TEST_F(Corpus, ImportTwiceGivesTheSameModel) {
   }
 }
 
-}  // namespace coif::corpus_test
+}  // namespace coif::importer::corpus_test

@@ -13,7 +13,7 @@
 #include <limits>
 #include <random>
 
-namespace coif::damage_test {
+namespace coif::importer::damage_test {
 
 using test::SmallGltf;
 using test::TemporaryFolder;
@@ -191,4 +191,4 @@ TEST_F(Damage, NamesAreCleanedForMessages) {
   EXPECT_EQ(model.nodes.at(0).name, "str?ip ");
 }
 
-}  // namespace coif::damage_test
+}  // namespace coif::importer::damage_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace coif::detail_levels_test {
+namespace coif::importer::detail_levels_test {
 
 using nlohmann::json;
 using test::GltfBuilder;
@@ -114,4 +114,4 @@ TEST_F(DetailLevels, MayBeChosenByTheirNames) {
   EXPECT_EQ(kept(levels, {"Head"}), (Names{"Hair_LOD0"}));
 }
 
-}  // namespace coif::detail_levels_test
+}  // namespace coif::importer::detail_levels_test

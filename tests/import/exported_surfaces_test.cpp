@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace coif::exported_surfaces_test {
+namespace coif::importer::exported_surfaces_test {
 
 namespace fs = std::filesystem;
 using test::import_or_fail;
@@ -68,4 +68,4 @@ TEST_F(ExportedSurfaces, OpacityTexturesAreTheFilesOwn) {
   }
 }
 
-}  // namespace coif::exported_surfaces_test
+}  // namespace coif::importer::exported_surfaces_test

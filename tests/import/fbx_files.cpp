@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace coif::test {
+namespace coif::importer::test {
 namespace {
 
 template <class Number>
@@ -142,4 +142,4 @@ std::string text_fbx(const std::vector<FbxModel>& models) {
   return fbx_document("P: \"UnitScaleFactor\", \"double\", \"Number\", \"\",100\n", objects, connections);
 }
 
-}  // namespace coif::test
+}  // namespace coif::importer::test

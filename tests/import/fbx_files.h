@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace coif::test {
+namespace coif::importer::test {
 
 /// A record of a binary file: values as the file has them, and the records within.
 struct FbxTree {
@@ -55,4 +55,4 @@ struct FbxModel {
 /// One line of Properties70 with a number.
 [[nodiscard]] std::string fbx_property(const std::string& name, const std::string& type, double value);
 
-}  // namespace coif::test
+}  // namespace coif::importer::test

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif::fbx_objects_test {
+namespace coif::importer::fbx_objects_test {
 
 // Two deformers, channels and shapes, each connected to all: more shapes than the file has connections.
 TEST(FbxObjectsOf, ShapesConnectedCrosswiseAreLeftOut) {
@@ -101,4 +101,4 @@ Connections: {
   EXPECT_TRUE(read->below(0).empty());
 }
 
-}  // namespace coif::fbx_objects_test
+}  // namespace coif::importer::fbx_objects_test

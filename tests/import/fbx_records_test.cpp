@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace coif::fbx_records_test {
+namespace coif::importer::fbx_records_test {
 
 using test::binary_fbx;
 using test::FbxTree;
@@ -180,4 +180,4 @@ TEST(FbxRecords, WhatIsNoFbxIsRefused) {
   }
 }
 
-}  // namespace coif::fbx_records_test
+}  // namespace coif::importer::fbx_records_test

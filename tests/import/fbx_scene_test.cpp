@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace coif::fbx_scene_test {
+namespace coif::importer::fbx_scene_test {
 
 using test::fbx_property;
 using test::FbxModel;
@@ -358,4 +358,4 @@ TEST(FbxShared, AShapeKeyOfBlenderGivesTheShapeThatItsGltfHas) {
   EXPECT_NEAR(fbx.area, gltf.area, 1e-3 * gltf.area);
 }
 
-}  // namespace coif::fbx_scene_test
+}  // namespace coif::importer::fbx_scene_test

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace coif::fbx_textures_test {
+namespace coif::importer::fbx_textures_test {
 
 using test::fbx_property;
 using test::import_or_fail;
@@ -223,4 +223,4 @@ TEST(FbxTextures, OfBlenderAreTurnedInRadiansAndMovedAsTheyAre) {
              {{0.25f, 0}, {0.75f, 0}, {0.25f, 0.5f}}, "Blender (stable FBX IO) - 3.4.1");
 }
 
-}  // namespace coif::fbx_textures_test
+}  // namespace coif::importer::fbx_textures_test

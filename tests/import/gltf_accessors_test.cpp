@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace coif::gltf_accessors_test {
+namespace coif::importer::gltf_accessors_test {
 
 using test::GltfBuilder;
 using test::import_or_fail;
@@ -163,4 +163,4 @@ TEST_F(GltfAccessors, WhatIsCutOffOrOfUnlikeLengthIsRefusedByName) {
             std::string::npos);
 }
 
-}  // namespace coif::gltf_accessors_test
+}  // namespace coif::importer::gltf_accessors_test

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <limits>
 
-namespace coif::test {
+namespace coif::importer::test {
 namespace {
 
 using nlohmann::json;
@@ -137,4 +137,4 @@ std::filesystem::path GltfBuilder::write(const TemporaryFolder& folder, const st
   return folder.write(name, glb());
 }
 
-}  // namespace coif::test
+}  // namespace coif::importer::test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace coif::test {
+namespace coif::importer::test {
 
 /// How an accessor stores its numbers. Numbers are written as `component` can hold them: the nearest integer, of a
 /// fraction where it is normalized.
@@ -53,4 +53,4 @@ class GltfBuilder {
 /// A strip of two triangles, 1 wide and 2 high, as positions, normals and UVs.
 extern const std::vector<float> kStripPositions, kStripNormals, kStripUvs;
 
-}  // namespace coif::test
+}  // namespace coif::importer::test

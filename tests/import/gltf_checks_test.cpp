@@ -5,7 +5,7 @@
 #include <limits>
 #include <set>
 
-namespace coif::gltf_checks_test {
+namespace coif::importer::gltf_checks_test {
 
 using test::SmallGltf;
 using test::TemporaryFolder;
@@ -121,4 +121,4 @@ TEST(GltfChecks, WhatIsNoJsonIsAFault) {
   EXPECT_EQ(codes_of(check_gltf(folder.write("b.gltf", "[1]"))), Codes{"S111"});
 }
 
-}  // namespace coif::gltf_checks_test
+}  // namespace coif::importer::gltf_checks_test

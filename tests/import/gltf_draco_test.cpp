@@ -10,7 +10,7 @@
 #include <array>
 #include <string>
 
-namespace coif::gltf_draco_test {
+namespace coif::importer::gltf_draco_test {
 
 using test::GltfBuilder;
 using test::import_or_fail;
@@ -105,4 +105,4 @@ TEST_F(GltfDraco, DamageIsAnErrorThatNamesIt) {
   }
 }
 
-}  // namespace coif::gltf_draco_test
+}  // namespace coif::importer::gltf_draco_test

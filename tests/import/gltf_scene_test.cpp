@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace coif::gltf_scene_test {
+namespace coif::importer::gltf_scene_test {
 
 using nlohmann::json;
 using test::GltfBuilder;
@@ -307,4 +307,4 @@ TEST_F(GltfScene, VersionsThatAreNotReadAreToldWithTheirCure) {
   EXPECT_NE(import_model(file.write(folder_)).error().message.find("gltf-pipeline"), std::string::npos);
 }
 
-}  // namespace coif::gltf_scene_test
+}  // namespace coif::importer::gltf_scene_test

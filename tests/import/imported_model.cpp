@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace coif::test {
+namespace coif::importer::test {
 
 SourceModel import_or_fail(const std::filesystem::path& path, const ImportSettings& settings) {
   auto model = import_model(path, settings);
@@ -65,4 +65,4 @@ Shape measure(const SourceModel& model) {
   return shape;
 }
 
-}  // namespace coif::test
+}  // namespace coif::importer::test

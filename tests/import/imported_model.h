@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <string>
 
-namespace coif::test {
+namespace coif::importer::test {
 
 /// The model, which keeps all of its promises. Fails the test where it does not, or where there is none, in whose place
 /// comes one with a mesh of three vertices.
@@ -34,4 +34,4 @@ struct Shape {
 };
 [[nodiscard]] Shape measure(const SourceModel& model);
 
-}  // namespace coif::test
+}  // namespace coif::importer::test

@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-namespace coif::test {
+namespace coif::importer::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -277,4 +277,4 @@ SourceModel small_source_model() {
   return model;
 }
 
-}  // namespace coif::test
+}  // namespace coif::importer::test

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace coif::test {
+namespace coif::importer::test {
 
 /// An empty folder of its own, removed with everything in it.
 class TemporaryFolder {
@@ -124,4 +124,4 @@ class ClipDocument {
 /// A triangle on two nodes that uses every field of a model and keeps all of its promises.
 [[nodiscard]] SourceModel small_source_model();
 
-}  // namespace coif::test
+}  // namespace coif::importer::test

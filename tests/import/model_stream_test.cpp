@@ -8,7 +8,7 @@
 #include <cstring>
 #include <limits>
 
-namespace coif::model_stream_test {
+namespace coif::importer::model_stream_test {
 
 using Bytes = std::vector<std::uint8_t>;
 using test::small_source_model;
@@ -195,4 +195,4 @@ INSTANTIATE_TEST_SUITE_P(
                            },
                            [](SourceModel& m) { m.springs.push_back(m.springs[0]); }));
 
-}  // namespace coif::model_stream_test
+}  // namespace coif::importer::model_stream_test

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <string>
 
-namespace coif::obj_libraries_test {
+namespace coif::importer::obj_libraries_test {
 
 using test::import_or_fail;
 using test::TemporaryFolder;
@@ -152,4 +152,4 @@ TEST_F(ObjLibraries, WhoseBlackHidesATextureAreTakenForWhite) {
   EXPECT_EQ(hair(read("mtllib m.mtl")).base_color.x(), 0) << "black hair";
 }
 
-}  // namespace coif::obj_libraries_test
+}  // namespace coif::importer::obj_libraries_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace coif::test::pose_clip_test {
+namespace coif::importer::test::pose_clip_test {
 
 using Eigen::AngleAxisd;
 using Eigen::Quaterniond;
@@ -122,4 +122,4 @@ TEST_F(PoseClipTest, FollowsNoNameThatTwoNodesHave) {
   EXPECT_NE((*read_back)->notes().front().find("2 nodes are called 'a'"), std::string::npos);
 }
 
-}  // namespace coif::test::pose_clip_test
+}  // namespace coif::importer::test::pose_clip_test

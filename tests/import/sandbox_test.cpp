@@ -19,7 +19,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace coif::sandbox_test {
+namespace coif::importer::sandbox_test {
 
 namespace fs = std::filesystem;
 
@@ -92,22 +92,23 @@ void take_landlock_away() {
 }
 
 /// Reads the model at the path behind two flags: whether there is a sandbox, and whether one is required.
-const Job kImport("test.import", [](const JobCall& call) -> Bytes {
+const platform::Job kImport("test.import", [](const platform::JobCall& call) -> platform::Bytes {
   const std::string request(call.request().begin(), call.request().end());
   if (request[0] == 'n') take_landlock_away();
   ImportSettings settings;
   settings.requires_sandbox = request[1] == 'y';
   const auto model = import_model(request.substr(2), settings);
-  const std::string text = model ? "read, " + missing_sandbox() : model.error().message;
+  const std::string text = model ? "read, " + platform::missing_sandbox() : model.error().message;
   return {text.begin(), text.end()};
 });
 
 TEST_F(References, ReadNothingWithoutASandboxWhereOneIsRequired) {
-  if (!missing_sandbox().empty()) GTEST_SKIP() << missing_sandbox();
+  if (!platform::missing_sandbox().empty()) GTEST_SKIP() << platform::missing_sandbox();
   const fs::path path = folder_.write("model/hair.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const auto told = [&](bool is_there, bool is_required) {
     const std::string request = std::string(is_there ? "y" : "n") + (is_required ? "y" : "n") + path.string();
-    const auto result = run_in_child(kImport, Bytes(request.begin(), request.end()), {.kind = ChildKind::kWorker});
+    const auto result = platform::run_in_child(kImport, platform::Bytes(request.begin(), request.end()),
+                                               {.kind = platform::ChildKind::kWorker});
     return std::string(result.output.begin(), result.output.end());
   };
   EXPECT_EQ(told(true, true), "read, ");
@@ -117,4 +118,4 @@ TEST_F(References, ReadNothingWithoutASandboxWhereOneIsRequired) {
       std::string::npos);
 }
 
-}  // namespace coif::sandbox_test
+}  // namespace coif::importer::sandbox_test

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-namespace coif::side_file_names_test {
+namespace coif::importer::side_file_names_test {
 
 using nlohmann::json;
 using test::GltfBuilder;
@@ -62,4 +62,4 @@ TEST_F(SideFileNames, DoNotLeadOutOfTheFolder) {
   }
 }
 
-}  // namespace coif::side_file_names_test
+}  // namespace coif::importer::side_file_names_test

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <string>
 
-namespace coif::source_file_test {
+namespace coif::importer::source_file_test {
 
 namespace fs = std::filesystem;
 using Kind = ToolError::Kind;
@@ -228,4 +228,4 @@ TEST(ColladaArrays, BrokenDocumentsAreLeftToTheImporter) {
   }
 }
 
-}  // namespace coif::source_file_test
+}  // namespace coif::importer::source_file_test

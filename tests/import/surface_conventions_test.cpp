@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace coif::surface_conventions_test {
+namespace coif::importer::surface_conventions_test {
 
 using test::import_or_fail;
 using test::TemporaryFolder;
@@ -157,4 +157,4 @@ TEST_F(SurfaceConventions, ColladaSaysWhichNumbersOfATextureAreTheOpacity) {
   EXPECT_TRUE(material_of(R"(opaque="RGB_ZERO")").opacity_inverted);
 }
 
-}  // namespace coif::surface_conventions_test
+}  // namespace coif::importer::surface_conventions_test

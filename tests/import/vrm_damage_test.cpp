@@ -10,7 +10,7 @@
 #include <cmath>
 #include <random>
 
-namespace coif::vrm_damage_test {
+namespace coif::importer::vrm_damage_test {
 
 using test::import_or_fail;
 using test::small_vrm;
@@ -208,4 +208,4 @@ TEST_F(VrmDamage, RandomDamageGivesAModelOrAnErrorOfTheFile) {
   EXPECT_GT(came_through, 20u);
 }
 
-}  // namespace coif::vrm_damage_test
+}  // namespace coif::importer::vrm_damage_test

@@ -10,7 +10,7 @@
 
 #include <numbers>
 
-namespace coif::vrm_limits_test {
+namespace coif::importer::vrm_limits_test {
 
 using Eigen::Vector3d;
 using Kind = SourceLimit::Kind;
@@ -108,4 +108,4 @@ TEST_F(VrmLimits, WhatIsNoLimitIsIgnoredWithAWarning) {
   }
 }
 
-}  // namespace coif::vrm_limits_test
+}  // namespace coif::importer::vrm_limits_test

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace coif::vrm_springs_test {
+namespace coif::importer::vrm_springs_test {
 
 using Eigen::Vector3d;
 using test::import_or_fail;
@@ -196,4 +196,4 @@ TEST_F(VrmSprings, BinaryFilesAreReadAlike) {
   }
 }
 
-}  // namespace coif::vrm_springs_test
+}  // namespace coif::importer::vrm_springs_test

@@ -23,15 +23,15 @@
 #include <utility>
 #include <vector>
 
-namespace coif::contact_order_test {
+namespace coif::lab::contact_order_test {
 
 using Eigen::Vector3d;
 
 /// The head bows, and hair falls onto what is in front of it. It starts from its rest, and the runtime knows the head's
 /// way: what is left is the order of contacts.
-std::unique_ptr<HeadPath> bow() { return held_turn(Vector3d(1, 0.1, 0.2).normalized(), 1.9, 0.8); }
+std::unique_ptr<motion::HeadPath> bow() { return motion::held_turn(Vector3d(1, 0.1, 0.2).normalized(), 1.9, 0.8); }
 /// So fast that hair is thrown against it.
-std::unique_ptr<HeadPath> jerk() { return held_turn(Vector3d(1, 0.1, 0.2).normalized(), 1.9, 0.25); }
+std::unique_ptr<motion::HeadPath> jerk() { return motion::held_turn(Vector3d(1, 0.1, 0.2).normalized(), 1.9, 0.25); }
 constexpr double kSeconds = 1.6;
 constexpr double kUntilThrown = 0.5;
 constexpr int kRate = 60;
@@ -67,8 +67,8 @@ struct Fall {
 
 class Falls {
  public:
-  Falls(const TestRig& rig, std::unique_ptr<HeadPath> path, double seconds)
-      : opened_(rig.contents()), rig_(coif::rig_of(opened_.asset())), path_(std::move(path)), seconds_(seconds) {
+  Falls(const TestRig& rig, std::unique_ptr<motion::HeadPath> path, double seconds)
+      : opened_(rig.contents()), rig_(coif::lab::rig_of(opened_.asset())), path_(std::move(path)), seconds_(seconds) {
     reference_ = solve_reference(rig_, {}, *path_,
                                  {.sample_times = evenly(kRate, seconds),
                                   .steps_per_second = 20e3,
@@ -86,8 +86,8 @@ class Falls {
     Fall fall;
     const int frames = int(std::lround(seconds_ * kRate));
     for (int frame = 1; frame <= frames; ++frame) {
-      const HeadState head = path_->at(double(frame) / kRate);
-      EXPECT_TRUE(solver.step_told(pose_of(head), velocity_of(head), 1.0 / kRate));
+      const motion::HeadState head = path_->at(double(frame) / kRate);
+      EXPECT_TRUE(solver.step_told(motion::pose_of(head), motion::velocity_of(head), 1.0 / kRate));
       const auto ends = solver.bone_ends();
       meter.look(ends);
       fall.error += (ends.back() - reference_.path_of_tip(0)[std::size_t(frame)]).squaredNorm();
@@ -105,7 +105,7 @@ class Falls {
  private:
   OpenedAsset opened_;
   Rig rig_;
-  std::unique_ptr<HeadPath> path_;
+  std::unique_ptr<motion::HeadPath> path_;
   double seconds_;
   ReferenceRun reference_;
 };
@@ -189,14 +189,14 @@ std::vector<Lying> all_lying() {
 }
 
 /// Energy of bones that end at `ends`, and ended at `before` dt seconds ago, under a head that rests.
-double energy(const Rig& rig, const HeadState& head, std::span<const Vector3d> ends, std::span<const Vector3d> before,
-              double dt) {
+double energy(const Rig& rig, const motion::HeadState& head, std::span<const Vector3d> ends,
+              std::span<const Vector3d> before, double dt) {
   std::vector<BoneState> states;
   for (std::size_t i = 0; i < rig.bones.size(); ++i) {
     const RigBone& bone = rig.bones[i];
     const auto way = [&](std::span<const Vector3d> tails) {
       const Vector3d start = bone.parent < 0 ? bone.joint : tails[std::size_t(bone.parent)];
-      return Vector3d(turned(head.rotation, tails[i] - start).normalized());
+      return Vector3d(coif::turned(head.rotation, tails[i] - start).normalized());
     };
     const Eigen::Quaterniond up = bone.parent < 0 ? head.rotation : states[std::size_t(bone.parent)].frame;
     states.push_back({frame_of_arc(bone, up, way(ends)), (way(ends) - way(before)) / dt});
@@ -212,7 +212,7 @@ TEST(ContactEnergy, HairThatFallsOnAColliderGetsNoHigher) {
     TestRig test = rig_of(lying);
     for (DynamicsRecord& bone : test.dynamics) bone.damping = bone.friction = 0;
     const OpenedAsset opened(test.contents());
-    const Rig rig = coif::rig_of(opened.asset());
+    const Rig rig = coif::lab::rig_of(opened.asset());
     const auto path = bow();
     for (const int rate : {60, 240}) {
       RuntimeSolver solver(opened.asset(), {}, kCoifSolver, 1);
@@ -221,8 +221,8 @@ TEST(ContactEnergy, HairThatFallsOnAColliderGetsNoHigher) {
       double stopped = 0, most = 0;
       const double scale = 9.81 * 0.3 * 0.3;  // joules, of a chain of 0.3 m that hangs or stands
       for (int frame = 1; frame <= 5 * rate; ++frame) {
-        const HeadState head = path->at(double(frame) / rate);
-        EXPECT_TRUE(solver.step_told(pose_of(head), velocity_of(head), 1.0 / rate));
+        const motion::HeadState head = path->at(double(frame) / rate);
+        EXPECT_TRUE(solver.step_told(motion::pose_of(head), motion::velocity_of(head), 1.0 / rate));
         const auto ends = solver.bone_ends();
         if (frame == rate) most = stopped = energy(rig, head, ends, before, 1.0 / rate);
         if (frame > rate) most = std::max(most, energy(rig, head, ends, ends, 1.0 / rate));
@@ -249,4 +249,4 @@ INSTANTIATE_TEST_SUITE_P(Colliders, BlowOrder, testing::ValuesIn(thrown()),
 INSTANTIATE_TEST_SUITE_P(Colliders, ContactOrder, testing::ValuesIn(all_lying()),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
-}  // namespace coif::contact_order_test
+}  // namespace coif::lab::contact_order_test

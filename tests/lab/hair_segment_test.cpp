@@ -6,16 +6,16 @@
 #include <cmath>
 #include <random>
 
-namespace coif::hair_segment_test {
+namespace coif::lab::hair_segment_test {
 
 using Eigen::Vector3d;
 
 constexpr double kRadius = 0.1, kThickness = 0.01;
 
-SolidShape ball() { return SolidShape(sphere(Vector3d::Zero(), kRadius)); }
+SolidShape ball() { return SolidShape(report::sphere(Vector3d::Zero(), kRadius)); }
 
 SolidShape tapered_capsule() {
-  ColliderRecord record = sphere(Vector3d(-0.05, 0, 0), 0.1);
+  ColliderRecord record = report::sphere(Vector3d(-0.05, 0, 0), 0.1);
   record.shape = ColliderShape::kTaperedCapsule;
   record.radii[1] = 0.04f, record.radii[2] = 0;
   record.axis[0] = 0.15f, record.axis[1] = 0.03f;
@@ -23,7 +23,7 @@ SolidShape tapered_capsule() {
 }
 
 SolidShape ellipsoid() {
-  ColliderRecord record = sphere(Vector3d(0.01, 0, 0), 0.1);
+  ColliderRecord record = report::sphere(Vector3d(0.01, 0, 0), 0.1);
   record.shape = ColliderShape::kEllipsoid;
   record.radii[1] = 0.05f, record.radii[2] = 0.08f;
   return SolidShape(record);
@@ -148,4 +148,4 @@ TEST(HairSegment, MiddleCountsForWholeBonesOnly) {
   EXPECT_NEAR(avoidable_depth(ball(), across, HairPart::kWhole), 0.05, 1e-7);
 }
 
-}  // namespace coif::hair_segment_test
+}  // namespace coif::lab::hair_segment_test

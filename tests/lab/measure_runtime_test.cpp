@@ -8,14 +8,14 @@
 
 #include <array>
 
-namespace coif::measure_runtime_test {
+namespace coif::lab::measure_runtime_test {
 
 class MeasureRuntime : public testing::Test {
  protected:
   [[nodiscard]] KnownMotion known(std::span<const std::uint32_t> rates, double seconds) const {
     ReferenceSettings settings;
     settings.sample_times = frame_times(rates, seconds);
-    return {Motion::kCharge, solve_reference(rig_, {}, *path_of(Motion::kCharge), settings)};
+    return {motion::Motion::kCharge, solve_reference(rig_, {}, *motion::path_of(motion::Motion::kCharge), settings)};
   }
 
   OpenedAsset opened_{nine_bone_rig().contents()};
@@ -59,4 +59,4 @@ TEST_F(MeasureRuntime, TheWorstSecondOfAChargeIsItsFirst) {
   EXPECT_LE(whole.worst_second, whole.max);
 }
 
-}  // namespace coif::measure_runtime_test
+}  // namespace coif::lab::measure_runtime_test

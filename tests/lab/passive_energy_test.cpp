@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace coif::passive_energy_test {
+namespace coif::lab::passive_energy_test {
 
 using Eigen::Vector3d;
 
@@ -214,4 +214,4 @@ TEST(PassiveEnergy, HeldInAnyAttitudeHairHangsStill) {
   }
 }
 
-}  // namespace coif::passive_energy_test
+}  // namespace coif::lab::passive_energy_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace coif::passive_model_test {
+namespace coif::lab::passive_model_test {
 
 using Eigen::Vector3d;
 
@@ -35,11 +35,11 @@ TEST(PassiveModel, ABoneAloneMovesAsItDoesInACascadeButForItsDamping) {
   Rig rig = chain(1, 2000, 0);  // so firm that it folds by less than a right angle
   rig.bones[0].friction = 1;
   rig.bones[0].parent_share = 0.6;
-  for (const Motion motion : {Motion::kTurn, Motion::kRun}) {
+  for (const motion::Motion motion : {motion::Motion::kTurn, motion::Motion::kRun}) {
     rig = in_model(std::move(rig), ChainModel::kPassive);
-    const ReferenceRun passive = solve_at(rig, kEarth, *path_of(motion), 3, 720);
+    const ReferenceRun passive = solve_at(rig, kEarth, *motion::path_of(motion), 3, 720);
     rig = in_model(std::move(rig), ChainModel::kCascade);
-    EXPECT_LT(worst_apart(passive, solve_at(rig, kEarth, *path_of(motion), 3, 720)), 1e-6);
+    EXPECT_LT(worst_apart(passive, solve_at(rig, kEarth, *motion::path_of(motion), 3, 720)), 1e-6);
   }
 }
 
@@ -63,7 +63,7 @@ TEST(PassiveModel, TwoLooseBonesAreADoublePendulum) {
     for (std::size_t k = 0; k < 4; ++k) to[k] = from[k] + dt * rate[k];
     return to;
   };
-  const ReferenceRun run = solve_at(rig, kEarth, *path_of(Motion::kStill), 1, 1440);
+  const ReferenceRun run = solve_at(rig, kEarth, *motion::path_of(motion::Motion::kStill), 1, 1440);
   constexpr double kStep = 1.0 / 3000;
   for (int frame = 1; frame <= 30; ++frame) {
     for (int i = 0; i < 100; ++i) {
@@ -83,7 +83,7 @@ std::vector<double> energies(const Rig& rig, double tilt, double seconds, double
   for (std::uint32_t i = 0; i < rig.bones.size(); ++i) all.push_back(i);
   ReferenceTree tree(rig, all, kEarth);
   const PassiveModel model(rig.bones);
-  HeadState head;
+  motion::HeadState head;
   head.rotation = Eigen::AngleAxisd(tilt, Vector3d::UnitZ());
   tree.reset(head);
   head.rotation.setIdentity();
@@ -120,7 +120,7 @@ TEST(PassiveModel, SoftLivelyHairHasOneMotionAndACascadeHasNone) {
   Rig rig = chain(6, 60, 4.2);
   const auto disagreement = [&](ChainModel model) {
     rig = in_model(std::move(rig), model);
-    return solve_at(rig, kEarth, *path_of(Motion::kTurn), 6, 2880).self_difference_pct();
+    return solve_at(rig, kEarth, *motion::path_of(motion::Motion::kTurn), 6, 2880).self_difference_pct();
   };
   EXPECT_LT(disagreement(ChainModel::kPassive), 1e-3);
   EXPECT_GT(disagreement(ChainModel::kCascade), 1);
@@ -136,4 +136,4 @@ TEST(PassiveModel, WhatAJointCarriesIsAllThatHangsFromIt) {
   EXPECT_NEAR(carried[0].arm, 0.1 * (0.1 + 0.2 + (2 * a + c).norm()), 1e-12);
 }
 
-}  // namespace coif::passive_model_test
+}  // namespace coif::lab::passive_model_test

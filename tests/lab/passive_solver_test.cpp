@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif::passive_solver_test {
+namespace coif::lab::passive_solver_test {
 
 using Eigen::Vector3d;
 
@@ -51,13 +51,13 @@ struct Trial {
 };
 
 /// Runs `motion` for four seconds.
-Trial run(const TestRig& strand, Motion motion, int rate, int substeps, double reference_rate = 9600,
+Trial run(const TestRig& strand, motion::Motion motion, int rate, int substeps, double reference_rate = 9600,
           float air_lag = 0) {
   AssetContents contents = strand.contents();
   contents.skeleton.air_lag = air_lag;
   const OpenedAsset opened(contents);
   const Rig rig = in_model(rig_of(opened.asset()), ChainModel::kPassive);
-  const auto path = path_of(motion);
+  const auto path = motion::path_of(motion);
   constexpr int kSampled = 30, kSeconds = 4;
   const ReferenceRun reference = solve_reference(rig, {}, *path,
                                                  {.sample_times = evenly(kSampled, kSeconds),
@@ -85,7 +85,8 @@ Trial run(const TestRig& strand, Motion motion, int rate, int substeps, double r
 
 TEST(PassiveSolver, FollowsTheModelInOneStepAFrame) {
   const TestRig strand = soft_strand({});
-  for (const Motion motion : {Motion::kNod, Motion::kTurn, Motion::kRun, Motion::kCharge}) {
+  for (const motion::Motion motion :
+       {motion::Motion::kNod, motion::Motion::kTurn, motion::Motion::kRun, motion::Motion::kCharge}) {
     const Trial once = run(strand, motion, 60, 1), twice = run(strand, motion, 60, 2),
                 four = run(strand, motion, 60, 4);
     EXPECT_LT(once.rms, 0.02) << int(motion);
@@ -97,14 +98,14 @@ TEST(PassiveSolver, FollowsTheModelInOneStepAFrame) {
 
 TEST(PassiveSolver, ShortHairAsArtistsSetIt) {
   Soft soft{3, 0.3f, 1500, 250, 1};
-  for (const Motion motion : {Motion::kTurn, Motion::kRun}) {
+  for (const motion::Motion motion : {motion::Motion::kTurn, motion::Motion::kRun}) {
     EXPECT_LT(run(soft_strand(soft), motion, 60, 1).rms, 0.005) << int(motion);
   }
 }
 
 TEST(PassiveSolver, AirThatLagsBehindTheHead) {
   const TestRig strand = soft_strand({3, 0.3f, 1500, 250, 1});
-  EXPECT_LT(run(strand, Motion::kRun, 60, 4, 9600, 0.5f).rms, 0.005);
+  EXPECT_LT(run(strand, motion::Motion::kRun, 60, 4, 9600, 0.5f).rms, 0.005);
 }
 
 TEST(PassiveSolver, TreesSharesAndWeights) {
@@ -120,7 +121,7 @@ TEST(PassiveSolver, TreesSharesAndWeights) {
               .stiffness = 90,
               .damping = 8,
               .torsion = kShortestArc});
-  for (const Motion motion : {Motion::kTurn, Motion::kTumble}) {
+  for (const motion::Motion motion : {motion::Motion::kTurn, motion::Motion::kTumble}) {
     const double coarse = run(strand, motion, 120, 1).rms, fine = run(strand, motion, 120, 2).rms;
     EXPECT_LT(fine, 0.01) << int(motion);
     EXPECT_LT(fine, coarse / 2) << int(motion);
@@ -131,14 +132,15 @@ TEST(PassiveSolver, StaysOutOfWhatItTouchesAndWithinItsLimits) {
   TestRig strand = soft_strand({});
   strand.add_sphere({0, -0.12f, -0.02f}, 0.13f);
   for (BoneRecord& bone : strand.bones) bone.colliders = bone.parent == kNone ? 0 : 1;
-  const Trial touching = run(strand, Motion::kRun, 60, 4);
+  const Trial touching = run(strand, motion::Motion::kRun, 60, 4);
   EXPECT_LT(touching.held.point_depth, 1e-6);
   EXPECT_LT(touching.held.segment_depth, 1e-6);
   EXPECT_LT(touching.rms, 0.01);
 
   TestRig stopped = soft_strand({.bones = 2, .length = 0.2f, .root = 300, .tip = 300});
   for (DynamicsRecord& bone : stopped.dynamics) bone.angle_limit = 0.5f;
-  const double coarse = run(stopped, Motion::kTurn, 60, 4).rms, fine = run(stopped, Motion::kTurn, 60, 16).rms;
+  const double coarse = run(stopped, motion::Motion::kTurn, 60, 4).rms,
+               fine = run(stopped, motion::Motion::kTurn, 60, 16).rms;
   EXPECT_LT(coarse, 0.03);
   EXPECT_LT(fine, coarse / 2);
 }
@@ -179,4 +181,4 @@ TEST(PassiveSolver, ComesToRestHoweverItWasTorn) {
   }
 }
 
-}  // namespace coif::passive_solver_test
+}  // namespace coif::lab::passive_solver_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <random>
 
-namespace coif::placed_solid_test {
+namespace coif::lab::placed_solid_test {
 
 using Eigen::Vector3d;
 
@@ -100,7 +100,7 @@ TEST(PlacedSolid, CountsTheEndAloneOfWhatStartsInside) {
 }
 
 TEST(MovingMeter, KeepsTheWorstAndWhereItWas) {
-  Rig rig = strand_rig(3);
+  Rig rig = report::strand_rig(3);
   std::vector<Vector3d> ends;
   for (const RigBone& bone : rig.bones) {
     const Vector3d start = bone.parent < 0 ? bone.joint : ends[std::size_t(bone.parent)];
@@ -124,4 +124,4 @@ TEST(MovingMeter, KeepsTheWorstAndWhereItWas) {
   EXPECT_EQ(meter.worst(), worst);
 }
 
-}  // namespace coif::placed_solid_test
+}  // namespace coif::lab::placed_solid_test

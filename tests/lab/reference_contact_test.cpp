@@ -17,7 +17,7 @@
 #include <string>
 #include <utility>
 
-namespace coif::reference_contact_test {
+namespace coif::lab::reference_contact_test {
 
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
@@ -25,7 +25,7 @@ using Eigen::Vector3d;
 const SolverScene kEarth;
 
 ColliderRecord shaped(ColliderShape shape, const Vector3d& center, const Vector3d& radii, const Vector3d& axis) {
-  ColliderRecord record = sphere(center, 0);
+  ColliderRecord record = report::sphere(center, 0);
   record.shape = shape;
   for (int k = 0; k < 3; ++k) {
     record.radii[k] = float(radii[k]);
@@ -49,14 +49,14 @@ struct NamedCollider {
 void PrintTo(const NamedCollider& named, std::ostream* out) { *out << named.name; }
 
 ColliderRecord cup() {
-  ColliderRecord record = sphere({0, -0.1, 0}, 0.16);
+  ColliderRecord record = report::sphere({0, -0.1, 0}, 0.16);
   record.flags = kColliderKeepsInside;
   return record;
 }
 
 /// A back of the head, or what else hair lies against.
 const NamedCollider kBesideTheHair[] = {
-    {"sphere", sphere({0, -0.12, -0.05}, 0.08)},
+    {"sphere", report::sphere({0, -0.12, -0.05}, 0.08)},
     {"ellipsoid", tilted_ellipsoid()},
     {"capsule", shaped(ColliderShape::kCapsule, {-0.1, -0.12, -0.05}, Vector3d::Constant(0.07), {0.2, 0.02, 0})},
     {"tapered", shaped(ColliderShape::kTaperedCapsule, {-0.1, -0.12, -0.05}, {0.09, 0.06, 0}, {0.2, 0.02, 0})},
@@ -69,7 +69,7 @@ class Resting : public testing::TestWithParam<NamedCollider> {};
 /// A strand that starts behind the colliders above, damped well, and sags against them. On top of them it would buckle,
 /// and no two runs would agree to which side.
 Rig soft_strand() {
-  Rig rig = strand_rig(6);
+  Rig rig = report::strand_rig(6);
   for (RigBone& bone : rig.bones) {
     bone.joint = Vector3d(0, 0, -0.1);
     bone.length = 0.04;
@@ -82,7 +82,7 @@ Rig soft_strand() {
 }
 
 /// Calls `look` with all bone ends after each step.
-void follow(const Rig& rig, const HeadPath& path, double seconds, double dt,
+void follow(const Rig& rig, const motion::HeadPath& path, double seconds, double dt,
             const std::function<void(std::span<const Vector3d>)>& look) {
   ReferenceTree tree(rig, trees_of(rig).front(), kEarth);
   std::vector<Vector3d> ends(rig.bones.size());
@@ -100,7 +100,7 @@ TEST_P(Resting, HairTouchesAndNeverEnters) {
   const std::vector<SolidShape> solids = solid_shapes(rig.colliders);
   ConstraintMeter meter(rig);
   double nearest = 1;
-  follow(rig, *path_of(Motion::kNod), 2, 1.0 / 1440, [&](std::span<const Vector3d> ends) {
+  follow(rig, *motion::path_of(motion::Motion::kNod), 2, 1.0 / 1440, [&](std::span<const Vector3d> ends) {
     meter.look(ends);
     Vector3d start = rig.bones[0].joint;
     for (std::size_t i = 0; i < ends.size(); ++i) {
@@ -117,7 +117,7 @@ TEST_P(Resting, HairTouchesAndNeverEnters) {
 
 TEST_P(Resting, ConvergesThroughContact) {
   const Rig rig = touching(soft_strand(), GetParam().collider);
-  const auto path = path_of(Motion::kNod);
+  const auto path = motion::path_of(motion::Motion::kNod);
   const ReferenceRun coarse = solve_at(rig, kEarth, *path, 2, 720), fine = solve_at(rig, kEarth, *path, 2, 5760);
   EXPECT_LT(fine.self_difference_pct(), 0.05);
   // Eight times shorter steps; first order cuts the error by eight, but for the moments at which contacts begin.
@@ -144,9 +144,10 @@ TEST(ReferenceContact, ChildOfAHeldBoneFallsOnAsIfItsParentHadStopped) {
   alone.bones[0].parent = -1;
   alone.bones[0].joint = Vector3d(0, 0, -0.04);
   std::vector<Vector3d> second, pendulum;
-  follow(rig, *path_of(Motion::kStill), 1, 1.0 / 2880, [&](auto ends) { second.push_back(ends[1]); });
-  follow(alone, *path_of(Motion::kStill), 1, 1.0 / 2880, [&](auto ends) { pendulum.push_back(ends[0]); });
-  EXPECT_LT(worst_distance(second, pendulum), 1e-4 * 0.04);
+  follow(rig, *motion::path_of(motion::Motion::kStill), 1, 1.0 / 2880, [&](auto ends) { second.push_back(ends[1]); });
+  follow(alone, *motion::path_of(motion::Motion::kStill), 1, 1.0 / 2880,
+         [&](auto ends) { pendulum.push_back(ends[0]); });
+  EXPECT_LT(report::worst_distance(second, pendulum), 1e-4 * 0.04);
   EXPECT_LT(pendulum[330].y(), -0.039);
 }
 
@@ -157,7 +158,7 @@ TEST(ReferenceContact, AngleLimitIsReachedAndHolds) {
     bone.stiffness = 30;
   }
   double widest = 0;
-  follow(rig, *path_of(Motion::kRun), 2, 1.0 / 1440, [&](std::span<const Vector3d> ends) {
+  follow(rig, *motion::path_of(motion::Motion::kRun), 2, 1.0 / 1440, [&](std::span<const Vector3d> ends) {
     // The first bone's default direction turns with the head alone.
     const Vector3d way = (ends[0] - rig.bones[0].joint).normalized();
     const double angle = std::acos(std::min(1.0, way.dot(rig.bones[0].rest_direction)));
@@ -169,7 +170,7 @@ TEST(ReferenceContact, AngleLimitIsReachedAndHolds) {
 TEST(ReferenceContact, LimitOfNothingMakesHairRigid) {
   Rig rig = soft_strand();
   for (RigBone& bone : rig.bones) bone.angle_limit = 0;
-  const ReferenceRun run = solve_at(rig, kEarth, *path_of(Motion::kTumble), 1, 720);
+  const ReferenceRun run = solve_at(rig, kEarth, *motion::path_of(motion::Motion::kTumble), 1, 720);
   for (const Vector3d& place : run.places) EXPECT_LT((place - run.places.front()).norm(), 1e-6);
 }
 
@@ -184,7 +185,7 @@ Rig with_torsion(Rig rig, double torsion) {
 
 /// A strand that winds forwards, with another that forks off sideways: a twist of a bone moves all that hang from it.
 Rig curl() {
-  Rig rig = forked_rig();
+  Rig rig = report::forked_rig();
   for (std::size_t i = 0; i < rig.bones.size(); ++i) {
     rig.bones[i].rest_direction =
         (Quaterniond(AngleAxisd(0.7 * double(i), Vector3d(0, 1, 0.4).normalized())) * rig.bones[i].rest_direction)
@@ -227,8 +228,8 @@ TEST(ReferenceTwist, SpinOfTheArcIsTheDerivativeOfItsFrame) {
 
 TEST(ReferenceTwist, NoTwistIsWhatAFastTorsionTendsTo) {
   const Rig rig = curl(), arcs = with_torsion(rig, double(kShortestArc));
-  for (const Motion motion : {Motion::kTurn, Motion::kRun, Motion::kTumble}) {
-    const auto path = path_of(motion);
+  for (const motion::Motion motion : {motion::Motion::kTurn, motion::Motion::kRun, motion::Motion::kTumble}) {
+    const auto path = motion::path_of(motion);
     const auto solve = [&](const Rig& r) { return solve_at(r, kEarth, *path, 2, 5760); };
     const ReferenceRun without = solve(arcs);
     EXPECT_LT(difference_pct(rig, without, solve(with_torsion(rig, 1.0e4))), 0.1) << "motion " << int(motion);
@@ -238,8 +239,8 @@ TEST(ReferenceTwist, NoTwistIsWhatAFastTorsionTendsTo) {
 
 TEST(ReferenceTwist, HalvingTheStepCutsTheErrorByMoreThanEight) {
   const Rig rig = with_torsion(curl(), double(kShortestArc));
-  for (const Motion motion : {Motion::kTurn, Motion::kRun, Motion::kTumble}) {
-    const auto path = path_of(motion);
+  for (const motion::Motion motion : {motion::Motion::kTurn, motion::Motion::kRun, motion::Motion::kTumble}) {
+    const auto path = motion::path_of(motion);
     const double coarse = solve_at(rig, kEarth, *path, 2, 480).self_difference_pct();
     const double fine = solve_at(rig, kEarth, *path, 2, 960).self_difference_pct();
     EXPECT_GT(coarse, 1e-10);
@@ -248,9 +249,9 @@ TEST(ReferenceTwist, HalvingTheStepCutsTheErrorByMoreThanEight) {
 }
 
 TEST(ReferenceTwist, ContactsAndLimitsLeaveNoTwistBehind) {
-  Rig rig = touching(curl(), sphere(Vector3d(0, -0.1, 0.02), 0.08));
+  Rig rig = touching(curl(), report::sphere(Vector3d(0, -0.1, 0.02), 0.08));
   for (RigBone& bone : rig.bones) bone.angle_limit = 0.6;
-  const auto path = path_of(Motion::kTurn);
+  const auto path = motion::path_of(motion::Motion::kTurn);
   const auto solve = [&](double torsion) { return solve_at(with_torsion(rig, torsion), kEarth, *path, 2, 5760); };
   const ReferenceRun without = solve(double(kShortestArc));
   EXPECT_LT(without.self_difference_pct(), 0.01);
@@ -262,7 +263,8 @@ TEST(ReferenceTwist, ContactsAndLimitsLeaveNoTwistBehind) {
 TEST(ReferenceTwist, NeedsNoShorterStepsForWhatIsAlwaysThere) {
   const auto rate_of = [](double torsion) {
     const ReferenceSettings settings{.sample_times = evenly(30, 1)};
-    return solve_reference(with_torsion(curl(), torsion), kEarth, *path_of(Motion::kNod), settings).steps_per_second();
+    return solve_reference(with_torsion(curl(), torsion), kEarth, *motion::path_of(motion::Motion::kNod), settings)
+        .steps_per_second();
   };
   EXPECT_EQ(rate_of(double(kShortestArc)), rate_of(20));
   EXPECT_GT(rate_of(1.0e4), rate_of(20));
@@ -270,20 +272,20 @@ TEST(ReferenceTwist, NeedsNoShorterStepsForWhatIsAlwaysThere) {
 
 /// The default solver's RMS errors by motion and frame rate, in % of the chain's length, on a tree that branches.
 std::map<std::pair<std::string, double>, double> runtime_errors(double torsion) {
-  const StressAsset tree(StressRig{
+  const report::StressAsset tree(report::StressRig{
       .chains = 1, .bones_per_chain = 7, .branching = 2, .torsion = torsion, .head_radius = 0.001, .root_offset = 0.1});
-  AccuracySettings settings;
-  settings.motions = {Motion::kTurn, Motion::kRun, Motion::kTumble};
+  report::AccuracySettings settings;
+  settings.motions = {motion::Motion::kTurn, motion::Motion::kRun, motion::Motion::kTumble};
   settings.fps = {60, 120, 240};
   settings.substeps = {1};
   settings.seconds = 2;
   settings.solvers = {"coif"};
-  const auto report = measure_accuracy(tree.asset(), settings, {});
+  const auto report = report::measure_accuracy(tree.asset(), settings, {});
   EXPECT_TRUE(report) << (report ? "" : report.error().message);
   std::map<std::pair<std::string, double>, double> errors;
   if (!report) return errors;
-  for (const ReferenceRow& row : report->reference) EXPECT_LT(row.self_difference_pct, 0.05) << row.motion;
-  for (const AccuracyRow& row : report->rows) errors[{row.motion, row.fps}] = row.rms_error_pct;
+  for (const report::ReferenceRow& row : report->reference) EXPECT_LT(row.self_difference_pct, 0.05) << row.motion;
+  for (const report::AccuracyRow& row : report->rows) errors[{row.motion, row.fps}] = row.rms_error_pct;
   return errors;
 }
 
@@ -318,8 +320,8 @@ TEST(RuntimeTwist, HalvingTheStepDividesTheErrorByThree) {
   for (const float torsion : {5.0f, 20.0f, 80.0f}) {
     const OpenedAsset opened(winding_strand(torsion).contents());
     const Rig rig = rig_of(opened.asset());
-    for (const Motion motion : {Motion::kTurn, Motion::kRun, Motion::kTumble}) {
-      const KnownMotion known{motion, solve_at(rig, kEarth, *path_of(motion), 2, 5760)};
+    for (const motion::Motion motion : {motion::Motion::kTurn, motion::Motion::kRun, motion::Motion::kTumble}) {
+      const KnownMotion known{motion, solve_at(rig, kEarth, *motion::path_of(motion), 2, 5760)};
       EXPECT_LT(known.reference.self_difference_pct(), 0.001);
       double coarser = 0;
       for (const std::uint32_t substeps : {1u, 2u, 4u, 8u}) {
@@ -335,4 +337,4 @@ TEST(RuntimeTwist, HalvingTheStepDividesTheErrorByThree) {
   }
 }
 
-}  // namespace coif::reference_contact_test
+}  // namespace coif::lab::reference_contact_test

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace coif::reference_links_test {
+namespace coif::lab::reference_links_test {
 namespace {
 
 using links_test::kModels;
@@ -20,15 +20,15 @@ using links_test::sheet_rig;
 constexpr double kSeconds = 2, kRate = 60;
 
 struct Known {
-  explicit Known(const TestRig& rig, Motion motion) : opened(rig.contents()), rig(rig_of(opened.asset())) {
+  explicit Known(const TestRig& rig, motion::Motion motion) : opened(rig.contents()), rig(rig_of(opened.asset())) {
     ReferenceSettings settings;
     for (int i = 1; i <= int(kSeconds * kRate); ++i) settings.sample_times.push_back(i / kRate);
-    path = path_of(motion);
+    path = motion::path_of(motion);
     run = solve_reference(this->rig, {}, *path, settings);
   }
   OpenedAsset opened;
   Rig rig;
-  std::unique_ptr<HeadPath> path;
+  std::unique_ptr<motion::HeadPath> path;
   ReferenceRun run;
 };
 
@@ -54,7 +54,7 @@ TEST(ReferenceLinks, AreKeptInTheReferenceToRounding) {
     const auto trees = trees_of(rig);
     ASSERT_EQ(trees.size(), 1u) << "all hang together";
     ReferenceTree tree(rig, trees[0], {});
-    const auto path = path_of(Motion::kTumble);
+    const auto path = motion::path_of(motion::Motion::kTumble);
     tree.reset(path->at(0));
     std::vector<Eigen::Vector3d> ends(rig.bones.size());
     for (int step = 0; step < 2000; ++step) {
@@ -74,7 +74,7 @@ TEST(ReferenceLinks, AreKeptInTheReferenceToRounding) {
 
 TEST(ReferenceLinks, TheRuntimesConvergeToIt) {
   for (const ChainModel model : kModels) {
-    for (const Motion motion : {Motion::kTurn, Motion::kCharge}) {
+    for (const motion::Motion motion : {motion::Motion::kTurn, motion::Motion::kCharge}) {
       Sheet sheet{.model = model, .strands = 3, .stiffness = 400, .damping = 40};
       const Known linked(sheet_rig(sheet), motion);
       ASSERT_LT(linked.run.self_difference_pct(), 0.05) << "the reference agrees with itself";
@@ -90,7 +90,7 @@ TEST(ReferenceLinks, TheRuntimesConvergeToIt) {
 }
 
 TEST(ReferenceLinks, SoftHairInThePassiveModelConvergesToo) {
-  const Known soft(sheet_rig({.model = ChainModel::kPassive}), Motion::kCharge);
+  const Known soft(sheet_rig({.model = ChainModel::kPassive}), motion::Motion::kCharge);
   ASSERT_LT(soft.run.self_difference_pct(), 0.05);
   EXPECT_LT(error_pct(soft, 8), 0.3);
 }
@@ -106,4 +106,4 @@ TEST(ReferenceLinks, ASampleTakesWholeSheets) {
 }
 
 }  // namespace
-}  // namespace coif::reference_links_test
+}  // namespace coif::lab::reference_links_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace coif::reference_solver_test {
+namespace coif::lab::reference_solver_test {
 
 using Eigen::AngleAxisd;
 using Eigen::Quaterniond;
@@ -37,7 +37,7 @@ TEST(ReferenceModel, TwistOfAFoldedBoneIsLeftAlone) {
 
 TEST(ReferenceModel, BoneTurnsAboutItselfAsItsParentDoes) {
   const RigBone bone;
-  HeadState head;
+  motion::HeadState head;
   head.angular_velocity = Vector3d(0.3, 5, -0.2);
   const BoneMotion parent = motion_of_joint(Vector3d::Zero(), head);
   const Vector3d turning(1, 0, 2);
@@ -74,7 +74,7 @@ TEST(ReferenceModel, ShortestArcTurnsOneToTheOther) {
 TEST(RigSample, HoldsWholeTreesThatMoveAsAmongAll) {
   Rig rig;
   for (int strand = 0; strand < 10; ++strand) {
-    for (RigBone bone : strand_rig(3).bones) {
+    for (RigBone bone : report::strand_rig(3).bones) {
       if (bone.parent >= 0) bone.parent += 3 * strand;
       bone.length *= 1 + 0.1 * strand;
       rig.bones.push_back(bone);
@@ -84,7 +84,7 @@ TEST(RigSample, HoldsWholeTreesThatMoveAsAmongAll) {
   const RigSample sample = sample_of(rig, 12);
   ASSERT_EQ(sample.rig.tips.size(), 4u);
   EXPECT_EQ(sample.bones.size(), 12u);
-  const auto path = path_of(Motion::kRun);
+  const auto path = motion::path_of(motion::Motion::kRun);
   const ReferenceRun all = solve_at(rig, {}, *path, 1, 240), some = solve_at(sample.rig, {}, *path, 1, 240);
   for (std::size_t tip = 0; tip < sample.rig.tips.size(); ++tip) {
     const std::uint32_t whole_bone = sample.bones[sample.rig.tips[tip]];
@@ -96,7 +96,7 @@ TEST(RigSample, HoldsWholeTreesThatMoveAsAmongAll) {
 }
 
 TEST(RigSample, OfEnoughBonesIsTheRig) {
-  const Rig rig = with_tips(forked_rig());
+  const Rig rig = with_tips(report::forked_rig());
   EXPECT_EQ(sample_of(rig, 100).bones.size(), rig.bones.size());
   EXPECT_EQ(sample_of(rig, 1).bones.size(), rig.bones.size()) << "one tree at least";
 }
@@ -104,9 +104,10 @@ TEST(RigSample, OfEnoughBonesIsTheRig) {
 const SolverScene kEarth;
 
 TEST(ReferenceSolver, HalvingTheStepCutsTheErrorOfFreeHairByMoreThanEight) {
-  const Rig rig = with_tips(strand_rig(5));
-  for (const Motion motion : {Motion::kTurn, Motion::kRun, Motion::kJump, Motion::kCharge, Motion::kTumble}) {
-    const auto path = path_of(motion);
+  const Rig rig = with_tips(report::strand_rig(5));
+  for (const motion::Motion motion : {motion::Motion::kTurn, motion::Motion::kRun, motion::Motion::kJump,
+                                      motion::Motion::kCharge, motion::Motion::kTumble}) {
+    const auto path = motion::path_of(motion);
     const double coarse = solve_at(rig, kEarth, *path, 2, 480).self_difference_pct();
     const double fine = solve_at(rig, kEarth, *path, 2, 960).self_difference_pct();
     EXPECT_GT(coarse, 1e-10);
@@ -116,12 +117,12 @@ TEST(ReferenceSolver, HalvingTheStepCutsTheErrorOfFreeHairByMoreThanEight) {
 
 TEST(ReferenceSolver, SmallSwingIsTheDampedOscillatorInClosedForm) {
   constexpr double kGravity = 1e-4, kStiffness = 400, kDamping = 6, kLength = 0.1;
-  Rig rig = pendulum_rig();
+  Rig rig = report::pendulum_rig();
   rig.bones[0].stiffness = kStiffness;
   rig.bones[0].damping = kDamping;
   SolverScene scene;
   scene.gravity = Vector3d(0, -kGravity, 0);
-  const ReferenceRun run = solve_well(with_tips(rig), scene, *path_of(Motion::kStill), 1);
+  const ReferenceRun run = solve_well(with_tips(rig), scene, *motion::path_of(motion::Motion::kStill), 1);
   const double decay = kDamping / 2, swing = std::sqrt(kStiffness - decay * decay);
   for (std::size_t i = 0; i < run.times.size(); ++i) {
     const double t = run.times[i];
@@ -133,9 +134,9 @@ TEST(ReferenceSolver, SmallSwingIsTheDampedOscillatorInClosedForm) {
 }
 
 TEST(ReferenceSolver, UndampedPendulumNeverRisesAboveWhereItStartedAndComesBackThere) {
-  Rig rig = pendulum_rig();
+  Rig rig = report::pendulum_rig();
   rig.bones[0].stiffness = rig.bones[0].damping = 0;
-  const ReferenceRun run = solve_well(with_tips(rig), kEarth, *path_of(Motion::kStill), 5);
+  const ReferenceRun run = solve_well(with_tips(rig), kEarth, *motion::path_of(motion::Motion::kStill), 5);
   double lowest = 0, comes_back = -1;
   for (std::size_t i = 0; i < run.times.size(); ++i) {
     const double height = run.path_of_tip(0)[i].y();
@@ -148,16 +149,16 @@ TEST(ReferenceSolver, UndampedPendulumNeverRisesAboveWhereItStartedAndComesBackT
 }
 
 TEST(ReferenceSolver, DampingTakesHeightFromEverySwing) {
-  Rig rig = pendulum_rig();
+  Rig rig = report::pendulum_rig();
   rig.bones[0].stiffness = 0;
   rig.bones[0].friction = 1;
-  const ReferenceRun run = solve_well(with_tips(rig), kEarth, *path_of(Motion::kStill), 20);
+  const ReferenceRun run = solve_well(with_tips(rig), kEarth, *motion::path_of(motion::Motion::kStill), 20);
   EXPECT_NEAR(run.places.back().y(), -0.1, 1e-6);
   for (const Vector3d& place : run.places) EXPECT_NEAR(place.norm(), 0.1, 1e-12);
 }
 
 TEST(ReferenceSolver, SettlesInTheStaticPose) {
-  Rig rig = forked_rig();
+  Rig rig = report::forked_rig();
   for (RigBone& bone : rig.bones) {
     bone.parent_share = 0.6;
     bone.friction = 2;
@@ -167,7 +168,8 @@ TEST(ReferenceSolver, SettlesInTheStaticPose) {
   SolverScene windy;
   windy.wind = Vector3d(1.5, 0, 0.5);
   const Quaterniond tilt(AngleAxisd(0.7, Vector3d(1, 2, -1).normalized()));
-  const ChangedPath path(Motion::kStill, [&tilt](const HeadState& state) { return turned(state, tilt); });
+  const ChangedPath path(motion::Motion::kStill,
+                         [&tilt](const motion::HeadState& state) { return turned(state, tilt); });
   const ReferenceRun run = solve_at(rig, windy, path, 12, 720);
   const StaticPose pose = static_pose(rig, windy, tilt);
   for (std::size_t tip = 0; tip < rig.tips.size(); ++tip) {
@@ -178,46 +180,48 @@ TEST(ReferenceSolver, SettlesInTheStaticPose) {
 }
 
 TEST(ReferenceSolver, MirroredHairMovesMirrored) {
-  const Rig rig = forked_rig();
-  const auto walk = [](const HeadState& state) {
+  const Rig rig = report::forked_rig();
+  const auto walk = [](const motion::HeadState& state) {
     return turned(state, Quaterniond(AngleAxisd(0.4, Vector3d(1, 1, 0.3).normalized())));
   };
-  const ChangedPath path(Motion::kRun, walk);
-  const ChangedPath mirror(Motion::kRun, [&walk](const HeadState& state) { return mirrored(walk(state)); });
+  const ChangedPath path(motion::Motion::kRun, walk);
+  const ChangedPath mirror(motion::Motion::kRun,
+                           [&walk](const motion::HeadState& state) { return mirrored(walk(state)); });
   const ReferenceRun here = solve_well(with_tips(rig), kEarth, path, 2);
-  ReferenceRun there = solve_well(with_tips(mirrored(rig)), kEarth, mirror, 2);
+  ReferenceRun there = solve_well(with_tips(report::mirrored(rig)), kEarth, mirror, 2);
   for (Vector3d& place : there.places) place.x() = -place.x();
   EXPECT_LT(worst_apart(here, there), 1e-11);
 }
 
 TEST(ReferenceSolver, DoesNotCareWhichWayTheWorldIsTurned) {
-  const Rig rig = with_tips(forked_rig());
+  const Rig rig = with_tips(report::forked_rig());
   const Quaterniond turn(AngleAxisd(2.1, Vector3d::UnitY()));
-  const ChangedPath path(Motion::kTumble, [&turn](const HeadState& state) { return turned(state, turn); });
-  const ReferenceRun as_it_is = solve_well(rig, kEarth, *path_of(Motion::kTumble), 2);
+  const ChangedPath path(motion::Motion::kTumble,
+                         [&turn](const motion::HeadState& state) { return turned(state, turn); });
+  const ReferenceRun as_it_is = solve_well(rig, kEarth, *motion::path_of(motion::Motion::kTumble), 2);
   EXPECT_LT(worst_apart(as_it_is, solve_well(rig, kEarth, path, 2)), 1e-11);
 }
 
 TEST(ReferenceSolver, TeleportKeepsTheShape) {
-  const Rig rig = touching(with_tips(forked_rig()), sphere(Vector3d(0, -0.1, 0.02), 0.08));
-  const ReferenceRun still = solve_well(rig, kEarth, *path_of(Motion::kStill), 3);
-  EXPECT_LT(worst_apart(still, solve_well(rig, kEarth, *path_of(Motion::kTeleport), 3)), 1e-11);
+  const Rig rig = touching(with_tips(report::forked_rig()), report::sphere(Vector3d(0, -0.1, 0.02), 0.08));
+  const ReferenceRun still = solve_well(rig, kEarth, *motion::path_of(motion::Motion::kStill), 3);
+  EXPECT_LT(worst_apart(still, solve_well(rig, kEarth, *motion::path_of(motion::Motion::kTeleport), 3)), 1e-11);
 }
 
 TEST(ReferenceSolver, SteadyHeadLeavesItsHairAlone) {
-  const Rig rig = with_tips(forked_rig());
-  const ChangedPath steady(Motion::kStill, [](HeadState state) {
+  const Rig rig = with_tips(report::forked_rig());
+  const ChangedPath steady(motion::Motion::kStill, [](motion::HeadState state) {
     state.velocity = Vector3d(3, -2, 8);
     return state;
   });
-  const ReferenceRun still = solve_well(rig, kEarth, *path_of(Motion::kStill), 1);
+  const ReferenceRun still = solve_well(rig, kEarth, *motion::path_of(motion::Motion::kStill), 1);
   EXPECT_LT(worst_apart(still, solve_well(rig, kEarth, steady, 1)), 1e-11);
 }
 
 TEST(ReferenceSolver, SelfDifferenceFindsTheChaoticRigAndPassesTheDampedOne) {
-  const auto path = path_of(Motion::kTurn);
+  const auto path = motion::path_of(motion::Motion::kTurn);
   const ReferenceSettings settings{.sample_times = evenly(60, 2), .most_steps_per_second = 2880};
-  Rig rig = strand_rig(16);
+  Rig rig = report::strand_rig(16);
   for (RigBone& bone : rig.bones) {
     bone.length = 0.03;
     bone.stiffness = 600;
@@ -233,11 +237,11 @@ TEST(ReferenceSolver, SelfDifferenceFindsTheChaoticRigAndPassesTheDampedOne) {
 }
 
 TEST(ReferenceSolver, TakesShorterStepsForStifferHair) {
-  Rig rig = pendulum_rig();
+  Rig rig = report::pendulum_rig();
   rig.bones[0].stiffness = 3.6e9;  // What a resistance of 1 is cooked into.
   rig.bones[0].damping = 1.2e5;
   const ReferenceRun run =
-      solve_reference(with_tips(rig), kEarth, *path_of(Motion::kNod), {.sample_times = {0.0, 0.2}});
+      solve_reference(with_tips(rig), kEarth, *motion::path_of(motion::Motion::kNod), {.sample_times = {0.0, 0.2}});
   EXPECT_LT(run.self_difference_pct(), 1e-3);
   EXPECT_GT(run.steps_per_second(), 1e5);
   EXPECT_LT((run.places[1] - run.places[0]).norm(), 1e-6);
@@ -246,17 +250,18 @@ TEST(ReferenceSolver, TakesShorterStepsForStifferHair) {
 TEST(ReferenceSolver, IsEqualForOneAndManyThreads) {
   Rig rig;
   for (int strand = 0; strand < 5; ++strand) {
-    for (RigBone bone : strand_rig(3).bones) {
+    for (RigBone bone : report::strand_rig(3).bones) {
       if (bone.parent >= 0) bone.parent += 3 * strand;
       bone.joint.x() = 0.05 * strand;
       rig.bones.push_back(bone);
     }
   }
   ReferenceSettings settings{.sample_times = evenly(30, 1)};
-  const ReferenceRun one = solve_reference(with_tips(rig), kEarth, *path_of(Motion::kRun), settings);
+  const ReferenceRun one = solve_reference(with_tips(rig), kEarth, *motion::path_of(motion::Motion::kRun), settings);
   settings.threads = 4;
-  EXPECT_EQ(worst_apart(one, solve_reference(with_tips(rig), kEarth, *path_of(Motion::kRun), settings)), 0);
+  EXPECT_EQ(worst_apart(one, solve_reference(with_tips(rig), kEarth, *motion::path_of(motion::Motion::kRun), settings)),
+            0);
   ASSERT_EQ(one.places.size(), 5 * one.times.size());
 }
 
-}  // namespace coif::reference_solver_test
+}  // namespace coif::lab::reference_solver_test

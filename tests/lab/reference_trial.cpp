@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-namespace coif {
+namespace coif::lab {
 
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
@@ -36,7 +36,8 @@ std::vector<double> evenly(double rate, double seconds) {
   return times;
 }
 
-ReferenceRun solve_at(const Rig& rig, const SolverScene& scene, const HeadPath& path, double seconds, double rate) {
+ReferenceRun solve_at(const Rig& rig, const SolverScene& scene, const motion::HeadPath& path, double seconds,
+                      double rate) {
   return solve_reference(rig, scene, path,
                          {.sample_times = evenly(30, seconds),
                           .steps_per_second = rate,
@@ -44,11 +45,11 @@ ReferenceRun solve_at(const Rig& rig, const SolverScene& scene, const HeadPath& 
                           .wanted_self_difference_pct = 0});
 }
 
-ReferenceRun solve_well(const Rig& rig, const SolverScene& scene, const HeadPath& path, double seconds) {
+ReferenceRun solve_well(const Rig& rig, const SolverScene& scene, const motion::HeadPath& path, double seconds) {
   return solve_at(rig, scene, path, seconds, 1440);
 }
 
-HeadState mirrored(const HeadState& state) {
+motion::HeadState mirrored(const motion::HeadState& state) {
   const auto flip = [](const Vector3d& v) { return Vector3d(-v.x(), v.y(), v.z()); };
   const auto flip_axial = [](const Vector3d& v) { return Vector3d(v.x(), -v.y(), -v.z()); };
   const Quaterniond& q = state.rotation;
@@ -60,7 +61,7 @@ HeadState mirrored(const HeadState& state) {
           flip_axial(state.angular_acceleration)};
 }
 
-HeadState turned(const HeadState& state, const Quaterniond& turn) {
+motion::HeadState turned(const motion::HeadState& state, const Quaterniond& turn) {
   return {turn * state.position, turn * state.velocity,         turn * state.acceleration,
           turn * state.rotation, turn * state.angular_velocity, turn * state.angular_acceleration};
 }
@@ -76,4 +77,4 @@ double worst_apart(const ReferenceRun& a, const ReferenceRun& b) {
   return worst;
 }
 
-}  // namespace coif
+}  // namespace coif::lab

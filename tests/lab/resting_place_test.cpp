@@ -16,7 +16,7 @@
 #include <random>
 #include <vector>
 
-namespace coif::resting_place_test {
+namespace coif::lab::resting_place_test {
 
 using Eigen::Vector3d;
 
@@ -62,7 +62,7 @@ class Crowd {
   explicit Crowd(const TestRig& rig) : opened_(rig.contents()) {
     for (int cell = 0; cell < 27; ++cell) {
       const Vector3d up(cell / 9 - 1, cell / 3 % 3 - 1, cell % 3 - 1);
-      if (!up.isZero()) heads_.push_back(held_attitude(up));
+      if (!up.isZero()) heads_.push_back(motion::held_attitude(up));
     }
     const HairDesc desc{.instances = std::uint32_t(heads_.size())};
     const MemoryNeed need = Hair::memory_need(opened_.asset(), desc);
@@ -93,7 +93,7 @@ class Crowd {
 
  private:
   OpenedAsset opened_;
-  std::vector<std::unique_ptr<HeadPath>> heads_;
+  std::vector<std::unique_ptr<motion::HeadPath>> heads_;
   HairMemory memory_{nullptr, &std::free};
   Hair hair_;
   double now_ = 0;
@@ -115,4 +115,4 @@ TEST(RestingPlace, IsAnEquilibriumOfShorterStepsToo) {
   }
 }
 
-}  // namespace coif::resting_place_test
+}  // namespace coif::lab::resting_place_test

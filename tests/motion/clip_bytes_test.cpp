@@ -5,7 +5,7 @@
 #include <array>
 #include <cstring>
 
-namespace coif::clip_bytes_test {
+namespace coif::motion::clip_bytes_test {
 
 const std::array<ClipKey, 3> kKeys{{{0.25, {1, 2, 3}, Eigen::Quaterniond(1, 0, 0, 0)},
                                     {1.0 / 3, {-1e-3, 0.1, 7e3}, Eigen::Quaterniond(0.5, -0.5, 0.5, 0.5)},
@@ -30,4 +30,4 @@ TEST(ClipBytes, OfNoClipAreNone) {
   EXPECT_TRUE(clip_keys(clip_bytes(std::array{kKeys[2], kKeys[0]})).empty()) << "times that descend";
 }
 
-}  // namespace coif::clip_bytes_test
+}  // namespace coif::motion::clip_bytes_test

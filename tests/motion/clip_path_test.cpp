@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-namespace coif::clip_path_test {
+namespace coif::motion::clip_path_test {
 
 using Eigen::AngleAxisd;
 using Eigen::Quaterniond;
@@ -166,4 +166,4 @@ TEST(RotationVector, IsInverseToItsRotationAndItsRateToItsSpin) {
   }
 }
 
-}  // namespace coif::clip_path_test
+}  // namespace coif::motion::clip_path_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif::motion_test {
+namespace coif::motion::motion_test {
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
@@ -307,4 +307,4 @@ TEST(HeldAttitude, PointsTheHeadsUpAxisThereAndTurnsNoFurtherThanItTakes) {
   }
 }
 
-}  // namespace coif::motion_test
+}  // namespace coif::motion::motion_test

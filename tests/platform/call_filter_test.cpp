@@ -18,7 +18,7 @@
 #include <string_view>
 #include <thread>
 
-namespace coif::call_filter_test {
+namespace coif::platform::call_filter_test {
 
 bool forks() {
   const pid_t child = fork();
@@ -140,4 +140,4 @@ TEST(CallFilter, LockedUpIsBoth) {
   EXPECT_EQ(run_in_child(kLockUp, {}, {.limits = {1 << 30, 20, 64}}).output, (Bytes{1, 0, 0}));
 }
 
-}  // namespace coif::call_filter_test
+}  // namespace coif::platform::call_filter_test

@@ -20,7 +20,7 @@
 #include <string>
 #include <thread>
 
-namespace coif::child_process_test {
+namespace coif::platform::child_process_test {
 
 using End = ChildResult::End;
 using namespace std::chrono_literals;
@@ -319,4 +319,4 @@ TEST(ProcessPool, LeavesNoChildBehind) {
   expect_no_child_left();
 }
 
-}  // namespace coif::child_process_test
+}  // namespace coif::platform::child_process_test

@@ -18,7 +18,7 @@
 #include <string>
 #include <string_view>
 
-namespace coif::file_fence_test {
+namespace coif::platform::file_fence_test {
 
 namespace fs = std::filesystem;
 
@@ -119,4 +119,4 @@ TEST_F(FileFence, NeedsAFolderThatIsThere) {
   EXPECT_TRUE(opens("/etc/passwd")) << "and leaves this process as it was";
 }
 
-}  // namespace coif::file_fence_test
+}  // namespace coif::platform::file_fence_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-namespace coif::scratch_folder_test {
+namespace coif::platform::scratch_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,4 +76,4 @@ TEST(ScratchFolder, SaysWhereNoneCanBe) {
 }
 
 }  // namespace
-}  // namespace coif::scratch_folder_test
+}  // namespace coif::platform::scratch_folder_test

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <vector>
 
-namespace coif::debug_overlay_test {
+namespace coif::render::debug_overlay_test {
 
 class DebugOverlay : public testing::Test {
  protected:
@@ -38,7 +38,7 @@ class DebugOverlay : public testing::Test {
     Eigen::Vector2d from, to;
   };
   [[nodiscard]] std::vector<Segment> segments() const {
-    const auto pose = simulate_pose(*wig_, nullptr, 0, settings_.step);
+    const auto pose = motion::simulate_pose(*wig_, nullptr, 0, settings_.step);
     const auto frame = frame_picture(*wig_, settings_);
     if (!pose || !frame) return {};
     const auto lines = debug_lines_of(*wig_, {.head = pose->head, .palette = pose->palette}, settings_.debug);
@@ -136,7 +136,7 @@ TEST_F(DebugOverlay, HairThatStandsIsGreyAndHairThatTurnsIsColored) {
   const auto [grey, moving] = grey_and_colored(still, take());
   EXPECT_GT(grey, 500);
   EXPECT_LT(moving, grey / 20) << "but for edges, which are mixed with what is behind them";
-  settings_.motion = Motion::kTurn;
+  settings_.motion = motion::Motion::kTurn;
   settings_.time = 0.3;
   const Picture colored = take();
   settings_.debug.motion = false;
@@ -163,4 +163,4 @@ TEST(MotionColors, TellTheWayByTheirHueAndTheSpeedByHowFullTheyAre) {
   EXPECT_GT(color(0.004f, 0)[0], still[0]);
 }
 
-}  // namespace coif::debug_overlay_test
+}  // namespace coif::render::debug_overlay_test

@@ -20,7 +20,7 @@
 #include <tuple>
 #include <vector>
 
-namespace coif::draw_cost_test {
+namespace coif::render::draw_cost_test {
 
 /// However busy the machine is, no crowd takes too long.
 constexpr double kAnyTime = std::numeric_limits<double>::infinity();
@@ -305,4 +305,4 @@ TEST_F(ThesisCrowdsTest, RefusesSettingsOutOfRange) {
   }
 }
 
-}  // namespace coif::draw_cost_test
+}  // namespace coif::render::draw_cost_test

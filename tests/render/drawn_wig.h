@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace coif {
+namespace coif::render {
 
 /// A small wig at rest; counts what a measurement does with its crowds. Skips where there is nothing to draw with.
 class DrawnWigTest : public testing::Test {
@@ -35,4 +35,4 @@ class DrawnWigTest : public testing::Test {
   unsigned steps_ = 0;
 };
 
-}  // namespace coif
+}  // namespace coif::render

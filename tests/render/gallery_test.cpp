@@ -14,7 +14,7 @@
 #include <set>
 #include <string>
 
-namespace coif::gallery_test {
+namespace coif::render::gallery_test {
 
 class GalleryTest : public testing::Test {
  protected:
@@ -334,4 +334,4 @@ TEST(MarkPatch, OneIsRedAndAllOthersAreAlike) {
   }
 }
 
-}  // namespace coif::gallery_test
+}  // namespace coif::render::gallery_test

@@ -12,7 +12,7 @@
 // After the header whose types it uses.
 #include <GLES2/gl2ext.h>
 
-namespace coif::gpu_timer_test {
+namespace coif::render::gpu_timer_test {
 
 /// A device whose answers a test makes up. One at a time: OpenGL's functions do not know who calls.
 class MadeUpDevice {
@@ -174,4 +174,4 @@ TEST_F(GpuTimerOnDevice, LeavesNoErrorAndCountsNoMoreThanTheClockOnTheWall) {
   EXPECT_LE(seconds.value_or(0), wall.count());
 }
 
-}  // namespace coif::gpu_timer_test
+}  // namespace coif::render::gpu_timer_test

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace coif::ground_test {
+namespace coif::render::ground_test {
 
 using Eigen::Vector3f;
 
@@ -77,4 +77,4 @@ TEST(Ground, IsSeenWhereThePictureShowsWhatAWholeBodyStandsOn) {
       << "nothing stands there";
 }
 
-}  // namespace coif::ground_test
+}  // namespace coif::render::ground_test

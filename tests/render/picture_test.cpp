@@ -15,7 +15,7 @@
 #include <set>
 #include <string>
 
-namespace coif::picture_test {
+namespace coif::render::picture_test {
 
 /// Small pictures of a wig with few strips.
 class PictureTest : public testing::Test {
@@ -98,8 +98,8 @@ TEST_F(PictureTest, HeadDoesNotShowThroughTheBackOfTheHair) {
 }
 
 /// A level square below the hair.
-SourceModel shoulders() {
-  SourceModel body;
+importer::SourceModel shoulders() {
+  importer::SourceModel body;
   body.meshes.emplace_back();
   body.meshes.back().positions = {
       {-0.2f, -0.08f, -0.2f}, {0.2f, -0.08f, -0.2f}, {0.2f, -0.08f, 0.2f}, {-0.2f, -0.08f, 0.2f}};
@@ -114,10 +114,10 @@ TEST_F(PictureTest, CollidersHaveAColourOfTheirOwnBesideABodyToo) {
     for (std::size_t i = 0; i < picture.rgba.size(); i += 4) count += picture.rgba[i + 2] > picture.rgba[i] + 60;
     return double(count) / double(picture.rgba.size() / 4);
   };
-  const SourceModel body = shoulders();
+  const importer::SourceModel body = shoulders();
   settings_.yaw_degrees = 0;
   settings_.shadows = &kDeepShadow;
-  for (const SourceModel* const beside : {static_cast<const SourceModel*>(nullptr), &body}) {
+  for (const importer::SourceModel* const beside : {static_cast<const importer::SourceModel*>(nullptr), &body}) {
     settings_.body = beside;
     settings_.colliders = false;
     EXPECT_EQ(blue(), 0);
@@ -138,7 +138,7 @@ TEST_F(PictureTest, ViewComponentMotionAndTransparencyChangeThePicture) {
   other.transparency = &kOpaqueMode;
   EXPECT_GT(difference(plain, take(other)), 0.01);
   other = settings_;
-  other.motion = Motion::kTumble;
+  other.motion = motion::Motion::kTumble;
   other.time = 0.5;
   EXPECT_GT(difference(plain, take(other)), 0.02);
 }
@@ -174,7 +174,7 @@ double brightness(const Picture& picture, const Mask& mask) {
 }
 
 TEST_F(PictureTest, ShadowsDarkenHairAndBody) {
-  const SourceModel body = shoulders();
+  const importer::SourceModel body = shoulders();
   settings_.body = &body;
   settings_.mannequin = false;
   settings_.pitch_degrees = 20;
@@ -226,9 +226,9 @@ TEST_F(PictureTest, TheHeadsOwnShadowHasASoftEdge) {
 }
 
 TEST_F(PictureTest, BodyReplacesTheMannequin) {
-  SourceModel body;
+  importer::SourceModel body;
   body.meshes.emplace_back();
-  SourceMesh& wall = body.meshes.back();  // in front of everything
+  importer::SourceMesh& wall = body.meshes.back();  // in front of everything
   wall.positions = {{-1, -1, 0.2f}, {1, -1, 0.2f}, {0, 2, 0.2f}};
   wall.triangles = {0, 1, 2};
   settings_.body = &body;
@@ -254,7 +254,7 @@ TEST_F(PictureTest, PatchesHaveColoursOfTheirOwn) {
   const Picture patches = take(settings_);
   EXPECT_GT(hues(patches), 15u) << "24 strips, about half of them seen";
   EXPECT_LT(shaded, 5u);
-  settings_.motion = Motion::kTumble;
+  settings_.motion = motion::Motion::kTumble;
   settings_.time = 0.5;
   EXPECT_GT(difference(patches, take(settings_)), 0.02) << "patches move with the hair";
 }
@@ -308,4 +308,4 @@ TEST_F(PictureTest, RefusesWhatItCannotDraw) {
   EXPECT_EQ(no_asset.error().kind, ToolError::Kind::kBadInput);
 }
 
-}  // namespace coif::picture_test
+}  // namespace coif::render::picture_test

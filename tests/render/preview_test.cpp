@@ -13,7 +13,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace coif::preview_test {
+namespace coif::render::preview_test {
 
 std::array<float, 3> toned(std::array<float, 3> radiance) {
   apply_tone_curve(radiance);
@@ -68,7 +68,7 @@ class PreviewOfAWig : public testing::Test {
 };
 
 TEST_F(PreviewOfAWig, TheFrameHoldsTheWholeMotionAndIsTheSameAtEveryMoment) {
-  const auto path = path_of(Motion::kTurn);
+  const auto path = motion::path_of(motion::Motion::kTurn);
   const auto early = points_in_motion(*wig_, path.get(), 0.1, {}, &kCoifSolver);
   const auto late = points_in_motion(*wig_, path.get(), 1.5, {}, &kCoifSolver);
   const auto rest = points_in_motion(*wig_, nullptr, 0, {}, &kCoifSolver);
@@ -77,7 +77,7 @@ TEST_F(PreviewOfAWig, TheFrameHoldsTheWholeMotionAndIsTheSameAtEveryMoment) {
   EXPECT_NEAR(reach(*early), reach(*late), 1e-6);
   EXPECT_GT(reach(*early), reach(*rest)) << "hair that is thrown goes further out";
   for (const double time : {0.2, 0.45, 0.8}) {
-    const auto pose = simulate_pose(*wig_, path.get(), time, {});
+    const auto pose = motion::simulate_pose(*wig_, path.get(), time, {});
     ASSERT_TRUE(pose);
     for (const SolidMesh& patch : patch_surfaces(*wig_, pose->palette, 0)) {
       for (const SolidVertex& v : patch.vertices) {
@@ -88,7 +88,7 @@ TEST_F(PreviewOfAWig, TheFrameHoldsTheWholeMotionAndIsTheSameAtEveryMoment) {
 }
 
 TEST_F(PreviewOfAWig, TheFrameFollowsTheHeadsTurningAndNotItsWay) {
-  const auto path = path_of(Motion::kRun);  // metres away after a second
+  const auto path = motion::path_of(motion::Motion::kRun);  // metres away after a second
   const auto points = points_in_motion(*wig_, path.get(), 2, {}, &kCoifSolver);
   ASSERT_TRUE(points);
   EXPECT_LT(reach(*points), 2);
@@ -97,12 +97,13 @@ TEST_F(PreviewOfAWig, TheFrameFollowsTheHeadsTurningAndNotItsWay) {
 TEST_F(PreviewOfAWig, WindAndSolverAreTheCallers) {
   StepSettings windy;
   windy.environment.wind = {20, 0, 0};
-  const auto still = simulate_pose(*wig_, nullptr, 0, {}), blown = simulate_pose(*wig_, nullptr, 0, windy);
-  const auto path = path_of(Motion::kTurn);
-  const auto ours = simulate_pose(*wig_, path.get(), 0.4, {}),
-             thesis = simulate_pose(*wig_, path.get(), 0.4, {}, &kThesisSolver);
+  const auto still = motion::simulate_pose(*wig_, nullptr, 0, {}),
+             blown = motion::simulate_pose(*wig_, nullptr, 0, windy);
+  const auto path = motion::path_of(motion::Motion::kTurn);
+  const auto ours = motion::simulate_pose(*wig_, path.get(), 0.4, {}),
+             thesis = motion::simulate_pose(*wig_, path.get(), 0.4, {}, &kThesisSolver);
   ASSERT_TRUE(still && blown && ours && thesis);
-  const auto mean_x = [&](const HairPose& pose) {
+  const auto mean_x = [&](const motion::HairPose& pose) {
     double sum = 0, count = 0;
     for (const SolidMesh& patch : patch_surfaces(*wig_, pose.palette, 0)) {
       for (const SolidVertex& v : patch.vertices) sum += double(v.position.x()), ++count;
@@ -114,12 +115,12 @@ TEST_F(PreviewOfAWig, WindAndSolverAreTheCallers) {
 }
 
 TEST_F(PreviewOfAWig, MomentsOnOneWayAreWhatEachIsAlone) {
-  const auto path = path_of(Motion::kNod);
+  const auto path = motion::path_of(motion::Motion::kNod);
   const std::array<double, 3> moments{0, 0.3, 0.7};
-  const auto together = simulate_poses(*wig_, path.get(), moments, {});
+  const auto together = motion::simulate_poses(*wig_, path.get(), moments, {});
   ASSERT_TRUE(together);
   for (std::size_t i = 0; i < moments.size(); ++i) {
-    const auto alone = simulate_pose(*wig_, path.get(), moments[i], {});
+    const auto alone = motion::simulate_pose(*wig_, path.get(), moments[i], {});
     ASSERT_TRUE(alone);
     for (std::size_t b = 0; b < alone->palette.size(); ++b) {
       EXPECT_TRUE(std::ranges::equal(std::span(reinterpret_cast<const float*>(&alone->palette[b]), 12),
@@ -129,11 +130,12 @@ TEST_F(PreviewOfAWig, MomentsOnOneWayAreWhatEachIsAlone) {
 }
 
 TEST(TurnedRound, GoesWhereTheFaceLooks) {
-  for (const Motion motion : {Motion::kNod, Motion::kTurn, Motion::kCharge, Motion::kTumble}) {
-    const auto path = path_of(motion), turned = turned_round(path_of(motion));
+  for (const motion::Motion motion :
+       {motion::Motion::kNod, motion::Motion::kTurn, motion::Motion::kCharge, motion::Motion::kTumble}) {
+    const auto path = motion::path_of(motion), turned = motion::turned_round(motion::path_of(motion));
     const Eigen::Quaterniond round(Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitY()));
     for (const double time : {0.0, 0.2, 0.55, 1.3}) {
-      const HeadState a = path->at(time), b = turned->at(time);
+      const motion::HeadState a = path->at(time), b = turned->at(time);
       EXPECT_LT((round * a.position - b.position).norm(), 1e-9);
       EXPECT_LT((round * a.velocity - b.velocity).norm(), 1e-9);
       EXPECT_LT((round * a.angular_velocity - b.angular_velocity).norm(), 1e-9);
@@ -145,13 +147,13 @@ TEST(TurnedRound, GoesWhereTheFaceLooks) {
 }
 
 /// Chest > neck > head, and a mesh of three vertices that follow one of them each.
-SourceModel bust() {
-  SourceModel model;
+importer::SourceModel bust() {
+  importer::SourceModel model;
   for (const char* name : {"Chest", "Neck", "Head"}) {
-    const auto parent = model.nodes.empty() ? kNoIndex : std::uint32_t(model.nodes.size() - 1);
+    const auto parent = model.nodes.empty() ? importer::kNoIndex : std::uint32_t(model.nodes.size() - 1);
     model.nodes.push_back({name, parent, Eigen::Affine3d::Identity()});
   }
-  SourceMesh& mesh = model.meshes.emplace_back();
+  importer::SourceMesh& mesh = model.meshes.emplace_back();
   mesh.positions.assign(3, {0, 0, 1});
   mesh.normals.assign(3, {0, 0, 1});
   mesh.influence_begin = {0, 1, 2, 3};
@@ -161,7 +163,7 @@ SourceModel bust() {
 }
 
 TEST(BodyMesh, StaysWhereItIsWhileTheHeadTurns) {
-  const SourceModel model = bust();
+  const importer::SourceModel model = bust();
   const Eigen::Quaternionf turn(Eigen::AngleAxisf(float(std::numbers::pi) / 2, Eigen::Vector3f::UnitY()));
   BodyTurn pose{"Head", {turn.x(), turn.y(), turn.z(), turn.w()}};
   const SolidMesh body = body_mesh(model, model.meshes[0], Eigen::Vector3f::Zero(), pose);
@@ -173,7 +175,7 @@ TEST(BodyMesh, StaysWhereItIsWhileTheHeadTurns) {
 }
 
 TEST(BodyMesh, WithoutAHeadBoneAllOfItTurns) {
-  SourceModel model = bust();
+  importer::SourceModel model = bust();
   const BodyTurn pose{"Kopf", {0, 1, 0, 0}};
   for (const SolidVertex& v : body_mesh(model, model.meshes[0], Eigen::Vector3f::Zero(), pose).vertices) {
     EXPECT_EQ(v.position.z(), 1) << "as the head's pose will turn it";
@@ -206,4 +208,4 @@ TEST_F(PreviewOfAWig, MoreSamplesMakeAPictureOfTheSameSizeWithSmootherEdges) {
   EXPECT_FALSE(render_picture(*wig_, settings)) << "8196 samples";
 }
 
-}  // namespace coif::preview_test
+}  // namespace coif::render::preview_test

@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <memory>
 
-namespace coif::stage_test {
+namespace coif::render::stage_test {
 
 TEST(Backdrop, HasNamesAndColours) {
   EXPECT_EQ(find_backdrop("clear")->opacity, 0);
@@ -105,9 +105,9 @@ std::shared_ptr<const SolidTexture> two_halves() {
 }
 
 /// A wall before everything.
-SourceModel wall(AlphaUse use) {
-  SourceModel body;
-  SourceMesh& mesh = body.meshes.emplace_back();
+importer::SourceModel wall(importer::AlphaUse use) {
+  importer::SourceModel body;
+  importer::SourceMesh& mesh = body.meshes.emplace_back();
   mesh.positions = {{-1, -1, 0.3f}, {1, -1, 0.3f}, {1, 1, 0.3f}, {-1, 1, 0.3f}};
   mesh.uvs = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
   mesh.triangles = {0, 1, 2, 0, 2, 3};
@@ -118,7 +118,7 @@ SourceModel wall(AlphaUse use) {
 }
 
 TEST_F(StageTest, BodiesShowTheirTexturesAndTheHolesInThem) {
-  SourceModel body = wall(AlphaUse::kOpaque);
+  importer::SourceModel body = wall(importer::AlphaUse::kOpaque);
   settings_.body = &body;
   const auto clay = pixel(take(), 10, 36);
   EXPECT_LT(std::abs(clay[0] - clay[2]), 60) << "nobody has the texture: clay";
@@ -126,7 +126,7 @@ TEST_F(StageTest, BodiesShowTheirTexturesAndTheHolesInThem) {
   const Picture painted = take();
   EXPECT_GT(pixel(painted, 10, 36)[0], 2 * pixel(painted, 10, 36)[2] + 40);
   EXPECT_GT(pixel(painted, 85, 36)[2], 2 * pixel(painted, 85, 36)[0] + 40) << "opaque: alpha does not matter";
-  body.materials[0].alpha_use = AlphaUse::kMask;
+  body.materials[0].alpha_use = importer::AlphaUse::kMask;
   settings_.backdrop = *find_backdrop("clear");
   const Picture masked = take();
   EXPECT_EQ(pixel(masked, 1, 1)[3], 255);
@@ -190,4 +190,4 @@ TEST(MannequinBust, NeedsAHead) {
   EXPECT_TRUE(bust_outline({&floor, 1}, false).empty());
 }
 
-}  // namespace coif::stage_test
+}  // namespace coif::render::stage_test

@@ -9,7 +9,7 @@
 #include <regex>
 #include <set>
 
-namespace coif::accuracy_page_test {
+namespace coif::report::accuracy_page_test {
 
 const AccuracyRow& mean_of(const std::vector<AccuracyRow>& means, const std::string& solver, std::uint32_t substeps) {
   for (const AccuracyRow& mean : means) {
@@ -182,4 +182,4 @@ TEST(AccuracyText, ShowsTheFrontAndTheBestOfEachSolver) {
   EXPECT_NE(text.find("cheapest setting"), std::string::npos);
 }
 
-}  // namespace coif::accuracy_page_test
+}  // namespace coif::report::accuracy_page_test

@@ -11,15 +11,15 @@
 #include <cmath>
 #include <string_view>
 
-namespace coif::angular_springs_test {
+namespace coif::report::angular_springs_test {
 
 using Eigen::Vector3d;
 
-const SolverScene kWeightless{.gravity = Vector3d::Zero()};
+const lab::SolverScene kWeightless{.gravity = Vector3d::Zero()};
 
 /// Undamped, and pushed once: seconds from one passage through rest to the next but one.
 TEST(AngularSprings, OneBoneSwingsAtTheRootOfItsStiffness) {
-  Rig rig = pendulum_rig();
+  lab::Rig rig = pendulum_rig();
   rig.bones[0].damping = 0;
   const auto solver = solver_named("angular-springs").create(rig, kWeightless, 1);
   solver->reset({});
@@ -42,7 +42,8 @@ TEST(AngularSprings, OneBoneSwingsAtTheRootOfItsStiffness) {
 }
 
 /// RMS over tips and frames of two seconds of `motion`, share of the chain's length.
-double distance_to(const ReferenceRun& reference, std::string_view name, const Rig& rig, const HeadPath& path) {
+double distance_to(const lab::ReferenceRun& reference, std::string_view name, const lab::Rig& rig,
+                   const motion::HeadPath& path) {
   const auto solver = solver_named(name).create(rig, {}, 64);
   solver->reset(path.pose(0));
   double sum = 0, count = 0, now = 0;
@@ -60,16 +61,16 @@ double distance_to(const ReferenceRun& reference, std::string_view name, const R
 
 /// The passive model has the same idea, with lengths that hold and another law of bending.
 TEST(AngularSprings, BonesFeelWhatHangsFromThemAsInThePassiveModel) {
-  Rig rig = in_model(strand_rig(4), ChainModel::kPassive);
+  lab::Rig rig = lab::in_model(strand_rig(4), ChainModel::kPassive);
   rig.tips = {3};
   rig.tip_chain = {0};
   rig.tip_length = {0};
-  for (const RigBone& bone : rig.bones) rig.tip_length[0] += bone.length;
-  ReferenceSettings settings;
+  for (const lab::RigBone& bone : rig.bones) rig.tip_length[0] += bone.length;
+  lab::ReferenceSettings settings;
   for (int i = 1; i <= 120; ++i) settings.sample_times.push_back(i / 60.0);
-  for (const Motion motion : {Motion::kNod, Motion::kTurn}) {
-    const auto path = path_of(motion);
-    const ReferenceRun reference = solve_reference(rig, {}, *path, settings);
+  for (const motion::Motion motion : {motion::Motion::kNod, motion::Motion::kTurn}) {
+    const auto path = motion::path_of(motion);
+    const lab::ReferenceRun reference = lab::solve_reference(rig, {}, *path, settings);
     ASSERT_LT(reference.self_difference_pct(), 0.1);
     const double hinged = distance_to(reference, "angular-springs", rig, *path);
     const double pulled = distance_to(reference, "mass-spring", rig, *path);
@@ -80,4 +81,4 @@ TEST(AngularSprings, BonesFeelWhatHangsFromThemAsInThePassiveModel) {
   }
 }
 
-}  // namespace coif::angular_springs_test
+}  // namespace coif::report::angular_springs_test

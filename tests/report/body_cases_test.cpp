@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif::body_cases_test {
+namespace coif::report::body_cases_test {
 
 constexpr double kAllowed = 0.01;  // % of the radius
 
@@ -36,20 +36,20 @@ TestRig rig_with_shoulder(ChainModel model) {
   return rig;
 }
 
-OpenedAsset hair_over_shoulder(ChainModel model, bool second_heeds = true) {
+lab::OpenedAsset hair_over_shoulder(ChainModel model, bool second_heeds = true) {
   AssetContents contents = rig_with_shoulder(model).contents();
   for (std::size_t bone = 7; bone < contents.body_sets.size() && !second_heeds; ++bone) contents.body_sets[bone] = 0;
-  return OpenedAsset(contents);
+  return lab::OpenedAsset(contents);
 }
 
 StabilityRow run(const Stress& stress, const Asset& asset) {
-  return StressSubject(stress, asset, sample_of(rig_of(asset), kMaxBones)).run(solver_on_a_character());
+  return StressSubject(stress, asset, lab::sample_of(lab::rig_of(asset), kMaxBones)).run(solver_on_a_character());
 }
 
 TEST(BodyCases, LeaveNoBoneInTheBody) {
   EXPECT_GE(body_cases().size(), 6u);
   for (const ChainModel model : {ChainModel::kCascade, ChainModel::kPassive}) {
-    const OpenedAsset hair = hair_over_shoulder(model);
+    const lab::OpenedAsset hair = hair_over_shoulder(model);
     ASSERT_TRUE(hair.asset().is_open());
     for (const Stress& stress : body_cases()) {
       const StabilityRow row = run(stress, hair.asset());
@@ -62,26 +62,26 @@ TEST(BodyCases, LeaveNoBoneInTheBody) {
 }
 
 TEST(BodyCases, SeeHairThatTheBodyGoesThrough) {
-  const OpenedAsset hair = hair_over_shoulder(ChainModel::kCascade);
+  const lab::OpenedAsset hair = hair_over_shoulder(ChainModel::kCascade);
   const Asset& asset = hair.asset();
-  const RigSample sample = sample_of(rig_of(asset), kMaxBones);
+  const lab::RigSample sample = lab::sample_of(lab::rig_of(asset), kMaxBones);
   StressBody body(asset, sample);
-  MovingMeter meter(sample.rig);
+  lab::MovingMeter meter(sample.rig);
   const auto up = [](double metres) {
     return [metres](const Eigen::Vector3d&, double) { return Eigen::Isometry3d(Eigen::Translation3d(0, metres, 0)); };
   };
   body.move(up(-1), 0, {});
-  meter.look(resting_ends(sample.rig), body.solids(), body.sets());
+  meter.look(lab::resting_ends(sample.rig), body.solids(), body.sets());
   EXPECT_EQ(meter.worst(), 0);
   body.move(up(0.06), 0, {});  // across the strands at rest
-  meter.look(resting_ends(sample.rig), body.solids(), body.sets());
+  meter.look(lab::resting_ends(sample.rig), body.solids(), body.sets());
   EXPECT_GT(meter.worst(), 0.5);
 }
 
 TEST(BodyCases, LookAtThoseBonesThatKeepOutOfTheBody) {
-  const OpenedAsset all = hair_over_shoulder(ChainModel::kCascade);
-  const OpenedAsset some = hair_over_shoulder(ChainModel::kCascade, false);
-  const RigSample sample = sample_of(rig_of(some.asset()), kMaxBones);
+  const lab::OpenedAsset all = hair_over_shoulder(ChainModel::kCascade);
+  const lab::OpenedAsset some = hair_over_shoulder(ChainModel::kCascade, false);
+  const lab::RigSample sample = lab::sample_of(lab::rig_of(some.asset()), kMaxBones);
   const StressBody heeded_by_all(all.asset(), sample), heeded_by_some(some.asset(), sample);
   for (std::size_t bone = 0; bone < 12; ++bone) {
     EXPECT_EQ(heeded_by_all.sets()[bone], 1u);
@@ -91,7 +91,7 @@ TEST(BodyCases, LookAtThoseBonesThatKeepOutOfTheBody) {
 }
 
 TEST(BodyCases, TellHostsPosesThatPutCollidersThere) {
-  const OpenedAsset hair = hair_over_shoulder(ChainModel::kCascade);
+  const lab::OpenedAsset hair = hair_over_shoulder(ChainModel::kCascade);
   for (const Stress& stress : body_cases()) {
     if (stress.about.name.find("not a number") != std::string::npos) continue;
     Stress without = stress;
@@ -103,13 +103,13 @@ TEST(BodyCases, TellHostsPosesThatPutCollidersThere) {
 
 TEST(BodyCases, AreForHairThatHasABody) {
   const StressAsset bodiless(StressRig{.bones_per_chain = 3});
-  const OpenedAsset hair = hair_over_shoulder(ChainModel::kCascade);
+  const lab::OpenedAsset hair = hair_over_shoulder(ChainModel::kCascade);
   const Stress stress = body_cases().front();
-  const StressSubject without(stress, bodiless.asset(), sample_of(rig_of(bodiless.asset()), 64));
-  const StressSubject with(stress, hair.asset(), sample_of(rig_of(hair.asset()), 64));
+  const StressSubject without(stress, bodiless.asset(), lab::sample_of(lab::rig_of(bodiless.asset()), 64));
+  const StressSubject with(stress, hair.asset(), lab::sample_of(lab::rig_of(hair.asset()), 64));
   EXPECT_FALSE(without.is_for(*find_measured_solver("coif")));
   EXPECT_TRUE(with.is_for(*find_measured_solver("coif")));
   EXPECT_FALSE(with.is_for(*find_measured_solver("thesis")));
 }
 
-}  // namespace coif::body_cases_test
+}  // namespace coif::report::body_cases_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 void store(const Eigen::Vector3f& direction, std::int16_t (&snorm)[4]) {
@@ -13,7 +13,7 @@ void store(const Eigen::Vector3f& direction, std::int16_t (&snorm)[4]) {
 
 }  // namespace
 
-AssetContents asset_of_surface(const CardSurface& surface, const MadeUpPlace& place) {
+AssetContents asset_of_surface(const cards::CardSurface& surface, const MadeUpPlace& place) {
   AssetContents contents = card_contents({});
   for (int k = 0; k < 3; ++k) contents.skeleton.head_joint[k] = place.head_joint[k];
   for (std::size_t v = 0; v < surface.positions.size(); ++v) {
@@ -37,4 +37,4 @@ AssetContents asset_of_surface(const CardSurface& surface, const MadeUpPlace& pl
   return contents;
 }
 
-}  // namespace coif
+}  // namespace coif::report

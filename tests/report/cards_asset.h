@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace coif {
+namespace coif::report {
 
 /// How a made-up cook moves what it cooks.
 struct MadeUpPlace {
@@ -19,6 +19,6 @@ struct MadeUpPlace {
 };
 
 /// Rigid hair of one patch with the surface's triangles and opacities.
-[[nodiscard]] AssetContents asset_of_surface(const CardSurface& surface, const MadeUpPlace& place);
+[[nodiscard]] AssetContents asset_of_surface(const cards::CardSurface& surface, const MadeUpPlace& place);
 
-}  // namespace coif
+}  // namespace coif::report

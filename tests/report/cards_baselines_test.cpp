@@ -8,23 +8,24 @@
 #include <set>
 #include <stdexcept>
 
-namespace coif::cards_baselines_test {
+namespace coif::report::cards_baselines_test {
 
 constexpr float kWidth = 0.002f;
 
-GroomViews views_of(const Groom& groom) {
-  const auto directions = spread_directions(8);
+GroomViews views_of(const groom::Groom& groom) {
+  const auto directions = cards::spread_directions(8);
   return {groom, kWidth, frames_around(groom, Eigen::Matrix3f::Identity(), directions, 96), 2};
 }
 
-double mean_iou(const GroomViews& views, const Cards& cards) {
+double mean_iou(const GroomViews& views, const cards::Cards& cards) {
   double sum = 0;
-  for (const HairLikeness& one : views.compare(surface_of(cards))) sum += one.coverage_iou;
+  for (const cards::HairLikeness& one : views.compare(cards::surface_of(cards))) sum += one.coverage_iou;
   return sum / double(views.count());
 }
 
 TEST(ClustersOfStrands, HoldEachStrandOnceAndRepeat) {
-  const EvenStrands strands = even_strands(test::groom_of(test::strands_of_a_head(300)), kWidth);
+  const cards::EvenStrands strands =
+      cards::even_strands(cards::test::groom_of(cards::test::strands_of_a_head(300)), kWidth);
   for (const std::size_t count : {1u, 7u, 60u, 300u, 5000u}) {
     const auto clusters = cluster_strands(strands, count, 1);
     EXPECT_LE(clusters.size(), std::min<std::size_t>(count, 300));
@@ -41,7 +42,7 @@ TEST(ClustersOfStrands, HoldEachStrandOnceAndRepeat) {
 }
 
 TEST(ClustersOfStrands, AreTheWispsWhereTheseLieApart) {
-  const auto clusters = cluster_strands(even_strands(test::hanging_wisps(5, 30), kWidth), 5, 2);
+  const auto clusters = cluster_strands(cards::even_strands(cards::test::hanging_wisps(5, 30), kWidth), 5, 2);
   ASSERT_EQ(clusters.size(), 5u);
   for (const auto& members : clusters) {
     ASSERT_EQ(members.size(), 30u);
@@ -61,9 +62,9 @@ TEST(FlatRibbon, HoldsItsStrandsInThePlaneTheyLieIn) {
     }
     strands.push_back(strand);
   }
-  const Groom groom = test::groom_of(strands);
+  const groom::Groom groom = cards::test::groom_of(strands);
   const std::uint32_t members[] = {0, 1, 2, 3, 4};
-  const Ribbon ribbon = flat_ribbon_of(groom, even_strands(groom, kWidth), members);
+  const cards::Ribbon ribbon = flat_ribbon_of(groom, cards::even_strands(groom, kWidth), members);
   const Eigen::Vector3f normal = ribbon.along[0].cross(ribbon.across[0]);
   EXPECT_NEAR(std::abs(normal.dot(slant)), 0, 1e-3);
   EXPECT_NEAR(std::abs(normal.z()), 0, 1e-3);
@@ -79,34 +80,34 @@ TEST(FlatRibbon, HoldsItsStrandsInThePlaneTheyLieIn) {
 }
 
 TEST(FlatRibbon, IsThereForOneStraightStrand) {
-  const Groom groom = test::groom_of({test::hanging({0, 0, 0}, 0.3f)});
+  const groom::Groom groom = cards::test::groom_of({cards::test::hanging({0, 0, 0}, 0.3f)});
   const std::uint32_t only[] = {0};
-  const Ribbon ribbon = flat_ribbon_of(groom, even_strands(groom, kWidth), only);
-  EXPECT_NEAR(length_of(ribbon), 0.3f, 1e-5);
+  const cards::Ribbon ribbon = flat_ribbon_of(groom, cards::even_strands(groom, kWidth), only);
+  EXPECT_NEAR(cards::length_of(ribbon), 0.3f, 1e-5);
   EXPECT_NEAR(ribbon.across[0].norm(), 1, 1e-5);
   EXPECT_NEAR(ribbon.across[0].dot(ribbon.along[0]), 0, 1e-4);
   EXPECT_NEAR(ribbon.half_width[0], 0.5f * kWidth, 1e-5);
 }
 
 TEST(FlatCards, AreTwoTrianglesEachAndLookLikeHairThatIsFlat) {
-  const Groom groom = test::hanging_wisps(5, 40);
-  const GroomShape shape = shape_of(groom, kWidth);
+  const groom::Groom groom = cards::test::hanging_wisps(5, 40);
+  const cards::GroomShape shape = cards::shape_of(groom, kWidth);
   const auto cards = make_flat_cards(groom, shape, {10, std::size_t{1} << 18, 1, kWidth}, 2);
   ASSERT_TRUE(cards.has_value());
   ASSERT_EQ(cards->strips.size(), 5u);
-  for (const CardStrip& strip : cards->strips) EXPECT_EQ(strip.triangles(), 2u);
+  for (const cards::CardStrip& strip : cards->strips) EXPECT_EQ(strip.triangles(), 2u);
   const GroomViews front(groom, kWidth, frames_around(groom, Eigen::Matrix3f::Identity(), {{{0, 0, -1}}}, 192), 2);
-  EXPECT_GT(front.compare(surface_of(*cards))[0].coverage_iou, 0.88);
+  EXPECT_GT(front.compare(cards::surface_of(*cards))[0].coverage_iou, 0.88);
 }
 
 TEST(EvenStrip, GoesFromRootToTipInEqualSteps) {
-  for (std::size_t segments = 1; segments < Ribbon::kStations; ++segments) {
-    const CardStrip strip = even_strip(3, segments);
+  for (std::size_t segments = 1; segments < cards::Ribbon::kStations; ++segments) {
+    const cards::CardStrip strip = even_strip(3, segments);
     EXPECT_EQ(strip.wisp, 3u);
     ASSERT_EQ(strip.stations.size(), segments + 1);
     EXPECT_EQ(strip.stations.front(), 0);
-    EXPECT_EQ(strip.stations.back(), Ribbon::kStations - 1);
-    const double step = double(Ribbon::kStations - 1) / double(segments);
+    EXPECT_EQ(strip.stations.back(), cards::Ribbon::kStations - 1);
+    const double step = double(cards::Ribbon::kStations - 1) / double(segments);
     for (std::size_t k = 0; k < segments; ++k) {
       EXPECT_NEAR(strip.stations[k + 1] - strip.stations[k], step, 1) << "stations are whole numbers";
     }
@@ -114,37 +115,37 @@ TEST(EvenStrip, GoesFromRootToTipInEqualSteps) {
 }
 
 TEST(EvenCards, HaveAsManySegmentsAsComeNearest) {
-  const Groom groom = test::groom_of(test::strands_of_a_head(150));
-  const GroomShape shape = shape_of(groom, kWidth);
+  const groom::Groom groom = cards::test::groom_of(cards::test::strands_of_a_head(150));
+  const cards::GroomShape shape = cards::shape_of(groom, kWidth);
   const GroomViews views = views_of(groom);
-  const CardsBudget budget{120, std::size_t{1} << 16, 1, kWidth};
+  const cards::CardsBudget budget{120, std::size_t{1} << 16, 1, kWidth};
   const auto even = make_even_cards(groom, shape, budget, views, 2);
   ASSERT_TRUE(even.has_value());
   EXPECT_GT(even->seconds, 0);
   std::size_t triangles = 0;
-  for (const CardStrip& strip : even->cards.strips) {
+  for (const cards::CardStrip& strip : even->cards.strips) {
     EXPECT_EQ(strip.triangles(), 2 * even->segments);
     triangles += strip.triangles();
   }
   EXPECT_LE(triangles, budget.triangles);
   // Neither straight cards for many locks nor a few that bend everywhere.
-  for (const std::size_t segments : {std::size_t{1}, Ribbon::kStations - 1}) {
-    std::vector<Wisp> wisps = find_wisps(shape.strands, budget.triangles / (2 * segments), 2);
-    std::vector<CardStrip> strips;
+  for (const std::size_t segments : {std::size_t{1}, cards::Ribbon::kStations - 1}) {
+    std::vector<cards::Wisp> wisps = cards::find_wisps(shape.strands, budget.triangles / (2 * segments), 2);
+    std::vector<cards::CardStrip> strips;
     for (std::uint32_t i = 0; i < wisps.size(); ++i) strips.push_back(even_strip(i, segments));
-    const auto other = texture_cards(groom, shape, {wisps, strips}, budget.texels, 2);
+    const auto other = cards::texture_cards(groom, shape, {wisps, strips}, budget.texels, 2);
     ASSERT_TRUE(other.has_value());
     EXPECT_GE(mean_iou(views, even->cards), mean_iou(views, *other) - 0.01) << segments;
   }
 }
 
 TEST(EvenCards, SayWhyThereAreNone) {
-  const Groom groom = test::groom_of(test::strands_of_a_head(150));
-  const GroomShape shape = shape_of(groom, kWidth);
+  const groom::Groom groom = cards::test::groom_of(cards::test::strands_of_a_head(150));
+  const cards::GroomShape shape = cards::shape_of(groom, kWidth);
   const auto even = make_even_cards(groom, shape, {600, 64, 1, kWidth}, views_of(groom), 2);
   ASSERT_FALSE(even.has_value());
   EXPECT_EQ(even.error().kind, ToolError::Kind::kOverBudget);
   EXPECT_NE(even.error().message.find("allow more texels"), std::string::npos) << even.error().message;
 }
 
-}  // namespace coif::cards_baselines_test
+}  // namespace coif::report::cards_baselines_test

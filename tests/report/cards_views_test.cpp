@@ -12,11 +12,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace coif::cards_views_test {
+namespace coif::report::cards_views_test {
 
 /// Squares of a side of 0.2 m that look along Z, one behind the other from `first` on.
-CardSurface squares(int count, float first = 0) {
-  CardSurface surface;
+cards::CardSurface squares(int count, float first = 0) {
+  cards::CardSurface surface;
   for (int i = 0; i < count; ++i) {
     const auto corner = std::uint32_t(surface.positions.size());
     for (const auto& [x, y] : {std::pair{0.f, 0.f}, {1.f, 0.f}, {1.f, 1.f}, {0.f, 1.f}}) {
@@ -39,13 +39,13 @@ Eigen::Matrix3f z_up() {
   return turn;
 }
 
-PictureFrame frame_of(const CardSurface& surface, const Eigen::Vector3f& towards) {
-  return frame_along(towards, ball_around(surface.positions), 100);
+cards::PictureFrame frame_of(const cards::CardSurface& surface, const Eigen::Vector3f& towards) {
+  return cards::frame_along(towards, cards::ball_around(surface.positions), 100);
 }
 
 TEST(SurfaceCost, CountsEachLayer) {
-  const CardSurface one = squares(1), three = squares(3);
-  const PictureFrame frame = frame_of(three, {0, 0, -1});
+  const cards::CardSurface one = squares(1), three = squares(3);
+  const cards::PictureFrame frame = frame_of(three, {0, 0, -1});
   const SurfaceCost of_one = cost_of(one, frame), of_three = cost_of(three, frame);
   const double pixels = std::pow(0.2 * double(frame.pixels_of_metre), 2);
   EXPECT_NEAR(of_one.fragments / pixels, 1, 0.05);
@@ -58,20 +58,20 @@ TEST(SurfaceCost, CountsEachLayer) {
 }
 
 TEST(HairPictures, OfASurfaceAreLikeItself) {
-  const CardSurface surface = squares(2);
-  for (const Eigen::Vector3f& direction : spread_directions(5)) {
-    const HairPicture picture = draw_cards(surface, frame_of(surface, direction), 2);
-    const HairLikeness same = compare_hair(picture, picture);
+  const cards::CardSurface surface = squares(2);
+  for (const Eigen::Vector3f& direction : cards::spread_directions(5)) {
+    const cards::HairPicture picture = cards::draw_cards(surface, frame_of(surface, direction), 2);
+    const cards::HairLikeness same = cards::compare_hair(picture, picture);
     EXPECT_EQ(same.coverage_iou, 1);
     EXPECT_EQ(same.error, 0);
   }
 }
 
 TEST(CloserFrame, HoldsAllStrandsAndFillsThePicture) {
-  const Groom groom = test::groom_of(test::strands_of_a_head(60));
-  const auto directions = spread_directions(5);
-  for (const PictureFrame& frame : frames_around(groom, z_up(), directions, 64)) {
-    const PictureFrame close = closer(frame, groom);
+  const groom::Groom groom = cards::test::groom_of(cards::test::strands_of_a_head(60));
+  const auto directions = cards::spread_directions(5);
+  for (const cards::PictureFrame& frame : frames_around(groom, z_up(), directions, 64)) {
+    const cards::PictureFrame close = closer(frame, groom);
     EXPECT_GT(close.pixels_of_metre, frame.pixels_of_metre);
     Eigen::AlignedBox2f seen;
     for (const Eigen::Vector3f& point : groom.points) seen.extend(close.place(point).head<2>().eval());
@@ -82,38 +82,38 @@ TEST(CloserFrame, HoldsAllStrandsAndFillsThePicture) {
 }
 
 TEST(FramesAround, LookAlongTheTurnedAxes) {
-  const Groom groom = test::groom_of(test::strands_of_a_head(10));
-  const PictureFrame frame = frames_around(groom, z_up(), {{{0, 0, -1}}}, 64)[0];
+  const groom::Groom groom = cards::test::groom_of(cards::test::strands_of_a_head(10));
+  const cards::PictureFrame frame = frames_around(groom, z_up(), {{{0, 0, -1}}}, 64)[0];
   const Eigen::Vector3f down = frame.axes.row(1).transpose();
   EXPECT_NEAR((down + Eigen::Vector3f::UnitZ()).norm(), 0, 1e-5) << "the groom's own Z is up";
 }
 
 /// A groom as large as squares(), whose file says nothing of its unit.
-Groom groom_around_squares(const CardSurface& surface) {
+groom::Groom groom_around_squares(const cards::CardSurface& surface) {
   std::vector<std::vector<Eigen::Vector3f>> strands;
   for (std::size_t v = 0; v < surface.positions.size(); v += 4) {
     strands.push_back({surface.positions[v], surface.positions[v + 3]});
     strands.push_back({surface.positions[v + 1], surface.positions[v + 2]});
   }
-  Groom groom = test::groom_of(strands);
+  groom::Groom groom = cards::test::groom_of(strands);
   groom.path = "strands.obj";
-  groom.space.unit = groom.space.up = Statement::kUnsaid;
+  groom.space.unit = groom.space.up = importer::Statement::kUnsaid;
   return groom;
 }
 
 TEST(CookedPlace, IsFoundWhateverTheCookDidToUnitAndUp) {
-  const CardSurface surface = squares(3, 0.5f);
-  const Groom groom = groom_around_squares(surface);
+  const cards::CardSurface surface = squares(3, 0.5f);
+  const groom::Groom groom = groom_around_squares(surface);
   const Eigen::Matrix3f half_turn =
       Eigen::AngleAxisf(std::numbers::pi_v<float>, Eigen::Vector3f::UnitX()).toRotationMatrix();
   for (const float factor : {1.0f, 0.01f, 10.0f}) {
     for (const Eigen::Matrix3f& turn : {Eigen::Matrix3f(Eigen::Matrix3f::Identity()), z_up(), half_turn}) {
-      const OpenedAsset asset(asset_of_surface(surface, {factor, turn, {0.1f, 0.3f, -0.2f}}));
+      const lab::OpenedAsset asset(asset_of_surface(surface, {factor, turn, {0.1f, 0.3f, -0.2f}}));
       ASSERT_TRUE(asset.asset().is_open());
       const auto place = find_cooked_place(asset.asset(), groom);
       ASSERT_TRUE(place.has_value()) << place.error().message;
       EXPECT_NEAR(place->factor, double(factor), 1e-6 * double(factor));
-      const CardSurface back = surface_of_asset(asset.asset(), 0, *place);
+      const cards::CardSurface back = surface_of_asset(asset.asset(), 0, *place);
       ASSERT_EQ(back.triangles.size(), surface.triangles.size());
       for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
         const std::uint32_t there = back.triangles[i], here = surface.triangles[i];
@@ -125,15 +125,16 @@ TEST(CookedPlace, IsFoundWhateverTheCookDidToUnitAndUp) {
 }
 
 TEST(CookedPlace, IsFoundOfStrandsInAUnitOfTheirOwn) {
-  auto strands = test::strands_of_a_head(200);
+  auto strands = cards::test::strands_of_a_head(200);
   for (std::vector<Eigen::Vector3f>& strand : strands) {
     for (Eigen::Vector3f& point : strand) point *= 350;
   }
-  Groom groom = test::groom_of(strands);
-  groom.space.unit = groom.space.up = Statement::kUnsaid;
-  const Cards cards = test::unfitted_cards(groom, 0.5f, 40, 160, std::size_t{1} << 16);
+  groom::Groom groom = cards::test::groom_of(strands);
+  groom.space.unit = groom.space.up = importer::Statement::kUnsaid;
+  const cards::Cards cards = cards::test::unfitted_cards(groom, 0.5f, 40, 160, std::size_t{1} << 16);
   const float factor = 0.0027f;  // 0.095 m over 35
-  const OpenedAsset asset(asset_of_surface(surface_of(cards), {factor, Eigen::Matrix3f::Identity(), {0, 0.1f, 0}}));
+  const lab::OpenedAsset asset(
+      asset_of_surface(cards::surface_of(cards), {factor, Eigen::Matrix3f::Identity(), {0, 0.1f, 0}}));
   ASSERT_TRUE(asset.asset().is_open());
   const auto place = find_cooked_place(asset.asset(), groom);
   ASSERT_TRUE(place.has_value()) << place.error().message;
@@ -141,8 +142,8 @@ TEST(CookedPlace, IsFoundOfStrandsInAUnitOfTheirOwn) {
 }
 
 TEST(CookedPlace, OfOtherStrandsIsNone) {
-  const OpenedAsset asset(asset_of_surface(squares(1), {}));
-  const Groom other = groom_around_squares(squares(1, 7));
+  const lab::OpenedAsset asset(asset_of_surface(squares(1), {}));
+  const groom::Groom other = groom_around_squares(squares(1, 7));
   const auto place = find_cooked_place(asset.asset(), other);
   ASSERT_FALSE(place.has_value());
   EXPECT_EQ(place.error().kind, ToolError::Kind::kBadInput);
@@ -151,16 +152,17 @@ TEST(CookedPlace, OfOtherStrandsIsNone) {
 }
 
 TEST(SurfaceOfAsset, LooksLikeTheOneThatWasCooked) {
-  const CardSurface surface = squares(2);
-  const OpenedAsset asset(asset_of_surface(surface, {}));
-  const CardSurface back = surface_of_asset(asset.asset(), 0, {});
+  const cards::CardSurface surface = squares(2);
+  const lab::OpenedAsset asset(asset_of_surface(surface, {}));
+  const cards::CardSurface back = surface_of_asset(asset.asset(), 0, {});
   EXPECT_EQ(back.positions.size(), surface.positions.size());
-  for (const Eigen::Vector3f& direction : spread_directions(4)) {
-    const PictureFrame frame = frame_of(surface, direction);
-    const HairLikeness likeness = compare_hair(draw_cards(surface, frame, 2), draw_cards(back, frame, 2));
+  for (const Eigen::Vector3f& direction : cards::spread_directions(4)) {
+    const cards::PictureFrame frame = frame_of(surface, direction);
+    const cards::HairLikeness likeness =
+        cards::compare_hair(cards::draw_cards(surface, frame, 2), cards::draw_cards(back, frame, 2));
     EXPECT_GT(likeness.coverage_iou, 0.995);
     EXPECT_LT(likeness.error, 0.005);
   }
 }
 
-}  // namespace coif::cards_views_test
+}  // namespace coif::report::cards_views_test

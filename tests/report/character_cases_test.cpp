@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif::character_cases_test {
+namespace coif::report::character_cases_test {
 
 constexpr double kAllowed = 0.01;  // % of the radius
 
@@ -16,7 +16,8 @@ StabilityRow run(const Stress& stress, ChainModel model) {
   rig.bones_per_chain = 6;
   rig.bone_length = 0.05;
   const StressAsset hair(rig, model);
-  return StressSubject(stress, hair.asset(), sample_of(rig_of(hair.asset()), kMaxBones)).run(solver_on_a_character());
+  return StressSubject(stress, hair.asset(), lab::sample_of(lab::rig_of(hair.asset()), kMaxBones))
+      .run(solver_on_a_character());
 }
 
 TEST(CharacterCases, AreMoreThanEightThatLeaveNoBoneInside) {
@@ -38,7 +39,7 @@ TEST(CharacterCases, MoveTheHair) {
     if (stress.about.name.find("sphere") == std::string::npos && stress.about.name.find("pinched") == std::string::npos)
       continue;
     const double pushed = run(stress, ChainModel::kCascade).max_speed;
-    stress.colliders = [](const HairPlace&, double) { return std::vector<MovingCollider>(); };
+    stress.colliders = [](const lab::HairPlace&, double) { return std::vector<MovingCollider>(); };
     EXPECT_GT(pushed, 1.2 * run(stress, ChainModel::kCascade).max_speed) << stress.about.name;
   }
 }
@@ -46,15 +47,15 @@ TEST(CharacterCases, MoveTheHair) {
 TEST(CharacterCases, AreForOurSolverAlone) {
   const StressAsset hair(StressRig{.bones_per_chain = 3});
   const Stress stress = character_cases().front();
-  const StressSubject subject(stress, hair.asset(), sample_of(rig_of(hair.asset()), 64));
+  const StressSubject subject(stress, hair.asset(), lab::sample_of(lab::rig_of(hair.asset()), 64));
   EXPECT_TRUE(subject.is_for(*find_measured_solver("coif")));
   for (const char* other : {"thesis", "passive", "xpbd"}) EXPECT_FALSE(subject.is_for(*find_measured_solver(other)));
 }
 
 TEST(HairPlace, IsInTheMiddleOfTheLongestChain) {
   const StressAsset hair(StressRig{.chains = 1, .bones_per_chain = 4, .bone_length = 0.1});
-  const Rig rig = rig_of(hair.asset());
-  const HairPlace place = place_of(rig);
+  const lab::Rig rig = lab::rig_of(hair.asset());
+  const lab::HairPlace place = lab::place_of(rig);
   EXPECT_NEAR(place.length, 0.4, 1e-6);
   EXPECT_NEAR(place.head_radius, 0.1, 1e-6);
   const Eigen::Vector3d root = rig.bones.front().joint;
@@ -63,4 +64,4 @@ TEST(HairPlace, IsInTheMiddleOfTheLongestChain) {
   EXPECT_NEAR(place.outward.dot(-Eigen::Vector3d::UnitZ()), 1, 1e-6) << "the chains hang behind the head";
 }
 
-}  // namespace coif::character_cases_test
+}  // namespace coif::report::character_cases_test

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <regex>
 
-namespace coif::cost_page_test {
+namespace coif::report::cost_page_test {
 
 using nlohmann::ordered_json;
 CostReport rigid_report() {
@@ -298,4 +298,4 @@ TEST(DrawingText, HasALineForEveryRow) {
   }
 }
 
-}  // namespace coif::cost_page_test
+}  // namespace coif::report::cost_page_test

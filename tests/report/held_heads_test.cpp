@@ -9,7 +9,7 @@
 #include <limits>
 #include <set>
 
-namespace coif::held_heads_test {
+namespace coif::report::held_heads_test {
 
 constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
 
@@ -71,4 +71,4 @@ TEST(HeldHeads, AreTriedInAllWaysThatTheBudgetAllows) {
   EXPECT_FALSE(few.empty());
 }
 
-}  // namespace coif::held_heads_test
+}  // namespace coif::report::held_heads_test

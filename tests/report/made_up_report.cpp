@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace coif {
+namespace coif::report {
 
 Keys keys_of(const nlohmann::ordered_json& object) {
   Keys keys;
@@ -217,4 +217,4 @@ OrderReport made_up_order() {
   return report;
 }
 
-}  // namespace coif
+}  // namespace coif::report

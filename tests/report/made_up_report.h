@@ -6,7 +6,7 @@
 #include "report/page/report_heading.h"
 #include "report/stability/stability_report.h"
 
-namespace coif {
+namespace coif::report {
 
 using Keys = std::vector<std::string>;
 /// Of a JSON object, in its order.
@@ -38,4 +38,4 @@ using Keys = std::vector<std::string>;
 /// opaque at rest, an own threshold of 0.8 where 0.9 would be better, hair that gets thin at 16 pixels; no bones.
 [[nodiscard]] OrderReport made_up_order();
 
-}  // namespace coif
+}  // namespace coif::report

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif::measure_accuracy_test {
+namespace coif::report::measure_accuracy_test {
 
 using Eigen::Vector3d;
 
@@ -18,7 +18,7 @@ class AccuracyTest : public testing::Test {
  protected:
   static AccuracySettings quick() {
     AccuracySettings settings;
-    settings.motions = {Motion::kNod, Motion::kJump};
+    settings.motions = {motion::Motion::kNod, motion::Motion::kJump};
     settings.fps = {30, 60};
     settings.substeps = {1, 2};
     settings.seconds = 1;
@@ -71,7 +71,7 @@ TEST_F(AccuracyTest, ErrorFallsWithTheFrameRateAndWithSubsteps) {
 
 TEST_F(AccuracyTest, ToldVelocitiesTakeOutWhatSubstepsCannot) {
   AccuracySettings settings = quick();
-  settings.motions = {Motion::kCharge};
+  settings.motions = {motion::Motion::kCharge};
   settings.fps = {30};
   settings.substeps = {16};
   settings.solvers = {"coif", "thesis"};
@@ -105,11 +105,11 @@ TEST_F(AccuracyTest, SettlesWhereTheModelHangs) {
 
 TEST_F(AccuracyTest, AClipOfAMotionMeasuresLikeTheMotion) {
   AccuracySettings settings = quick();
-  settings.motions = {Motion::kNod};
-  const auto nod = path_of(Motion::kNod);
-  std::vector<ClipKey> keys;
+  settings.motions = {motion::Motion::kNod};
+  const auto nod = motion::path_of(motion::Motion::kNod);
+  std::vector<motion::ClipKey> keys;
   for (int i = 0; i <= 240; ++i) keys.push_back({i / 120.0, nod->at(i / 120.0).position, nod->at(i / 120.0).rotation});
-  settings.clip = NamedPath{"nod.glb:head", path_of(keys)};
+  settings.clip = NamedPath{"nod.glb:head", motion::path_of(keys)};
   const auto report = measure(settings);
   ASSERT_TRUE(report) << report.error().message;
   const std::size_t half = report->rows.size() / 2;
@@ -125,7 +125,7 @@ TEST_F(AccuracyTest, AClipOfAMotionMeasuresLikeTheMotion) {
 TEST_F(AccuracyTest, AClipAloneReplacesTheSuite) {
   AccuracySettings settings = quick();
   settings.motions.clear();
-  settings.clip = NamedPath{"clip", path_of(Motion::kRun)};
+  settings.clip = NamedPath{"clip", motion::path_of(motion::Motion::kRun)};
   const auto report = measure(settings);
   ASSERT_TRUE(report) << report.error().message;
   EXPECT_EQ(report->reference.size(), 1u);
@@ -133,7 +133,7 @@ TEST_F(AccuracyTest, AClipAloneReplacesTheSuite) {
 
 TEST_F(AccuracyTest, ExplosionsAreRowsWithoutNumbers) {
   AccuracySettings settings = quick();
-  settings.motions = {Motion::kTumble};
+  settings.motions = {motion::Motion::kTumble};
   settings.fps = {10, 15};
   settings.seconds = 4;
   settings.solvers = {"mass-spring"};
@@ -179,13 +179,13 @@ TEST(FrameTimes, HoldEveryFrameOfEveryRateOnce) {
 }
 
 TEST(ConstraintMeter, SeesStretchAndDepthAndKeepsTheWorst) {
-  Rig rig = strand_rig(1);
+  lab::Rig rig = strand_rig(1);
   rig.bones[0].rest_direction = -Vector3d::UnitY();
   rig.bones[0].length = 0.1;
   rig.bones[0].colliders = 1;
   rig.bones[0].hit_radius = 0.01;
   rig.colliders.push_back(sphere(Vector3d(0, -0.2, 0), 0.05));
-  ConstraintMeter meter(rig);
+  lab::ConstraintMeter meter(rig);
   ASSERT_TRUE(meter.sees_colliders());
   const std::vector<Vector3d> stretched{Vector3d(0, 0, 0.13)}, inside{Vector3d(0, -0.15, 0)}, good{Vector3d(0, 0, 0.1)};
   meter.look(stretched);
@@ -199,12 +199,12 @@ TEST(ConstraintMeter, SeesStretchAndDepthAndKeepsTheWorst) {
 }
 
 TEST(ConstraintMeter, NeverForgetsWhatWasNotANumber) {
-  const Rig rig = strand_rig(1);
-  ConstraintMeter meter(rig);
+  const lab::Rig rig = strand_rig(1);
+  lab::ConstraintMeter meter(rig);
   const std::vector<Vector3d> broken{Vector3d::Constant(std::nan(""))}, good{rig.bones[0].rest_direction * 0.08};
   meter.look(broken);
   meter.look(good);
   EXPECT_TRUE(std::isnan(meter.worst().stretch));
 }
 
-}  // namespace coif::measure_accuracy_test
+}  // namespace coif::report::measure_accuracy_test

@@ -14,7 +14,7 @@
 #include <tuple>
 #include <utility>
 
-namespace coif::measure_cards_test {
+namespace coif::report::measure_cards_test {
 
 constexpr float kWidth = 0.002f;
 constexpr std::size_t kTriangles = 120;
@@ -34,14 +34,14 @@ CardsSettings quick() {
 class CardsReports : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    groom_ = std::make_unique<Groom>(test::groom_of(test::strands_of_a_head(120)));
+    groom_ = std::make_unique<groom::Groom>(cards::test::groom_of(cards::test::strands_of_a_head(120)));
     groom_->path = "a.hair";
     CardsSettings settings = quick();
-    const auto cards =
-        make_cards(*groom_, shape_of(*groom_, kWidth), {kTriangles, settings.texels, settings.rounds, kWidth}, 2);
+    const auto cards = cards::make_cards(*groom_, cards::shape_of(*groom_, kWidth),
+                                         {kTriangles, settings.texels, settings.rounds, kWidth}, 2);
     if (!cards) throw std::runtime_error(cards.error().message);
-    asset_ = std::make_unique<OpenedAsset>(
-        asset_of_surface(surface_of(*cards), {1, Eigen::Matrix3f::Identity(), {0, 0.1f, 0}}));
+    asset_ = std::make_unique<lab::OpenedAsset>(
+        asset_of_surface(cards::surface_of(*cards), {1, Eigen::Matrix3f::Identity(), {0, 0.1f, 0}}));
     settings.sheets = true;
     auto report = measure(settings);
     if (!report) throw std::runtime_error(report.error().message);
@@ -57,8 +57,8 @@ class CardsReports : public testing::Test {
     return measure_cards(asset_->asset(), *groom_, 0, settings, [](const std::string&) {});
   }
 
-  static inline std::unique_ptr<Groom> groom_;
-  static inline std::unique_ptr<OpenedAsset> asset_;
+  static inline std::unique_ptr<groom::Groom> groom_;
+  static inline std::unique_ptr<lab::OpenedAsset> asset_;
   static inline std::unique_ptr<CardsReport> report_;
 };
 
@@ -167,4 +167,4 @@ TEST_F(CardsReports, RefuseSettingsOutOfRange) {
   EXPECT_EQ(without_mesh.error().kind, ToolError::Kind::kBadInput);
 }
 
-}  // namespace coif::measure_cards_test
+}  // namespace coif::report::measure_cards_test

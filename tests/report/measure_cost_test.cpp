@@ -11,7 +11,7 @@
 #include <set>
 #include <tuple>
 
-namespace coif::measure_cost_test {
+namespace coif::report::measure_cost_test {
 
 /// The simulated part of `asset`, with bones that touch nothing.
 AssetContents free_hair(const Asset& asset) {
@@ -144,7 +144,7 @@ TEST_F(CostTest, AlgorithmOneHasNoCharacter) {
 }
 
 TEST_F(CostTest, HairThatReachesNoColliderHasNoneToLeaveOut) {
-  const OpenedAsset free(free_hair(hair_.asset()));
+  const lab::OpenedAsset free(free_hair(hair_.asset()));
   ASSERT_TRUE(free.asset().is_open());
   const auto report = measure(free.asset(), quick());
   ASSERT_TRUE(report) << report.error().message;
@@ -170,7 +170,7 @@ TEST_F(CostTest, RigidHairHasOnlyItsBytes) {
   contents.skeleton = hair_.asset().skeleton();
   contents.skeleton.simulated_count = 0;
   contents.bones.assign(1, hair_.asset().bones()[0]);
-  const OpenedAsset rigid(contents);
+  const lab::OpenedAsset rigid(contents);
   ASSERT_TRUE(rigid.asset().is_open());
   const auto report = measure(rigid.asset(), quick());
   ASSERT_TRUE(report) << report.error().message;
@@ -224,7 +224,7 @@ TEST_F(CostTest, CrowdsTakeTheSubstepsThatTheRuntimeWouldTake) {
     tuning.slowest_rate = 30;
     tuning.fastest_rate = 120;
     contents.tuning.push_back(tuning);
-    const OpenedAsset tuned(contents);
+    const lab::OpenedAsset tuned(contents);
     ASSERT_TRUE(tuned.asset().is_open());
     auto asked = HairCrowd::create(tuned.asset(), {.substeps = 0});  // the runtime's own choice
     auto told = HairCrowd::create(tuned.asset(), {.substeps = tuned_substeps(tuned.asset(), float(1 / kCrowdRate))});
@@ -237,4 +237,4 @@ TEST_F(CostTest, CrowdsTakeTheSubstepsThatTheRuntimeWouldTake) {
   }
 }
 
-}  // namespace coif::measure_cost_test
+}  // namespace coif::report::measure_cost_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace coif::order_page_test {
+namespace coif::report::order_page_test {
 
 using nlohmann::ordered_json;
 std::vector<std::uint8_t> bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
@@ -199,4 +199,4 @@ TEST(ShadowJson, NamesMapsWithAndWithoutTheirSize) {
   EXPECT_NE(json["notes"]["method"].get<std::string>().find("1234 points of hair"), std::string::npos);
 }
 
-}  // namespace coif::order_page_test
+}  // namespace coif::report::order_page_test

@@ -11,18 +11,18 @@
 #include <cmath>
 #include <string>
 
-namespace coif::own_model_test {
+namespace coif::report::own_model_test {
 
 /// One chain whose motion does not depend on the last digit of anything, in a smooth motion of the head.
-class OwnModel : public testing::TestWithParam<Motion> {
+class OwnModel : public testing::TestWithParam<motion::Motion> {
  protected:
-  OwnModel() : opened_(calm_strand(3, 0.3f).contents()), sample_(sample_of(rig_of(opened_.asset()), 8)) {}
+  OwnModel() : opened_(calm_strand(3, 0.3f).contents()), sample_(lab::sample_of(lab::rig_of(opened_.asset()), 8)) {}
 
   /// Shares of the length, for twice as many steps each time.
   std::vector<double> errors_of(const MeasuredSolver& solver, std::span<const int> efforts) const {
-    const auto path = path_of(GetParam());
+    const auto path = motion::path_of(GetParam());
     const FramePoses frames(*path, 120, 3);
-    const ReferenceRun reference = solve_reference(sample_.rig, {}, *path, {.sample_times = frames.times});
+    const lab::ReferenceRun reference = lab::solve_reference(sample_.rig, {}, *path, {.sample_times = frames.times});
     const auto own = own_model_run(solver, sample_.rig, {}, *path, reference);
     if (!own) return {};
     std::vector<double> errors;
@@ -34,8 +34,8 @@ class OwnModel : public testing::TestWithParam<Motion> {
   }
 
  private:
-  OpenedAsset opened_;
-  RigSample sample_;
+  lab::OpenedAsset opened_;
+  lab::RigSample sample_;
 };
 
 TEST_P(OwnModel, ErrorsOfTheOthersFallAtFirstOrder) {
@@ -70,12 +70,15 @@ TEST_P(OwnModel, IsNoneWhereASettingIsAShareOfAStep) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Smooth, OwnModel, testing::Values(Motion::kNod, Motion::kTurn, Motion::kRun),
-                         [](const auto& motion) { return std::string(all_motions()[std::size_t(motion.param)].name); });
+INSTANTIATE_TEST_SUITE_P(Smooth, OwnModel,
+                         testing::Values(motion::Motion::kNod, motion::Motion::kTurn, motion::Motion::kRun),
+                         [](const auto& motion) {
+                           return std::string(motion::all_motions()[std::size_t(motion.param)].name);
+                         });
 
 TEST(SubStepsOfOthers, DoNotGoThroughWhatAJumpLeavesOut) {
-  const OpenedAsset opened(calm_strand(3, 0.3f).contents());
-  const RigSample sample = sample_of(rig_of(opened.asset()), 8);
+  const lab::OpenedAsset opened(calm_strand(3, 0.3f).contents());
+  const lab::RigSample sample = lab::sample_of(lab::rig_of(opened.asset()), 8);
   for (const ListedSolver& listed : historical_solvers()) {
     const auto solver = listed.create(sample.rig, {}, 4);
     HeadPose head;
@@ -84,7 +87,7 @@ TEST(SubStepsOfOthers, DoNotGoThroughWhatAJumpLeavesOut) {
     head.position[0] = 10;
     ASSERT_TRUE(solver->step(head, 1.0 / 60));
     double farthest = 0;
-    const StaticPose rest = static_pose(sample.rig, {});
+    const lab::StaticPose rest = lab::static_pose(sample.rig, {});
     for (std::size_t i = 0; i < rest.ends.size(); ++i) {
       farthest = std::max(farthest, (solver->bone_ends()[i] - rest.ends[i]).norm());
     }
@@ -92,4 +95,4 @@ TEST(SubStepsOfOthers, DoNotGoThroughWhatAJumpLeavesOut) {
   }
 }
 
-}  // namespace coif::own_model_test
+}  // namespace coif::report::own_model_test

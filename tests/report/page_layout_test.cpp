@@ -8,7 +8,7 @@
 #include <functional>
 #include <string>
 
-namespace coif::page_layout_test {
+namespace coif::report::page_layout_test {
 
 using nlohmann::ordered_json;
 
@@ -155,4 +155,4 @@ TEST(ReportPage, IsSmallWithoutCharts) {
   EXPECT_LT(page.size(), 40000u);
 }
 
-}  // namespace coif::page_layout_test
+}  // namespace coif::report::page_layout_test

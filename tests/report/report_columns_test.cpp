@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace coif::report_columns_test {
+namespace coif::report::report_columns_test {
 
 struct Record {
   std::string name;
@@ -82,4 +82,4 @@ TEST(ReportColumns, CanBeLeftOutByTheirKeys) {
             (Keys{"count", "error_pct", "is_good"}));
 }
 
-}  // namespace coif::report_columns_test
+}  // namespace coif::report::report_columns_test

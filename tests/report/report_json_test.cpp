@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace coif::report_json_test {
+namespace coif::report::report_json_test {
 
 TEST(NumberText, IsADashWhereThereIsNoNumber) {
   for (const double none : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
@@ -36,7 +36,7 @@ TEST(NumberText, IsNearTheNumberAtEverySize) {
 }
 
 TEST(ReportHeading, MeasuresChainsFromTheRigidBoneToTheirFurthestTip) {
-  const OpenAsset file(small_asset());  // a chain of two bones and one of one bone, 0.1 m each
+  const animation::OpenAsset file(small_asset());  // a chain of two bones and one of one bone, 0.1 m each
   ASSERT_TRUE(file.asset().is_open());
   const ReportHeading heading = heading_of(file.asset(), "small.coif");
   EXPECT_EQ(heading.asset, "small.coif");
@@ -143,4 +143,4 @@ TEST(StabilityJson, HasTheDocumentedKeysAndOutcomes) {
   EXPECT_EQ(json["descriptions"][1]["case"], "nan_pose");
 }
 
-}  // namespace coif::report_json_test
+}  // namespace coif::report::report_json_test

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace coif::segment_length_test {
+namespace coif::report::segment_length_test {
 
 using Eigen::Vector3d;
 
@@ -29,7 +29,7 @@ INSTANTIATE_TEST_SUITE_P(Listed, SegmentLengths,
                          [](const auto& tested) { return test_name(tested.param.solver); });
 
 TEST_P(SegmentLengths, StayNearRestWhereStepsAreSmall) {
-  const Rig rig = forked_rig();
+  const lab::Rig rig = forked_rig();
   const auto solver = solver_named(GetParam().solver).create(rig, {}, GetParam().effort);
   solver->reset({});
   double worst = 0;
@@ -44,9 +44,9 @@ INSTANTIATE_TEST_SUITE_P(Listed, SolverBesideAHead, testing::ValuesIn(historical
                          [](const auto& tested) { return test_name(tested.param.name); });
 
 TEST_P(SolverBesideAHead, EndsOutsideOfASphereThatHairLiesOn) {
-  Rig rig = strand_rig(4);
+  lab::Rig rig = strand_rig(4);
   rig.colliders = {sphere({0, 0, 0}, 0.1)};
-  for (RigBone& bone : rig.bones) {
+  for (lab::RigBone& bone : rig.bones) {
     bone.joint = Vector3d(0, 0.105, 0);
     bone.rest_direction = Vector3d(0, 0, -1);
     bone.stiffness = 20;
@@ -71,7 +71,7 @@ TEST_P(SolverBesideAHead, EndsOutsideOfASphereThatHairLiesOn) {
 }
 
 double stretch_after(std::string_view name, int effort, double dt, double seconds) {
-  const Rig rig = strand_rig(3);
+  const lab::Rig rig = strand_rig(3);
   const auto solver = solver_named(name).create(rig, {}, effort);
   solver->reset({});
   EXPECT_TRUE(run(*solver, walking, dt, seconds));
@@ -99,7 +99,7 @@ TEST(ImpulseAndSeparateSolvers, StayInBoundsAtThirtyFramesPerSecond) {
 /// Jerks that leave the first bone several times its length behind, where a single Newton step goes anywhere.
 TEST(TridiagonalSolver, NeverLeavesAStrandMoreThanATenthOff) {
   for (const int bone_count : {3, 8, 16}) {
-    const Rig rig = strand_rig(bone_count);
+    const lab::Rig rig = strand_rig(bone_count);
     const auto solver = solver_named("tridiagonal").create(rig, {}, 1);
     solver->reset({});
     HeadPose jerked;
@@ -111,4 +111,4 @@ TEST(TridiagonalSolver, NeverLeavesAStrandMoreThanATenthOff) {
   }
 }
 
-}  // namespace coif::segment_length_test
+}  // namespace coif::report::segment_length_test

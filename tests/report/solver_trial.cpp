@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::report {
 
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-Rig strand_rig(int bone_count) {
-  Rig rig;
+lab::Rig strand_rig(int bone_count) {
+  lab::Rig rig;
   for (int i = 0; i < bone_count; ++i) {
-    RigBone bone;
+    lab::RigBone bone;
     bone.parent = i - 1;
     bone.rest_direction = Vector3d(0, -0.8, -0.6);
     bone.length = 0.08;
@@ -23,10 +23,10 @@ Rig strand_rig(int bone_count) {
   return rig;
 }
 
-Rig forked_rig() {
-  Rig rig = strand_rig(4);
+lab::Rig forked_rig() {
+  lab::Rig rig = strand_rig(4);
   for (int i = 0; i < 2; ++i) {
-    RigBone bone = rig.bones[2];
+    lab::RigBone bone = rig.bones[2];
     bone.parent = i == 0 ? 1 : 4;
     bone.rest_direction = Vector3d(0.6, -0.48, 0.64);
     rig.bones.push_back(bone);
@@ -34,8 +34,8 @@ Rig forked_rig() {
   return rig;
 }
 
-Rig pendulum_rig() {
-  RigBone bone;
+lab::Rig pendulum_rig() {
+  lab::RigBone bone;
   bone.rest_direction = Vector3d(0, 0, -1);
   bone.length = 0.1;
   bone.resistance = 0.1;
@@ -44,8 +44,8 @@ Rig pendulum_rig() {
   return {.bones = {bone}, .colliders = {}, .links = {}, .tips = {}, .tip_length = {}, .tip_chain = {}};
 }
 
-Rig mirrored(Rig rig) {
-  for (RigBone& bone : rig.bones) {
+lab::Rig mirrored(lab::Rig rig) {
+  for (lab::RigBone& bone : rig.bones) {
     bone.joint.x() = -bone.joint.x();
     bone.rest_direction.x() = -bone.rest_direction.x();
   }
@@ -86,7 +86,8 @@ HeadPose mirrored(const HeadPose& head) {
   return mirror;
 }
 
-bool run(ChainSolver& solver, const HeadMotion& motion, double dt, double seconds, const std::function<void()>& look) {
+bool run(lab::ChainSolver& solver, const HeadMotion& motion, double dt, double seconds,
+         const std::function<void()>& look) {
   const auto steps = std::lround(seconds / dt);
   for (long i = 1; i <= steps; ++i) {
     if (!solver.step(motion(double(i) * dt), dt)) return false;
@@ -95,10 +96,10 @@ bool run(ChainSolver& solver, const HeadMotion& motion, double dt, double second
   return true;
 }
 
-double worst_stretch(const Rig& rig, std::span<const Vector3d> ends) {
+double worst_stretch(const lab::Rig& rig, std::span<const Vector3d> ends) {
   double worst = 0;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    const RigBone& bone = rig.bones[i];
+    const lab::RigBone& bone = rig.bones[i];
     const Vector3d& start = bone.parent < 0 ? bone.joint : ends[std::size_t(bone.parent)];
     const double stretch = std::abs((ends[i] - start).norm() / bone.length - 1);
     if (std::isnan(stretch)) return stretch;
@@ -123,4 +124,4 @@ std::string test_name(std::string_view solver) {
   return name;
 }
 
-}  // namespace coif
+}  // namespace coif::report

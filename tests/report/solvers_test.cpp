@@ -12,14 +12,14 @@
 #include <limits>
 #include <set>
 
-namespace coif::solvers_test {
+namespace coif::report::solvers_test {
 
 using Eigen::Vector3d;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-std::vector<Vector3d> ends_of(const ChainSolver& solver) {
+std::vector<Vector3d> ends_of(const lab::ChainSolver& solver) {
   return {solver.bone_ends().begin(), solver.bone_ends().end()};
 }
 
@@ -32,7 +32,7 @@ bool all_finite(std::span<const Vector3d> ends) {
 
 class EverySolver : public testing::TestWithParam<ListedSolver> {
  protected:
-  [[nodiscard]] std::unique_ptr<ChainSolver> create(const Rig& rig) const {
+  [[nodiscard]] std::unique_ptr<lab::ChainSolver> create(const lab::Rig& rig) const {
     return GetParam().create(rig, {}, GetParam().efforts.back());
   }
 };
@@ -58,7 +58,7 @@ TEST(HistoricalSolvers, HaveNamesOfTheirOwn) {
 }
 
 TEST_P(EverySolver, StartsFromTheRestPoseOfATurnedHead) {
-  const Rig rig = forked_rig();
+  const lab::Rig rig = forked_rig();
   const auto solver = create(rig);
   solver->reset(walking(0.4));
   const auto ends = solver->bone_ends();
@@ -92,7 +92,7 @@ TEST_P(EverySolver, RefusesToBeginWithoutReset) { EXPECT_FALSE(create(forked_rig
 
 TEST_P(EverySolver, GivesTheSameTwiceAndAfterReset) {
   const auto first = create(forked_rig()), second = create(forked_rig());
-  for (ChainSolver* solver : {first.get(), second.get()}) {
+  for (lab::ChainSolver* solver : {first.get(), second.get()}) {
     solver->reset({});
     ASSERT_TRUE(run(*solver, walking, 1.0 / 60, 0.5));
   }
@@ -136,13 +136,13 @@ TEST_P(EverySolver, DoesNotSeeThatTheHeadMovesEvenly) {
 }
 
 TEST_P(EverySolver, SurvivesWhatItCannotSolveAndCanBeReset) {
-  Rig rig = forked_rig();
+  lab::Rig rig = forked_rig();
   rig.bones[2].stiffness = rig.bones[2].damping = rig.bones[2].resistance = 0;
   rig.bones[3].resistance = 1;
   rig.bones[4].friction = 1e6;
   rig.bones[5].rest_direction = -rig.bones[4].rest_direction;
   rig.colliders = {sphere({0, 0, 0}, 0.1), sphere({0, 0.05, 0}, 0.1)};
-  for (RigBone& bone : rig.bones) bone.colliders = 0xffu;
+  for (lab::RigBone& bone : rig.bones) bone.colliders = 0xffu;
   const auto solver = create(rig);
   solver->reset({});
   HeadPose far;
@@ -157,7 +157,9 @@ TEST_P(EverySolver, SurvivesWhatItCannotSolveAndCanBeReset) {
   EXPECT_TRUE(all_finite(solver->bone_ends()));
 }
 
-std::unique_ptr<ChainSolver> implicit(const Rig& rig) { return std::make_unique<ImplicitSolver>(rig, SolverScene{}); }
+std::unique_ptr<lab::ChainSolver> implicit(const lab::Rig& rig) {
+  return std::make_unique<ImplicitSolver>(rig, lab::SolverScene{});
+}
 
 HeadPose moved_to(double x) {
   HeadPose head;
@@ -166,7 +168,7 @@ HeadPose moved_to(double x) {
 }
 
 TEST(SubSteps, MoveTheHeadEvenlyInBetween) {
-  const Rig rig = forked_rig();
+  const lab::Rig rig = forked_rig();
   const auto whole = in_sub_steps(implicit(rig), 4), parts = implicit(rig);
   whole->reset({});
   parts->reset({});
@@ -176,7 +178,7 @@ TEST(SubSteps, MoveTheHeadEvenlyInBetween) {
 }
 
 TEST(SubSteps, TurnTheHeadTheShortWay) {
-  const Rig rig = forked_rig();
+  const lab::Rig rig = forked_rig();
   const auto near = in_sub_steps(implicit(rig), 4), far = in_sub_steps(implicit(rig), 4);
   HeadPose turned;
   turned.rotation = {0, 0.1f, 0, 0.99498743f};
@@ -189,7 +191,7 @@ TEST(SubSteps, TurnTheHeadTheShortWay) {
 }
 
 TEST(SubSteps, BeginFromTheLastHeadThatWasTaken) {
-  const Rig rig = forked_rig();
+  const lab::Rig rig = forked_rig();
   const auto solver = in_sub_steps(implicit(rig), 2), undisturbed = in_sub_steps(implicit(rig), 2);
   solver->reset({});
   undisturbed->reset({});
@@ -201,7 +203,7 @@ TEST(SubSteps, BeginFromTheLastHeadThatWasTaken) {
 
 TEST(SubSteps, OfOneAreTheSolverItself) {
   auto solver = implicit(forked_rig());
-  const ChainSolver* itself = solver.get();
+  const lab::ChainSolver* itself = solver.get();
   EXPECT_EQ(in_sub_steps(std::move(solver), 1).get(), itself);
 }
 
@@ -212,8 +214,8 @@ void set(float (&to)[3], const Vector3d& value) {
 }
 
 /// A bone that keeps 1 cm from one collider.
-Rig rig_with(const ColliderRecord& collider) {
-  Rig rig = pendulum_rig();
+lab::Rig rig_with(const ColliderRecord& collider) {
+  lab::Rig rig = pendulum_rig();
   rig.bones[0].hit_radius = 0.01;
   rig.bones[0].colliders = 1;
   rig.colliders = {collider};
@@ -254,7 +256,7 @@ const Quaterniond kTurned(Eigen::AngleAxisd(0.7, Vector3d(1, 2, -1).normalized()
 
 /// Points inside end `hit_radius` from the surface, points outside stay; whatever the head's rotation.
 template <typename Distance>
-void expect_clear(const Rig& rig, double tolerance, Distance distance) {
+void expect_clear(const lab::Rig& rig, double tolerance, Distance distance) {
   int moved = 0, stayed = 0;
   for_points([&](const Vector3d& point) {
     const Vector3d cleared = kTurned.conjugate() * clear_of_colliders(rig, 0, kTurned, kTurned * point);
@@ -321,7 +323,7 @@ TEST(PointCollisions, LeaveTheVeryCentreSomewhere) {
 }
 
 TEST(PointCollisions, TouchOnlyWhatTheBoneMay) {
-  Rig rig = rig_with(sphere({0, 0, 0}, 0.1));
+  lab::Rig rig = rig_with(sphere({0, 0, 0}, 0.1));
   const Vector3d inside(0.01, 0.02, 0.03);
   for (const std::uint32_t colliders : {0u, 2u}) {  // None, and one that does not exist.
     rig.bones[0].colliders = colliders;
@@ -330,7 +332,7 @@ TEST(PointCollisions, TouchOnlyWhatTheBoneMay) {
 }
 
 TEST(PointCollisions, PushOutTakesTheSpeedIntoTheMovingHeadAndNoOther) {
-  const Rig rig = rig_with(sphere({0, 0, 0}, 0.1));
+  const lab::Rig rig = rig_with(sphere({0, 0, 0}, 0.1));
   const Vector3d zero = Vector3d::Zero();
   ParticleStep step{1.0 / 60, Quaterniond::Identity(), Quaterniond::Identity(), zero, zero, Vector3d(0, 1, 0), zero};
   Vector3d position(0, 0.1, 0), velocity(3, 0.4, 0);  // Upwards, but the head comes after faster.
@@ -345,11 +347,11 @@ TEST(PointCollisions, PushOutTakesTheSpeedIntoTheMovingHeadAndNoOther) {
 }
 
 TEST(PointCollisions, KeepTheLengthWhereTheyMust) {
-  const Rig rig = rig_with(sphere({0, 0, 0}, 0.1));  // The bone is 0.1 m long.
+  const lab::Rig rig = rig_with(sphere({0, 0, 0}, 0.1));  // The bone is 0.1 m long.
   const Vector3d start(0, 0.12, 0), wanted = start + Vector3d(0.02, -0.1, 0);
   const Vector3d end = clear_of_colliders_at_length(rig, 0, kTurned, start, wanted);
   EXPECT_NEAR((end - start).norm(), 0.1, 1e-9);
   EXPECT_GT(end.norm(), 0.109);
 }
 
-}  // namespace coif::solvers_test
+}  // namespace coif::report::solvers_test

@@ -9,7 +9,7 @@
 #include <regex>
 #include <set>
 
-namespace coif::stability_test {
+namespace coif::report::stability_test {
 
 const MeasuredSolver& solver(std::string_view name) { return *find_measured_solver(name); }
 
@@ -25,7 +25,7 @@ Stress gentle() {
 StabilityRow run(const Stress& stress, std::string_view name) {
   const StressAsset made(*stress.rig);
   EXPECT_TRUE(made.is_open());
-  return StressSubject(stress, made.asset(), sample_of(rig_of(made.asset()), kMaxBones)).run(solver(name));
+  return StressSubject(stress, made.asset(), lab::sample_of(lab::rig_of(made.asset()), kMaxBones)).run(solver(name));
 }
 
 TEST(StressCases, HaveNamesOfTheirOwnAndRigsThatTheFormatAllows) {
@@ -44,7 +44,7 @@ TEST(StressCases, HaveNamesOfTheirOwnAndRigsThatTheFormatAllows) {
 TEST(StressRig, BranchesAsDeepAsItSays) {
   const StressAsset tree(StressRig{.chains = 1, .bones_per_chain = 15, .branching = 2});
   ASSERT_TRUE(tree.is_open());
-  const Rig rig = rig_of(tree.asset());
+  const lab::Rig rig = lab::rig_of(tree.asset());
   EXPECT_EQ(rig.tips.size(), 8u);
   EXPECT_EQ(rig.bones[14].parent, 12);
 }
@@ -90,7 +90,7 @@ TEST(StressRun, HairThatIsHeldHangsStillInBothModels) {
     for (const char* solver : {"cascade", "passive"}) {
       const StressAsset hair(
           StressRig{.bones_per_chain = 7, .bone_length = 0.06, .root_resistance = 0.01, .damping_ratio = 0.4});
-      const StressSubject subject(stress, hair.asset(), sample_of(rig_of(hair.asset()), 64));
+      const StressSubject subject(stress, hair.asset(), lab::sample_of(lab::rig_of(hair.asset()), 64));
       const StabilityRow row = subject.run(*find_measured_solver(solver));
       EXPECT_EQ(row.outcome, Outcome::kOk) << stress.about.name << ", " << solver;
       EXPECT_LT(row.rest_speed, 0.05) << stress.about.name << ", " << solver;
@@ -172,4 +172,4 @@ TEST(StabilityText, HasALineForEachSolver) {
   EXPECT_TRUE(std::regex_search(text, std::regex("\n  slow +0 +0 +0 +1 +1 +- +- +- +- +- +-\n"))) << text;
 }
 
-}  // namespace coif::stability_test
+}  // namespace coif::report::stability_test

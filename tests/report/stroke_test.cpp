@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace coif::stroke_test {
+namespace coif::report::stroke_test {
 
 TEST(Stroke, IsMoreExactWithMoreFramesAndTouchesNoBone) {
   for (const ChainModel model : {ChainModel::kCascade, ChainModel::kPassive}) {
@@ -31,4 +31,4 @@ TEST(Stroke, IsMoreExactWithMoreFramesAndTouchesNoBone) {
   }
 }
 
-}  // namespace coif::stroke_test
+}  // namespace coif::report::stroke_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace coif::swing_test {
+namespace coif::report::swing_test {
 
 using Eigen::Vector3d;
 
@@ -69,7 +69,7 @@ TEST(Swings, OfSoftHairAreWiderAndLongerThanOfDampedHair) {
                         .damping = damping,
                         .torsion = kShortestArc});
     }
-    const OpenedAsset opened(rig.contents());
+    const lab::OpenedAsset opened(rig.contents());
     const Swings swings = measure_swings(opened.asset());
     const std::vector<SwingRow>& rows = swings.rows;
     EXPECT_GT(std::ranges::max(swings.longest.behind_m), 0.05) << "a head that charges forward leaves its hair behind";
@@ -83,4 +83,4 @@ TEST(Swings, OfSoftHairAreWiderAndLongerThanOfDampedHair) {
   EXPECT_TRUE(std::isfinite(soft.settling_s));
 }
 
-}  // namespace coif::swing_test
+}  // namespace coif::report::swing_test

@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-namespace coif::asset_issues_test {
+namespace coif::validate::asset_issues_test {
 
 std::vector<Doubt> all_doubts() {
   std::vector<Doubt> all(body_doubts().begin(), body_doubts().end());
@@ -130,10 +130,10 @@ class RealAssets : public testing::TestWithParam<RealAsset> {};
 TEST_P(RealAssets, AreCookedWithoutAWarning) {
   const RealAsset& tested = GetParam();
   if (!fs::exists(tested.source)) GTEST_SKIP() << tested.source << ": no corpus of artists' files here";
-  auto recipe = tested.recipe.empty() ? default_recipe() : *read_recipe(tested.recipe);
+  auto recipe = tested.recipe.empty() ? cook::default_recipe() : *cook::read_recipe(tested.recipe);
   recipe.order_method =
-      OrderMethod::kHead;  // The search takes most of a cook's time and finds orders that are all in use.
-  const auto source = import_model(tested.source);
+      cook::OrderMethod::kHead;  // The search takes most of a cook's time and finds orders that are all in use.
+  const auto source = importer::import_model(tested.source);
   ASSERT_TRUE(source) << source.error().message;
   Codes of_source = above_notes(find_source_issues(*source, recipe));
   // The corpus has files that need repair, hide meshes and have loose lines.
@@ -141,7 +141,7 @@ TEST_P(RealAssets, AreCookedWithoutAWarning) {
   if (tested.source.extension() == ".obj") of_source.erase("S207");  // An OBJ never says its unit.
   EXPECT_EQ(of_source, Codes{});
 
-  const auto result = cook(*source, recipe, {.threads = 2, .recipe_directory = tested.source.parent_path()});
+  const auto result = cook::cook(*source, recipe, {.threads = 2, .recipe_directory = tested.source.parent_path()});
   ASSERT_TRUE(result) << result.error().message;
   AlignedBytes file(result->asset);
   Asset asset;
@@ -152,4 +152,4 @@ TEST_P(RealAssets, AreCookedWithoutAWarning) {
 INSTANTIATE_TEST_SUITE_P(Corpus, RealAssets, testing::ValuesIn(kAssets),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
-}  // namespace coif::asset_issues_test
+}  // namespace coif::validate::asset_issues_test

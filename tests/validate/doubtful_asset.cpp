@@ -2,7 +2,7 @@
 
 #include "models/small_asset.h"
 
-namespace coif {
+namespace coif::validate {
 
 AssetContents sound_asset() {
   AssetContents asset = small_asset();
@@ -229,4 +229,4 @@ constexpr Doubt kSurfaceDoubts[] = {
 
 std::span<const Doubt> surface_doubts() { return kSurfaceDoubts; }
 
-}  // namespace coif
+}  // namespace coif::validate

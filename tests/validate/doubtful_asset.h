@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-namespace coif {
+namespace coif::validate {
 
 /// A small asset of a head, one chain of two bones and three patches that raises no issue.
 [[nodiscard]] AssetContents sound_asset();
@@ -33,4 +33,4 @@ struct Doubt {
 [[nodiscard]] std::span<const Doubt> body_doubts();     ///< Skeleton, dynamics, quality.
 [[nodiscard]] std::span<const Doubt> surface_doubts();  ///< Geometry, patches, orders, skin, textures.
 
-}  // namespace coif
+}  // namespace coif::validate

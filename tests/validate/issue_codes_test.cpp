@@ -11,7 +11,7 @@
 #include <set>
 #include <sstream>
 
-namespace coif::issue_codes_test {
+namespace coif::validate::issue_codes_test {
 
 TEST(IssueCodes, AreUniqueAndGrouped) {
   std::set<std::string_view> codes;
@@ -38,7 +38,7 @@ TEST(IssueCodes, SayWhatTheyMeanAndHowToCureIt) {
 
 /// "textures.max_size" and the like.
 TEST(IssueCodes, CuresNameOnlyKeysOfTheRecipe) {
-  const nlohmann::json recipe = nlohmann::json::parse(print_recipe(default_recipe()), nullptr, true, true);
+  const nlohmann::json recipe = nlohmann::json::parse(cook::print_recipe(cook::default_recipe()), nullptr, true, true);
   const std::regex key("\"([a-z_]+)\\.([a-z_]+)\"");
   int keys = 0;
   for (const IssueCode& row : issue_codes()) {
@@ -164,4 +164,4 @@ TEST(IssuePolicy, ErrorsAndUnknownCodesCannotBeIgnored) {
   EXPECT_FALSE(may_ignore("A299"));
 }
 
-}  // namespace coif::issue_codes_test
+}  // namespace coif::validate::issue_codes_test

@@ -14,14 +14,14 @@
 #include <string>
 #include <vector>
 
-namespace coif::asset_motion_test {
+namespace coif::view::asset_motion_test {
 namespace {
 
-using Curve = std::vector<CurvePoint>;
+using Curve = std::vector<cook::CurvePoint>;
 
 /// Two chains, of three and of two bones, that hang at a slant.
 struct Hair {
-  Skeleton skeleton;
+  cook::Skeleton skeleton;
   AssetContents rig;
 };
 
@@ -34,7 +34,7 @@ Hair slanted_hair(ChainModel model) {
   hair.skeleton.bones.resize(6);
   hair.skeleton.bones[0].kind = BoneKind::kHead;
   for (std::uint32_t b = 1; b < 6; ++b) {
-    SkeletonBone& bone = hair.skeleton.bones[b];
+    cook::SkeletonBone& bone = hair.skeleton.bones[b];
     bone.kind = BoneKind::kSimulated;
     bone.parent = hair.rig.bones[b].parent;
     bone.chain = hair.rig.bones[b].chain;
@@ -46,33 +46,33 @@ Hair slanted_hair(ChainModel model) {
 }
 
 /// What a cook without conditioning makes of it.
-AssetContents cooked(const Recipe& recipe, ChainModel model) {
+AssetContents cooked(const cook::Recipe& recipe, ChainModel model) {
   Hair hair = slanted_hair(model);
-  Findings unheard;
-  const SaidMotion said = bake_dynamics(SourceModel(), hair.skeleton, recipe, {}, unheard);
+  cook::Findings unheard;
+  const cook::SaidMotion said = cook::bake_dynamics(importer::SourceModel(), hair.skeleton, recipe, {}, unheard);
   hair.rig.dynamics = said.records;
-  hair.rig.skeleton.air_lag = air_lag(recipe, said);
-  settle_model(recipe, said, std::vector(2, model), hair.rig, unheard);
+  hair.rig.skeleton.air_lag = cook::air_lag(recipe, said);
+  cook::settle_model(recipe, said, std::vector(2, model), hair.rig, unheard);
   return hair.rig;
 }
 
-Recipe curve_recipe() {
-  Recipe recipe = default_recipe();
+cook::Recipe curve_recipe() {
+  cook::Recipe recipe = cook::default_recipe();
   recipe.resistance = {{0, 0.3}, {1, 0.05}};
   return recipe;
 }
 
 AssetMotion motion_of(const AssetContents& contents) {
-  const OpenedAsset opened(contents);
+  const lab::OpenedAsset opened(contents);
   EXPECT_TRUE(opened.asset().is_open());
   return AssetMotion(opened.asset());
 }
 
 /// The recipe with what the page says to put in.
-Recipe with(const Recipe& recipe, const AssetMotion& motion, const MotionTuning& tuning) {
-  nlohmann::json all = nlohmann::json::parse(print_recipe(recipe), nullptr, true, true);
+cook::Recipe with(const cook::Recipe& recipe, const AssetMotion& motion, const MotionTuning& tuning) {
+  nlohmann::json all = nlohmann::json::parse(cook::print_recipe(recipe), nullptr, true, true);
   all["dynamics"].update(nlohmann::json::parse(motion.recipe(tuning)));
-  const auto read = parse_recipe(all.dump(), "tuned");
+  const auto read = cook::parse_recipe(all.dump(), "tuned");
   EXPECT_TRUE(read) << read.error().message;
   return read ? *read : recipe;
 }
@@ -93,13 +93,13 @@ void expect_alike(const std::vector<DynamicsRecord>& tuned, const std::vector<Dy
 
 struct Case {
   const char* name;
-  Recipe recipe;
+  cook::Recipe recipe;
   ChainModel model;
   MotionTuning tuning;
 };
 
 std::vector<Case> cases() {
-  Recipe damped = curve_recipe(), soft = curve_recipe(), preset = default_recipe();
+  cook::Recipe damped = curve_recipe(), soft = curve_recipe(), preset = cook::default_recipe();
   damped.damping_ratio = 0.4;
   soft.resistance = {{0, 0.001}, {1, 0.0005}};  // made stiffer, to carry its shape
   const Curve low{{0, 0.2}, {0.5, 0.02}, {1, 0.01}}, ratios{{0, 0.9}, {1, 0.2}};
@@ -109,7 +109,7 @@ std::vector<Case> cases() {
     return std::vector{of, passive};
   };
   std::vector<Case> all;
-  const auto add = [&](const char* name, const Recipe& recipe, const MotionTuning& tuning) {
+  const auto add = [&](const char* name, const cook::Recipe& recipe, const MotionTuning& tuning) {
     for (const Case& each : two({name, recipe, ChainModel::kCascade, tuning})) all.push_back(each);
   };
   add("a resistance", curve_recipe(), {.resistance = low});
@@ -123,8 +123,8 @@ std::vector<Case> cases() {
   add("friction, air and limit", damped, {.friction = 7, .air_follow = 0.25, .angle_limit = 40});
   add("soft hair's friction", soft, {.friction = 3});
   add("soft hair's resistance", soft, {.resistance = low});
-  add("a preset", preset, {.preset = &hair_presets()[1]});
-  add("a livelier preset", preset, {.preset = &hair_presets()[4], .liveliness = 0.7});
+  add("a preset", preset, {.preset = &cook::hair_presets()[1]});
+  add("a livelier preset", preset, {.preset = &cook::hair_presets()[4], .liveliness = 0.7});
   add("a preset's weight", preset, {.gravity_scale = 0.5});
   add("a preset's curve", preset, {.resistance = low, .damping_ratio = ratios});
   return all;
@@ -154,15 +154,15 @@ TEST(AssetMotion, UntunedBonesAreTheirOwnToTheBit) {
 }
 
 TEST(AssetMotion, FindsAgainWhatTheRecipeSaid) {
-  Recipe recipe = curve_recipe();
+  cook::Recipe recipe = curve_recipe();
   recipe.damping_ratio = Curve{{0, 0.9}, {1, 0.3}};
   const auto json = nlohmann::json::parse(motion_of(cooked(recipe, ChainModel::kCascade)).json());
   EXPECT_EQ(json["resistance"]["points"], nlohmann::json::parse("[[0, 0.3], [1, 0.05]]"));
   EXPECT_EQ(json["damping_ratio"]["points"], nlohmann::json::parse("[[0, 0.9], [1, 0.3]]"));
   EXPECT_EQ(json["resistance"]["bones"].size(), 5u);
   EXPECT_EQ(json["preset"], false);
-  for (const HairPreset& preset : hair_presets()) {
-    Recipe of_preset = default_recipe();
+  for (const cook::HairPreset& preset : cook::hair_presets()) {
+    cook::Recipe of_preset = cook::default_recipe();
     of_preset.dynamics_preset = preset.name;
     const AssetMotion motion = motion_of(cooked(of_preset, ChainModel::kPassive));
     EXPECT_EQ(motion.preset(), &preset) << preset.name;
@@ -171,7 +171,7 @@ TEST(AssetMotion, FindsAgainWhatTheRecipeSaid) {
 }
 
 TEST(AssetMotion, HairOfSpringsIsTakenOverByCurves) {
-  Recipe recipe = curve_recipe();
+  cook::Recipe recipe = curve_recipe();
   recipe.sags = true;
   recipe.air_follow = 0;
   const AssetMotion motion = motion_of(cooked(recipe, ChainModel::kCascade));
@@ -184,7 +184,7 @@ TEST(AssetMotion, HairOfSpringsIsTakenOverByCurves) {
 }
 
 TEST(AssetMotion, ConditionedHairKeepsWhatItWasGiven) {
-  Recipe recipe = curve_recipe();
+  cook::Recipe recipe = curve_recipe();
   AssetContents contents = cooked(recipe, ChainModel::kCascade);
   for (const DynamicsRecord& record : contents.dynamics)
     contents.asked.push_back({record.friction, record.damping, record.parent_share});
@@ -205,7 +205,7 @@ TEST(AssetMotion, HairThatDoesNotMoveHasNothingToTune) {
 
 TEST(TunableMotion, WritesIntoTheAssetAndBack) {
   const AssetContents contents = cooked(curve_recipe(), ChainModel::kCascade);
-  const OpenedAsset opened(contents);
+  const lab::OpenedAsset opened(contents);
   const AssetMotion own(opened.asset());
   ViewSettings settings;
   settings.friction = 2;
@@ -232,15 +232,15 @@ TEST(TunableMotion, WritesIntoTheAssetAndBack) {
 
 TEST(TunableMotion, WhatWasCookedIsNotTunedTwiceAndStaysInTheRecipe) {
   const AssetContents first = cooked(curve_recipe(), ChainModel::kCascade);
-  const OpenedAsset opened(first);
+  const lab::OpenedAsset opened(first);
   ViewSettings settings;
   TunableMotion before(AssetMotion(opened.asset()), settings);
   before.set_resistance({{0, 0.4}, {1, 0.1}});
   const std::string recipe = before.recipe(settings);
 
-  Recipe next = curve_recipe();
+  cook::Recipe next = curve_recipe();
   next.resistance = {{0, 0.4}, {1, 0.1}};
-  const OpenedAsset cooked_again(cooked(next, ChainModel::kCascade));
+  const lab::OpenedAsset cooked_again(cooked(next, ChainModel::kCascade));
   TunableMotion after(AssetMotion(cooked_again.asset()), settings);
   after.go_on(before);
   after.accept(settings, true);
@@ -268,11 +268,11 @@ TEST(ReducedCurve, FollowsBentOnesWithFewPointsAndMeansWhereBonesDiffer) {
   for (int i = 0; i <= 40; ++i) bent.push_back({i / 40.0, 0.3 * std::exp(-i / 8.0)});
   const Curve few = reduced_curve(bent, 1.0 / 3, 6);
   EXPECT_LE(few.size(), 6u);
-  for (const CurvePoint& point : bent) {
-    EXPECT_NEAR(std::cbrt(evaluate_curve(few, point.at)), std::cbrt(point.value), 0.05) << point.at;
+  for (const cook::CurvePoint& point : bent) {
+    EXPECT_NEAR(std::cbrt(cook::evaluate_curve(few, point.at)), std::cbrt(point.value), 0.05) << point.at;
   }
   EXPECT_DOUBLE_EQ(reduced_curve(Curve{{0.5, 0.2}, {0.5, 0.4}}, 1, 6)[0].value, 0.3);
 }
 
 }  // namespace
-}  // namespace coif::asset_motion_test
+}  // namespace coif::view::asset_motion_test

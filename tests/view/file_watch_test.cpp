@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-namespace coif::file_watch_test {
+namespace coif::view::file_watch_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -79,4 +79,4 @@ TEST_F(FileWatchTest, KnowsOfChangesWhileTheListIsMade) {
 }
 
 }  // namespace
-}  // namespace coif::file_watch_test
+}  // namespace coif::view::file_watch_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <set>
 
-namespace coif::hair_views_test {
+namespace coif::view::hair_views_test {
 
 AssetContents two_cards() {
   return card_contents(std::array{DrawnCard{.center = {0, 0, 0}}, DrawnCard{.center = {0, 0, 1}}});
@@ -121,4 +121,4 @@ TEST(HairViews, NumbersOutOfRangeShowTheHair) {
   EXPECT_EQ(hair_view_of(2), HairView::kOverdraw);
 }
 
-}  // namespace coif::hair_views_test
+}  // namespace coif::view::hair_views_test

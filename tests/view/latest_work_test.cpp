@@ -8,7 +8,7 @@
 #include <stop_token>
 #include <vector>
 
-namespace coif::latest_work_test {
+namespace coif::view::latest_work_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -84,4 +84,4 @@ TEST(LatestWork, EndsWhatItIsDoing) {
 }
 
 }  // namespace
-}  // namespace coif::latest_work_test
+}  // namespace coif::view::latest_work_test

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <string>
 
-namespace coif::live_cook_test {
+namespace coif::view::live_cook_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -37,22 +37,22 @@ class LiveCookTest : public testing::Test {
 
   LiveCooking cooking() {
     LiveCooking cooking;
-    cooking.import_settings = [](const Recipe& recipe, const std::vector<fs::path>& roots) {
-      ImportSettings settings;
+    cooking.import_settings = [](const cook::Recipe& recipe, const std::vector<fs::path>& roots) {
+      importer::ImportSettings settings;
       settings.roots = roots;
       if (recipe.metres_per_unit > 0) settings.metres_per_unit = recipe.metres_per_unit;
       return settings;
     };
     cooking.cook = [this](const LiveOrder& order, const std::stop_token& stop) -> tl::expected<LiveCooked, ToolError> {
-      throw_if_stopped(stop);
+      platform::throw_if_stopped(stop);
       LiveCooked cooked;
-      ImportOutcome model;
+      importer::ImportOutcome model;
       if (order.model.empty()) {
         ++imports_;
-        model = import_model(order.source, order.import);
+        model = importer::import_model(order.source, order.import);
         if (!model) return tl::unexpected(model.error());
-        cooked.model = encode_model(model);
-      } else if (!decode_model(order.model, model)) {
+        cooked.model = importer::encode_model(model);
+      } else if (!importer::decode_model(order.model, model)) {
         return failure(ToolError::Kind::kInternal, "not the model that was given");
       }
       width_ = model->meshes.at(0).positions[1].x();
@@ -143,7 +143,7 @@ TEST_F(LiveCookTest, FailuresAreToldAndLoseNothing) {
   write("hair.obj", "no model");
   EXPECT_TRUE(cook.files_changed());
   run(cook);
-  EXPECT_EQ(problem_, import_model(folder_ / "hair.obj").error().message);
+  EXPECT_EQ(problem_, importer::import_model(folder_ / "hair.obj").error().message);
   EXPECT_EQ(state()["problem"], problem_);
   EXPECT_EQ(state()["revision"], 1);
   write("hair.obj", kTriangle);
@@ -159,7 +159,7 @@ TEST_F(LiveCookTest, RefusedChangesAreNotKept) {
   const auto refused = cook.change("{\"material\": {\"primary_shift\": 1e9}}");
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().message,
-            parse_recipe("{\"material\": {\"primary_shift\": 1e9}}", "changes of the page").error().message);
+            cook::parse_recipe("{\"material\": {\"primary_shift\": 1e9}}", "changes of the page").error().message);
   run(cook);
   EXPECT_EQ(shift_, 1.25);
 }
@@ -190,4 +190,4 @@ TEST_F(LiveCookTest, OtherSourcesTakeThePlace) {
 }
 
 }  // namespace
-}  // namespace coif::live_cook_test
+}  // namespace coif::view::live_cook_test

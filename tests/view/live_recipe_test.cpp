@@ -14,7 +14,7 @@
 #include <string>
 #include <variant>
 
-namespace coif::live_recipe_test {
+namespace coif::view::live_recipe_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,7 +52,7 @@ TEST_F(LiveRecipeTest, NoFileIsTheDefaults) {
   const auto merged = live_recipe({}, *read_changes("{\"material\": {\"primary_shift\": 1.5}}"));
   ASSERT_TRUE(merged);
   EXPECT_EQ(merged->recipe.primary_shift, 1.5);
-  EXPECT_EQ(merged->recipe.secondary_shift, default_recipe().secondary_shift);
+  EXPECT_EQ(merged->recipe.secondary_shift, cook::default_recipe().secondary_shift);
   EXPECT_TRUE(merged->file.empty());
 }
 
@@ -61,7 +61,7 @@ TEST_F(LiveRecipeTest, ShortPatchesMerge) {
   const auto merged = live_recipe(file_, *read_changes("{\"patches\": {\"connectivity\": \"index\"}}"));
   ASSERT_TRUE(merged) << merged.error().message;
   EXPECT_EQ(merged->recipe.patch_overrides.size(), 1u);
-  EXPECT_EQ(merged->recipe.patch_connectivity, Connectivity::kIndex);
+  EXPECT_EQ(merged->recipe.patch_connectivity, cook::Connectivity::kIndex);
 }
 
 TEST_F(LiveRecipeTest, FaultsAreToldAsOfAFile) {
@@ -69,7 +69,7 @@ TEST_F(LiveRecipeTest, FaultsAreToldAsOfAFile) {
   for (const char* changes :
        {"{\"material\": {\"primary_shft\": 1}}", "{\"material\": {\"primary_shift\": 1e9}}", "{\"material\": 3}",
         "{\"matereal\": {\"tilt\": 1}}", "[]", "{", "{\"head\": {\"center\": [0, 1, 0]}}"}) {
-    const auto told = parse_recipe(changes, "changes of the page");
+    const auto told = cook::parse_recipe(changes, "changes of the page");
     ASSERT_FALSE(told) << changes;
     EXPECT_EQ(fault(changes), told.error().message);
   }
@@ -77,18 +77,18 @@ TEST_F(LiveRecipeTest, FaultsAreToldAsOfAFile) {
 
 TEST_F(LiveRecipeTest, FaultsOfTheFileNameIt) {
   write("{\"material\": {\"primary_shft\": 1}}");
-  EXPECT_EQ(fault("{}"), read_recipe(file_).error().message);
+  EXPECT_EQ(fault("{}"), cook::read_recipe(file_).error().message);
   write("{\"material\": ");
-  EXPECT_EQ(fault("{}"), read_recipe(file_).error().message);
+  EXPECT_EQ(fault("{}"), cook::read_recipe(file_).error().message);
   fs::remove(file_);
-  EXPECT_EQ(fault("{}"), read_recipe(file_).error().message);
+  EXPECT_EQ(fault("{}"), cook::read_recipe(file_).error().message);
 }
 
 /// Every key of the table whose value is a file's path, in each way that a request may write it.
 TEST_F(LiveRecipeTest, ChangesNameNoFiles) {
   write("{}");
   std::set<std::string> keys;
-  for (const RecipeKey& key : recipe_keys()) {
+  for (const cook::RecipeKey& key : cook::recipe_keys()) {
     if (!key.names_file) continue;
     keys.insert(key.path());
     for (const char* value :
@@ -106,11 +106,11 @@ TEST_F(LiveRecipeTest, ChangesNameNoFiles) {
 /// A key that takes any text names a file or is known not to: a new one has to be decided.
 TEST_F(LiveRecipeTest, KeysOfAnyTextSayWhetherTheyNameFiles) {
   const std::set<std::string> names_no_file{"source.variant", "skeleton.head"};
-  for (const RecipeKey& key : recipe_keys()) {
+  for (const cook::RecipeKey& key : cook::recipe_keys()) {
     const bool is_text = std::holds_alternative<std::string Recipe::*>(key.field) && key.choices == nullptr;
     EXPECT_TRUE(!is_text || key.names_file || names_no_file.contains(key.path())) << key.path();
   }
 }
 
 }  // namespace
-}  // namespace coif::live_recipe_test
+}  // namespace coif::view::live_recipe_test

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-namespace coif::live_server_test {
+namespace coif::view::live_server_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -139,7 +139,7 @@ TEST_F(LiveServerTest, SendsTheTableOfRecipeKeys) {
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->status, 200);
   EXPECT_EQ(answer->get_header_value("Content-Type"), "application/json");
-  EXPECT_EQ(answer->body, recipe_keys_json());
+  EXPECT_EQ(answer->body, cook::recipe_keys_json());
   EXPECT_EQ(status("/keys"), 403);
 }
 
@@ -242,4 +242,4 @@ TEST(LiveServer, SaysThatAPortIsTaken) {
 }
 
 }  // namespace
-}  // namespace coif::live_server_test
+}  // namespace coif::view::live_server_test

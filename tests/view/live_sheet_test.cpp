@@ -12,24 +12,26 @@
 #include <set>
 #include <string>
 
-namespace coif::live_sheet_test {
+namespace coif::view::live_sheet_test {
 
 const Asset& wig() {
   static const DrawnAsset asset(made_up_wig({.strips = 12, .texture_size = 32}));
   return *asset;
 }
 
-LiveSheet sheet_of(const std::vector<Gallery>& galleries) {
+LiveSheet sheet_of(const std::vector<render::Gallery>& galleries) {
   auto sheet = live_sheet(wig(), galleries);
   EXPECT_TRUE(sheet) << sheet.error().message;
   return sheet ? *sheet : LiveSheet();
 }
 
-std::vector<Gallery> galleries(std::uint32_t only = 0) { return thesis_galleries(wig(), {.only = only}); }
+std::vector<render::Gallery> galleries(std::uint32_t only = 0) {
+  return render::thesis_galleries(wig(), {.only = only});
+}
 
-std::size_t pictures_in(const std::vector<Gallery>& all) {
+std::size_t pictures_in(const std::vector<render::Gallery>& all) {
   std::size_t count = 0;
-  for (const Gallery& gallery : all) count += gallery.pictures.size();
+  for (const render::Gallery& gallery : all) count += gallery.pictures.size();
   return count;
 }
 
@@ -55,14 +57,14 @@ TEST(LiveSheet, WhatIsLeftOutIsNamed) {
   const LiveSheet sheet = sheet_of(all);
   std::set<std::string> titles;
   for (const LiveGallery& gallery : sheet.galleries) titles.insert(gallery.title);
-  for (const Gallery& gallery : all) {
+  for (const render::Gallery& gallery : all) {
     EXPECT_NE(titles.contains(gallery.title), sheet.note.find(gallery.title) != std::string::npos) << gallery.title;
   }
   EXPECT_EQ(sheet_of(galleries(1)).note, "") << "nothing to say";
 }
 
 TEST(LiveSheet, CaptionsAreThePicturesOwn) {
-  for (const Gallery& gallery : galleries(2)) {
+  for (const render::Gallery& gallery : galleries(2)) {
     const LiveSheet sheet = sheet_of({gallery});
     ASSERT_EQ(sheet.galleries.at(0).tiles.size(), gallery.pictures.size());
     for (std::size_t i = 0; i < gallery.pictures.size(); ++i) {
@@ -77,7 +79,7 @@ TEST(LiveSheet, StillTilesAreOfTheirPicturesMaterialAndComponentToTheBit) {
     const LiveSheet sheet = sheet_of(all);
     for (std::size_t i = 0; i < all[0].pictures.size(); ++i) {
       const LiveTile& tile = sheet.galleries.at(0).tiles.at(i);
-      const PictureSettings& picture = all[0].pictures[i].settings;
+      const render::PictureSettings& picture = all[0].pictures[i].settings;
       EXPECT_EQ(component_of(tile.settings), picture.component) << tile.caption;
       EXPECT_EQ(shadows_of(tile.settings), picture.shadows) << tile.caption;
       EXPECT_TRUE(tile.moments.empty());
@@ -99,7 +101,7 @@ TEST(LiveSheet, MotionsPlayByTheirSolversFromWhereTheyAreSeenBestAndStayInThePic
   ASSERT_EQ(sheet.tiles, all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     const LiveTile& tile = sheet.galleries[i].tiles.at(0);
-    const PictureSettings& picture = all[i].pictures.back().settings;
+    const render::PictureSettings& picture = all[i].pictures.back().settings;
     EXPECT_EQ(&solver_of(tile.settings.solver), picture.solver);
     EXPECT_EQ(tile.settings.iterations, float(picture.step.iterations));
     EXPECT_EQ(tile.settings.plays, 1);
@@ -114,8 +116,8 @@ TEST(LiveSheet, MotionsPlayByTheirSolversFromWhereTheyAreSeenBestAndStayInThePic
 
 TEST(LiveSheet, AirBlowsAsInThePictures) {
   const auto all = galleries(7);
-  const auto gusts =
-      std::ranges::find_if(all, [](const Gallery& g) { return g.pictures[0].settings.step.environment.wind.x > 0; });
+  const auto gusts = std::ranges::find_if(
+      all, [](const render::Gallery& g) { return g.pictures[0].settings.step.environment.wind.x > 0; });
   ASSERT_NE(gusts, all.end());
   const ViewSettings settings = sheet_of({*gusts}).galleries.at(0).tiles.at(0).settings;
   EXPECT_FLOAT_EQ(settings.wind, 3);
@@ -152,4 +154,4 @@ TEST(LiveSheet, NoTextEndsTheScriptThatItIsIn) {
   EXPECT_EQ(nlohmann::json::parse(json)["note"], sheet.note);
 }
 
-}  // namespace coif::live_sheet_test
+}  // namespace coif::view::live_sheet_test

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace coif::page_settings_test {
+namespace coif::view::page_settings_test {
 
 const Asset& some_asset() {
   static const DrawnAsset asset(card_contents(std::array{DrawnCard{}}));
@@ -55,8 +55,8 @@ TEST(ControlTable, RecipesKnowItsKeysWordsAndRanges) {
   for (const auto& row : controls()) {
     if (row["recipe"] == "") continue;
     ++keys;
-    const auto known = recipe_keys();
-    const auto key = std::ranges::find_if(known, [&](const RecipeKey& k) { return k.path() == row["recipe"]; });
+    const auto known = cook::recipe_keys();
+    const auto key = std::ranges::find_if(known, [&](const cook::RecipeKey& k) { return k.path() == row["recipe"]; });
     ASSERT_NE(key, known.end()) << row["recipe"];
     if (row["kind"] != "choice") {
       EXPECT_GE(row["low"].get<double>(), key->low - 1e-6) << row["recipe"];
@@ -73,7 +73,7 @@ TEST(ControlTable, RecipesKnowItsKeysWordsAndRanges) {
 
 TEST(ControlTable, PresetsAreThoseOfRecipes) {
   const auto words = words_of(control("preset"));
-  const auto presets = hair_presets();
+  const auto presets = cook::hair_presets();
   ASSERT_EQ(words.size(), presets.size() + 1);
   for (std::size_t i = 0; i < presets.size(); ++i) {
     ViewSettings settings;
@@ -104,9 +104,9 @@ TEST(ControlTable, WordsAreWhatTheyChoose) {
 
 TEST(ControlTable, MotionsMoveHeadsAsTheyAreCalled) {
   const auto words = words_of(control("motion"));
-  for (const MotionInfo& motion : all_motions()) {
+  for (const motion::MotionInfo& motion : motion::all_motions()) {
     const auto at = float(std::ranges::find(words, motion.name) - words.begin());
-    EXPECT_EQ(chosen_path(at)->pose(0.7).position[2], head_pose(motion.motion, 0.7).position[2]) << motion.name;
+    EXPECT_EQ(chosen_path(at)->pose(0.7).position[2], motion::head_pose(motion.motion, 0.7).position[2]) << motion.name;
   }
   const auto down = chosen_path(float(std::ranges::find(words, "look-down") - words.begin()));
   EXPECT_GT(down->pose(2).rotation.x, 0.3f) << "and stays there";
@@ -199,4 +199,4 @@ TEST(HeldHead, PathIsTheSameAtEveryFrameRate) {
   EXPECT_NEAR((after(20) - after(240)).norm(), 0, 1e-9);
 }
 
-}  // namespace coif::page_settings_test
+}  // namespace coif::view::page_settings_test

@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace coif::request_guard_test {
+namespace coif::view::request_guard_test {
 namespace {
 
 const std::string kToken = "0123456789abcdef0123456789abcdef";
@@ -61,4 +61,4 @@ TEST(RequestGuard, RefusesWhoDoesNotKnowTheToken) {
 }
 
 }  // namespace
-}  // namespace coif::request_guard_test
+}  // namespace coif::view::request_guard_test

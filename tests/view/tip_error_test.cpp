@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace coif::tip_error_test {
+namespace coif::view::tip_error_test {
 
 using Source = TipErrorSource;
 
@@ -86,4 +86,4 @@ TEST(RecordedTipError, IsNotKnownOfDraftsAndOfWhatWasNotMeasured) {
   EXPECT_EQ(tip_error_of(*draft, {60, 1}).source, Source::kDraft);
 }
 
-}  // namespace coif::tip_error_test
+}  // namespace coif::view::tip_error_test

@@ -13,24 +13,24 @@
 #include <sstream>
 #include <string>
 
-namespace coif::view_link_test {
+namespace coif::view::view_link_test {
 
 TEST(ViewLink, IsRelativeToTheReport) {
-  EXPECT_EQ(relative_url("bob.html", "report.html"), "bob.html");
-  EXPECT_EQ(relative_url("/a/pages/bob.html", "/a/reports/out.html"), "../pages/bob.html");
-  EXPECT_EQ(relative_url("./x/../bob.html", "out.html"), "bob.html");
+  EXPECT_EQ(report::relative_url("bob.html", "report.html"), "bob.html");
+  EXPECT_EQ(report::relative_url("/a/pages/bob.html", "/a/reports/out.html"), "../pages/bob.html");
+  EXPECT_EQ(report::relative_url("./x/../bob.html", "out.html"), "bob.html");
 }
 
 TEST(ViewLink, NamesMeanThemselvesWhateverIsInThem) {
-  EXPECT_EQ(relative_url("javascript:alert(1).html", "out.html"), "javascript%3Aalert%281%29.html");
-  EXPECT_EQ(relative_url("a b#c?d%e\"<\xC3\xA4.html", "out.html"), "a%20b%23c%3Fd%25e%22%3C%C3%A4.html");
+  EXPECT_EQ(report::relative_url("javascript:alert(1).html", "out.html"), "javascript%3Aalert%281%29.html");
+  EXPECT_EQ(report::relative_url("a b#c?d%e\"<\xC3\xA4.html", "out.html"), "a%20b%23c%3Fd%25e%22%3C%C3%A4.html");
 }
 
 TEST(ViewLink, SaysOnlyWhatIsSet) {
-  EXPECT_EQ(view_url("bob.html", {}), "bob.html");
-  EXPECT_EQ(view_url("bob.html", {.motion = "turn", .beside = "thesis", .rate = 30}),
+  EXPECT_EQ(report::view_url("bob.html", {}), "bob.html");
+  EXPECT_EQ(report::view_url("bob.html", {.motion = "turn", .beside = "thesis", .rate = 30}),
             "bob.html#motion=turn&plays=1&rate=30&beside=thesis");
-  EXPECT_EQ(view_url("bob.html", {.solver = "a&b=c"}), "bob.html#solver=a%26b%3Dc");
+  EXPECT_EQ(report::view_url("bob.html", {.solver = "a&b=c"}), "bob.html#solver=a%26b%3Dc");
 }
 
 /// Each setting of the link is a control's word or a number in its range.
@@ -54,17 +54,17 @@ void expect_known(const std::string& url) {
   }
 }
 
-ReportHeading heading_with_page() {
-  ReportHeading heading = made_up_heading();
+report::ReportHeading heading_with_page() {
+  report::ReportHeading heading = report::made_up_heading();
   heading.view = "bob.html";
   heading.view_name = "<bob>.html";
   return heading;
 }
 
 TEST(ViewLink, AccuracyReportsOpenThePageWithWhatTheyMeasured) {
-  AccuracyReport report = made_up_accuracy();
-  expect_known(view_url("bob.html", accuracy_link(report)));
-  const auto links = motion_links(heading_with_page(), report);
+  report::AccuracyReport report = report::made_up_accuracy();
+  expect_known(report::view_url("bob.html", report::accuracy_link(report)));
+  const auto links = report::motion_links(heading_with_page(), report);
   EXPECT_EQ(links.size(), 6u) << "one for each of two motions and three frame rates";
   for (const auto& link : links) {
     const std::string url = link["url"];
@@ -75,28 +75,28 @@ TEST(ViewLink, AccuracyReportsOpenThePageWithWhatTheyMeasured) {
 }
 
 TEST(ViewLink, WhatThePageHasNotIsNotLinked) {
-  AccuracyReport report = made_up_accuracy();
-  for (AccuracyRow& row : report.rows) {
+  report::AccuracyReport report = report::made_up_accuracy();
+  for (report::AccuracyRow& row : report.rows) {
     row.fps = 1000;
     if (row.solver == "coif") row.solver = "verlet";
     if (row.motion == "turn") row.motion = "walk.glb:head";
   }
-  EXPECT_TRUE(motion_links(heading_with_page(), report).empty()) << "too fast for the page's slider";
-  const std::string url = view_url("bob.html", accuracy_link(report));
+  EXPECT_TRUE(report::motion_links(heading_with_page(), report).empty()) << "too fast for the page's slider";
+  const std::string url = report::view_url("bob.html", report::accuracy_link(report));
   expect_known(url);
   EXPECT_NE(url.find("solver=thesis"), std::string::npos) << url;
   report.rows.resize(1);
   report.rows[0].fps = 60;
   report.rows[0].motion = "walk.glb:head";
-  EXPECT_TRUE(motion_links(heading_with_page(), report).empty());
+  EXPECT_TRUE(report::motion_links(heading_with_page(), report).empty());
 }
 
 TEST(ViewLink, IsInTheHeadingWhereThereIsAPage) {
-  const auto view = accuracy_json(heading_with_page(), made_up_accuracy())["view"];
+  const auto view = report::accuracy_json(heading_with_page(), report::made_up_accuracy())["view"];
   ASSERT_EQ(view.size(), 1u);
   EXPECT_TRUE(view[0]["url"].get<std::string>().starts_with("bob.html#motion="));
   EXPECT_EQ(view[0]["text"], "<bob>.html");
-  EXPECT_TRUE(accuracy_json(made_up_heading(), made_up_accuracy())["view"].empty());
+  EXPECT_TRUE(report::accuracy_json(report::made_up_heading(), report::made_up_accuracy())["view"].empty());
 }
 
-}  // namespace coif::view_link_test
+}  // namespace coif::view::view_link_test

@@ -8,9 +8,9 @@
 
 #include <array>
 
-namespace coif::view_motion_test {
+namespace coif::view::view_motion_test {
 
-const std::array<ClipKey, 2> kKeys{
+const std::array<motion::ClipKey, 2> kKeys{
     {{0, {0, 0, 0}, Eigen::Quaterniond::Identity()}, {0.5, {0.1, -2, 3}, Eigen::Quaterniond(0.5, -0.5, 0.5, 0.5)}}};
 
 TEST(ViewMotion, BuiltInOnesAreNamed) {
@@ -26,7 +26,7 @@ TEST(ViewMotion, ClipsAreCarriedBitForBit) {
   EXPECT_EQ(json["motion"], "walk.glb:head");
   const auto bytes = from_base64(json["keys"].get<std::string>());
   ASSERT_TRUE(bytes);
-  EXPECT_EQ(*bytes, clip_bytes(kKeys));
+  EXPECT_EQ(*bytes, motion::clip_bytes(kKeys));
 }
 
 TEST(ViewMotion, NamesCannotEndTheirScript) {
@@ -43,4 +43,4 @@ TEST(ViewMotion, PagesWithoutAPlaceAreRefused) {
   EXPECT_NE(page.error().message.find("view.html"), std::string::npos) << "says which file is one";
 }
 
-}  // namespace coif::view_motion_test
+}  // namespace coif::view::view_motion_test

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-namespace coif::view_page_test {
+namespace coif::view::view_page_test {
 
 constexpr std::array kThree{std::byte{0}, std::byte{0xFF}, std::byte{0x10}};
 
@@ -65,4 +65,4 @@ TEST(ViewPage, FoundOnesAreFilesAndAMissingOneHasACure) {
   EXPECT_NE(found.error().message.find("cmake --preset web"), std::string::npos) << found.error().message;
 }
 
-}  // namespace coif::view_page_test
+}  // namespace coif::view::view_page_test

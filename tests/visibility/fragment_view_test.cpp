@@ -13,7 +13,7 @@
 #include <limits>
 #include <set>
 
-namespace coif::fragment_view_test {
+namespace coif::visibility::fragment_view_test {
 
 struct View {
   explicit View(const AssetContents& contents, const ViewGrid& grid = {})
@@ -25,7 +25,7 @@ struct View {
     return count;
   }
 
-  OpenedAsset opened;
+  lab::OpenedAsset opened;
   HairSurface hair;
   FragmentView view;
 };
@@ -152,7 +152,7 @@ TEST(FragmentView, MipsFitThePixelNotTheGrid) {
 }
 
 SightLines lines_of(const AssetContents& contents, float solid_alpha = 0.95f) {
-  const OpenedAsset opened(contents);
+  const lab::OpenedAsset opened(contents);
   const HairSurface hair(opened.asset());
   return {FragmentView(hair, posed_positions(opened.asset(), {}), {.solid_alpha = solid_alpha}), solid_alpha};
 }
@@ -189,7 +189,7 @@ TEST(SightLines, LeaveOutLinesOnWhichNothingCanBeWrongButCountThem) {
 }
 
 TEST(SightLines, WhatSolidFragmentsHideIsNotEvenFound) {
-  const OpenedAsset opened(stack_of({100, 250, 200}));
+  const lab::OpenedAsset opened(stack_of({100, 250, 200}));
   const HairSurface hair(opened.asset());
   const auto positions = posed_positions(opened.asset(), {});
   const FragmentView all(hair, positions, {}), cut(hair, positions, {.solid_alpha = 0.95f});
@@ -222,7 +222,7 @@ AssetContents thicket() {
 
 TEST(FragmentView, LeavesOutWhatIsHiddenAndNothingElse) {
   constexpr float kSolid = 0.95f;
-  const OpenedAsset opened(thicket());
+  const lab::OpenedAsset opened(thicket());
   const HairSurface hair(opened.asset());
   const auto positions = posed_positions(opened.asset(), {});
   std::size_t kept = 0, left_out = 0;
@@ -300,7 +300,7 @@ TEST(SampledViews, DirectionsFillTheirCells) {
 }
 
 TEST(SampledViews, EveryCellHasEveryPoseAndThreadsDoNotMatter) {
-  const OpenedAsset opened(stack_of({100, 150}));
+  const lab::OpenedAsset opened(stack_of({100, 150}));
   const HairSurface hair(opened.asset());
   std::vector<HairPositions> poses(3, posed_positions(opened.asset(), {}));
   for (Eigen::Vector3f& p : poses[1]) p.x() += 0.01f;
@@ -318,4 +318,4 @@ TEST(SampledViews, EveryCellHasEveryPoseAndThreadsDoNotMatter) {
   EXPECT_EQ(seen.size(), 3 * kViewCells);
 }
 
-}  // namespace coif::fragment_view_test
+}  // namespace coif::visibility::fragment_view_test

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif::linear_order_test {
+namespace coif::visibility::linear_order_test {
 
 UnitOrder counted(std::uint32_t count) {
   UnitOrder order(count);
@@ -200,7 +200,7 @@ TEST(OrderError, PsnrFallsByTenPerTenfoldError) {
 
 /// Two strips of four triangles each that share no vertex; numbers of the one are even, of the other odd.
 HairSurface two_strips() {
-  const OpenedAsset card(card_contents(std::vector<Card>(1)));
+  const lab::OpenedAsset card(card_contents(std::vector<Card>(1)));
   HairSurface hair(card.asset());
   hair.triangles.clear();
   for (std::uint32_t t = 0; t < 8; ++t) {
@@ -231,4 +231,4 @@ TEST(CacheOrder, WhatVotesSpeakOfKeepsItsOrder) {
   EXPECT_LT(place(3), place(6));
 }
 
-}  // namespace coif::linear_order_test
+}  // namespace coif::visibility::linear_order_test

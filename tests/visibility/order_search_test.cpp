@@ -14,7 +14,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace coif::order_search_test {
+namespace coif::visibility::order_search_test {
 
 UnitOrder counted(std::size_t count) {
   UnitOrder order(count);
@@ -26,7 +26,7 @@ struct Searched {
   explicit Searched(const AssetContents& contents, OrderSearchSettings settings = {}) {
     settings.views_per_cell = 4;
     settings.lines_per_view = 400;
-    const OpenedAsset opened(contents);
+    const lab::OpenedAsset opened(contents);
     const std::vector<HairPositions> poses = {posed_positions(opened.asset(), {})};
     const SeenHair hair(opened.asset());
     const UnitOrder start = counted(opened.asset().patches().size());
@@ -121,7 +121,7 @@ TEST(OrderSearch, FurtherOrdersMustGainEnough) {
 }
 
 TEST(OrderSearch, RefiningKeepsFacesAndDoesNotLose) {
-  const OpenedAsset opened(two_shells());
+  const lab::OpenedAsset opened(two_shells());
   const SeenHair hair(opened.asset());
   const std::vector<HairPositions> poses = {posed_positions(opened.asset(), {})};
   OrderSearchSettings settings;
@@ -140,7 +140,7 @@ TEST(OrderSearch, RefiningKeepsFacesAndDoesNotLose) {
 }
 
 TEST(OrderSearch, JudgesByTheThresholdThatIsAskedFor) {
-  const OpenedAsset opened(card_contents(stack(1)));
+  const lab::OpenedAsset opened(card_contents(stack(1)));
   const SeenHair hair(opened.asset());
   const std::vector<HairPositions> poses = {posed_positions(opened.asset(), {})};
   OrderSearchSettings settings;
@@ -185,7 +185,7 @@ TEST(OrderClusters, CellsThatWantTheSameShareAnOrder) {
 
 TEST(OrderClusters, PairsThatNothingWasSeenOfEndByTheirDepth) {
   const AssetContents contents = card_contents(stack(4));
-  const OpenedAsset opened(contents);
+  const lab::OpenedAsset opened(contents);
   const HairSurface hair(opened.asset());
   CellVotes cells;  // of every cell, a single one against the depth seen from +Z
   for (std::vector<Vote>& votes : cells) votes = {{2, 6, 1.0f}};
@@ -221,4 +221,4 @@ TEST(OrderClusters, NeverLoseMoreThanTheirStartAndLessWithMoreOrders) {
   EXPECT_LT(four, one);
 }
 
-}  // namespace coif::order_search_test
+}  // namespace coif::visibility::order_search_test

@@ -12,7 +12,7 @@
 #include <numeric>
 #include <vector>
 
-namespace coif::seen_lines_test {
+namespace coif::visibility::seen_lines_test {
 
 constexpr DrawRule kApart{0.95f, false, 0.01f}, kTogether{0.95f, true, 0.01f};
 const Eigen::Array3f kBlack(0, 0, 0), kWhite(1, 1, 1), kGrey(0.5f, 0.5f, 0.5f);
@@ -95,7 +95,7 @@ AssetContents heap() {
 }
 
 TEST(SeenLines, HidingTheBackdropIsWorseThanMixingLayersOfOneColour) {
-  const OpenedAsset opened(heap());
+  const lab::OpenedAsset opened(heap());
   const SeenHair hair(opened.asset());
   const std::vector<HairPositions> poses = {posed_positions(opened.asset(), {})};
   FoundOrders one;
@@ -111,7 +111,7 @@ TEST(SeenLines, HidingTheBackdropIsWorseThanMixingLayersOfOneColour) {
 }
 
 TEST(SeenLines, LightFallsFromAboveAndDarkHairIsDark) {
-  const OpenedAsset opened(card_contents(std::vector<Card>{{.alpha = 150}}));
+  const lab::OpenedAsset opened(card_contents(std::vector<Card>{{.alpha = 150}}));
   const SeenHair hair(opened.asset());
   const auto positions = posed_positions(opened.asset(), {});
   const auto mean = [&](const Eigen::Vector3f& towards_eye) {
@@ -129,9 +129,9 @@ TEST(SeenLines, HitsShowAllThatSeveralThresholdsMaySee) {
   // Where mips make a card less solid, what is behind it shows as well.
   constexpr std::size_t kSolid = 253;
   AssetContents contents = card_contents(std::vector<Card>{{.center = {0, 0, 0.1f}, .alpha = kSolid}, {.alpha = 150}});
-  const OpenedAsset opened(contents);
+  const lab::OpenedAsset opened(contents);
   contents.texels[4 * kSolid + 3] = std::byte{130};
-  const OpenedAsset fainter(contents);
+  const lab::OpenedAsset fainter(contents);
   const SeenHair hair(opened.asset());
   const auto positions = posed_positions(opened.asset(), {});
   const SeenHits hits = see_hits(hair, positions, Eigen::Vector3f::UnitZ(), 0.01f);
@@ -147,7 +147,7 @@ TEST(SeenLines, HitsEndBehindSolidOnesAlone) {
   const auto hits_of_line = [](int alpha) {
     std::vector<Card> cards;
     for (int i = 0; i < 12; ++i) cards.push_back({.center = {0, 0, -0.01f * float(i)}, .alpha = alpha});
-    const OpenedAsset opened(card_contents(cards));
+    const lab::OpenedAsset opened(card_contents(cards));
     const auto positions = posed_positions(opened.asset(), {});
     const SeenHits hits = see_hits(SeenHair(opened.asset()), positions, Eigen::Vector3f::UnitZ(), 0.01f);
     return hits.hits.size() / std::max<std::size_t>(hits.behind.size(), 1);
@@ -160,7 +160,7 @@ TEST(SeenLines, HitsEndBehindSolidOnesAlone) {
 TEST(SeenLines, TheHeadIsSeenThroughHair) {
   AssetContents contents = card_contents(std::vector<Card>{{.center = {0, 0, 0.2f}, .alpha = 150}});
   add_ball(contents, {0, 0, 0}, 0.05f);
-  const OpenedAsset opened(contents);
+  const lab::OpenedAsset opened(contents);
   const SeenLines seen =
       see_lines(SeenHair(opened.asset()), posed_positions(opened.asset(), {}), Eigen::Vector3f::UnitZ(), 0.01f, 0.95f);
   std::size_t clay = 0;
@@ -169,4 +169,4 @@ TEST(SeenLines, TheHeadIsSeenThroughHair) {
   EXPECT_LT(clay, seen.size() / 3);
 }
 
-}  // namespace coif::seen_lines_test
+}  // namespace coif::visibility::seen_lines_test

@@ -57,9 +57,9 @@ struct Aligned {
 /// kFrames poses of each motion, one after the other, as C has them.
 int write_poses(const char* path) {
   std::ofstream file(path, std::ios::binary);
-  for (const coif::MotionInfo& motion : coif::all_motions()) {
+  for (const coif::motion::MotionInfo& motion : coif::motion::all_motions()) {
     for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
-      const coif::HeadPose pose = coif::head_pose(motion.motion, (frame + 1) / 60.0);
+      const coif::HeadPose pose = coif::motion::head_pose(motion.motion, (frame + 1) / 60.0);
       file.write(reinterpret_cast<const char*>(&pose), sizeof pose);
     }
   }
@@ -131,13 +131,13 @@ void play(const std::string& name, const Aligned& asset, std::uint32_t solver, s
       hash.add(coif_hair_palette(hair, i), coif_hair_bone_count(hair) * sizeof(coif_mat34));
     }
   }
-  std::printf("%s %s %s ", name.c_str(), kSolvers[solver], coif::all_motions()[motion].name);
+  std::printf("%s %s %s ", name.c_str(), kSolvers[solver], coif::motion::all_motions()[motion].name);
   hash.print();
 }
 
 int print_hashes(const char* poses_path, char** begin, char** end) {
   const std::vector<char> poses = read(poses_path);
-  const std::size_t motions = coif::all_motions().size();
+  const std::size_t motions = coif::motion::all_motions().size();
   if (poses.size() != motions * kFrames * sizeof(coif_head_pose)) return 1;
   for (char** path = begin; path < end; ++path) {
     const std::vector<char> file = read(*path);

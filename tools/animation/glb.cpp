@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace coif {
+namespace coif::animation {
 namespace {
 
 using Eigen::Isometry3d;
@@ -217,4 +217,4 @@ std::vector<std::byte> to_glb(const Asset& asset, const Recording& recording,
   return file.bytes();
 }
 
-}  // namespace coif
+}  // namespace coif::animation

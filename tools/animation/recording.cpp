@@ -12,7 +12,7 @@
 #include <random>
 #include <string_view>
 
-namespace coif {
+namespace coif::animation {
 namespace {
 
 constexpr double kMaxFps = 1000;
@@ -125,7 +125,7 @@ tl::expected<Recording, ToolError> record(const Asset& asset, const RecordingSet
   }
   StepSettings step = settings.step;
   step.dt = static_cast<float>(1.0 / settings.fps);
-  const std::shared_ptr<const HeadPath> path = settings.clip ? settings.clip : path_of(settings.motion);
+  const std::shared_ptr<const motion::HeadPath> path = settings.clip ? settings.clip : motion::path_of(settings.motion);
   const auto pose_at = [&](double seconds) {
     HeadPose pose = path->pose(seconds);
     pose.scale = settings.company.scale;
@@ -246,4 +246,4 @@ std::string to_csv(const Asset& asset, const Recording& recording) {
   return text;
 }
 
-}  // namespace coif
+}  // namespace coif::animation

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::animation {
 
 /// Worst |length / rest length - 1| over the simulated bones; 0 for an asset without any.
 /// `bone_ends`: one per bone, head space, metres, as Hair::bone_ends() gives them.
@@ -47,16 +47,16 @@ struct FrameLengths {
 };
 
 struct RecordingSettings {
-  Motion motion = Motion::kTurn;
-  std::shared_ptr<const HeadPath> clip{};  ///< Instead of `motion`, unless null.
-  double fps = 60;                         ///< Steps and frames per second, 1 / kMaxTimeStep .. 1000.
-  FrameLengths lengths{};                  ///< Of the recording's frames; hair settles at `fps` whatever they are.
-  double seconds = 4;                      ///< Length of the recording, 0..3600.
+  motion::Motion motion = motion::Motion::kTurn;
+  std::shared_ptr<const motion::HeadPath> clip{};  ///< Instead of `motion`, unless null.
+  double fps = 60;                                 ///< Steps and frames per second, 1 / kMaxTimeStep .. 1000.
+  FrameLengths lengths{};  ///< Of the recording's frames; hair settles at `fps` whatever they are.
+  double seconds = 4;      ///< Length of the recording, 0..3600.
   double settle_seconds =
       2;  ///< Steps at the first pose before the recording starts, so that gravity has sagged the hair.
   const Solver* solver = &kCoifSolver;
-  StepSettings step{};    ///< dt comes from fps.
-  HairCompany company{};  ///< With kCoifSolver alone, but for a scale. At its first moment while hair settles.
+  StepSettings step{};            ///< dt comes from fps.
+  motion::HairCompany company{};  ///< With kCoifSolver alone, but for a scale. At its first moment while hair settles.
 };
 
 struct RecordedFrame {
@@ -91,4 +91,4 @@ tl::expected<Recording, ToolError> record(const Asset& asset, const RecordingSet
 [[nodiscard]] std::vector<std::byte> to_glb(const Asset& asset, const Recording& recording,
                                             std::span<const std::uint8_t> base_color_png = {});
 
-}  // namespace coif
+}  // namespace coif::animation

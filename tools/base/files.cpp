@@ -109,7 +109,7 @@ tl::unexpected<ToolError> cannot_write(const fs::path& path, const std::string& 
 
 std::string file_identity(const fs::path& path) {
   if (path.empty()) return {};
-  if (auto number = file_number(path)) return *number;
+  if (auto number = platform::file_number(path)) return *number;
   std::error_code error;
   const fs::path place = fs::weakly_canonical(fs::absolute(path, error), error);
   return (error ? path : place).string();
@@ -170,7 +170,7 @@ std::string stem_of_temporary(const std::string& name) {
 /// "NAME.PROCESS.RANDOM.tmp", beside the file called NAME.
 std::string temporary_name(const std::string& name) {
   // Machines and containers that share a folder have equal process numbers.
-  return stem_of_temporary(name) + fmt::format(".{}.{:08x}.tmp", process_number(), std::random_device{}());
+  return stem_of_temporary(name) + fmt::format(".{}.{:08x}.tmp", platform::process_number(), std::random_device{}());
 }
 
 bool is_temporary_of(const std::string& file, const std::string& name) {
@@ -199,21 +199,22 @@ void remove_old_temporaries(const fs::path& target) {
 }  // namespace
 
 tl::expected<void, ToolError> write_output(const fs::path& output, std::span<const std::byte> bytes,
-                                           Durability durability) {
+                                           platform::Durability durability) {
   std::error_code why;
   // Through a link, so that the link stays and its target is replaced.
   const fs::path target = fs::is_symlink(output, why) ? fs::weakly_canonical(output, why) : output;
   if (fs::exists(target, why) && !fs::is_regular_file(target, why)) {
     // Renaming over /dev/stdout or a pipe would replace the device.
-    if (const std::error_code failed = write_device(target, bytes)) return cannot_write(output, failed.message());
+    if (const std::error_code failed = platform::write_device(target, bytes))
+      return cannot_write(output, failed.message());
     return {};
   }
   remove_old_temporaries(target);
   fs::path temporary = target;
   temporary.replace_filename(temporary_name(target.filename().string()));
-  std::error_code failed = write_new_file(temporary, bytes, durability);
+  std::error_code failed = platform::write_new_file(temporary, bytes, durability);
   if (!failed) fs::rename(temporary, target, failed);
-  if (!failed && durability == Durability::kNow) failed = sync_folder(folder_of(target));
+  if (!failed && durability == platform::Durability::kNow) failed = platform::sync_folder(folder_of(target));
   if (failed) {
     fs::remove(temporary, why);
     return cannot_write(output, failed.message());

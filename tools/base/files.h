@@ -85,6 +85,6 @@ tl::expected<std::string, ToolError> choose_suffix(const std::filesystem::path& 
 /// Writes the whole file or nothing: into a temporary file in the same folder, which then takes the name. An existing
 /// file is whole at every moment and survives a failure. Devices and pipes are written directly. Errors: kFileAccess.
 tl::expected<void, ToolError> write_output(const std::filesystem::path& output, std::span<const std::byte> bytes,
-                                           Durability durability = Durability::kSoon);
+                                           platform::Durability durability = platform::Durability::kSoon);
 
 }  // namespace coif

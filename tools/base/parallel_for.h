@@ -18,7 +18,7 @@ namespace coif {
 /// next, and is thrown again here, of several one; Stopped is, where threads.stop is requested. Each thread takes the
 /// next call when it has made one; threads that the system does not give are done without.
 template <typename Body>
-void parallel_for(std::size_t count, const Threads& threads, const Body& body) {
+void parallel_for(std::size_t count, const platform::Threads& threads, const Body& body) {
   const std::size_t workers = std::min<std::size_t>(threads.count, count);
   std::exception_ptr thrown;
   std::mutex lock;
@@ -27,7 +27,7 @@ void parallel_for(std::size_t count, const Threads& threads, const Body& body) {
   const auto work = [&] {
     try {
       for (std::size_t i = next++; i < count && !stopped; i = next++) {
-        throw_if_stopped(threads.stop);
+        platform::throw_if_stopped(threads.stop);
         body(i);
       }
     } catch (...) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace coif {
+namespace coif::cache {
 
 // Names in artists' files need not be UTF-8, which MessagePack carries and JSON text would not. CBOR would, too, but
 // its strings may be made of strings, for each level of which the library's reader calls itself.
@@ -17,10 +17,10 @@ static void to_json(json& out, const Dependency& d) {
 }
 
 static void from_json(const json& in, Dependency& d) {
-  const bool from_recipe = whole_number<int>(in.at(0)) == int(Dependency::Base::kRecipe);
+  const bool from_recipe = cook::whole_number<int>(in.at(0)) == int(Dependency::Base::kRecipe);
   d.base = from_recipe ? Dependency::Base::kRecipe : Dependency::Base::kSource;
   d.path = in.at(1).get<std::string>();
-  if (!in.at(2).is_null()) d.hash = whole_number<std::uint64_t>(in.at(2));
+  if (!in.at(2).is_null()) d.hash = cook::whole_number<std::uint64_t>(in.at(2));
 }
 
 namespace {
@@ -71,14 +71,14 @@ std::uint64_t word_at(std::span<const std::byte> bytes, std::size_t at) {
 }  // namespace
 
 std::vector<std::byte> circumstances(const CacheEntry& entry) {
-  return bytes_of({{"dependencies", entry.dependencies}, {"questions", questions_document(entry.questions)}});
+  return bytes_of({{"dependencies", entry.dependencies}, {"questions", cook::questions_document(entry.questions)}});
 }
 
 std::vector<std::byte> encode_entry(const CacheEntry& entry) {
   const std::vector<std::byte> document = bytes_of({{"dependencies", entry.dependencies},
-                                                    {"questions", questions_document(entry.questions)},
+                                                    {"questions", cook::questions_document(entry.questions)},
                                                     {"named", entry.named},
-                                                    {"report", report_document(entry.report)}});
+                                                    {"report", cook::report_document(entry.report)}});
   std::vector<std::byte> file(kHeader + document.size() + entry.asset.size());
   std::ranges::copy(document, file.begin() + kHeader);
   std::ranges::copy(entry.asset, file.begin() + std::ptrdiff_t(kHeader + document.size()));
@@ -102,13 +102,13 @@ std::optional<CacheEntry> decode_entry(std::span<const std::byte> bytes) try {
   const json document = json::from_msgpack(begin, begin + size);
   CacheEntry entry;
   document.at("dependencies").get_to(entry.dependencies);
-  entry.questions = questions_from(document.at("questions"));
+  entry.questions = cook::questions_from(document.at("questions"));
   document.at("named").get_to(entry.named);
-  entry.report = report_from(document.at("report"));
+  entry.report = cook::report_from(document.at("report"));
   entry.asset.assign(rest.begin() + std::ptrdiff_t(size), rest.end());
   return entry;
 } catch (const std::exception&) {
   return {};  // a document of another shape
 }
 
-}  // namespace coif
+}  // namespace coif::cache

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <vector>
 
-namespace coif {
+namespace coif::cache {
 namespace {
 
 namespace fs = std::filesystem;
@@ -135,4 +135,4 @@ tl::expected<CacheTrimmed, ToolError> trim_cache(const fs::path& folder, std::ui
   return trimmed;
 }
 
-}  // namespace coif
+}  // namespace coif::cache

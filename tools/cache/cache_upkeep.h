@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace coif {
+namespace coif::cache {
 
 /// What a cache's folder holds. Bytes are those of the files, without what the file system rounds up.
 struct CacheUsage {
@@ -36,4 +36,4 @@ struct CacheTrimmed {
 /// cannot be removed.
 tl::expected<CacheTrimmed, ToolError> trim_cache(const std::filesystem::path& folder, std::uint64_t max_bytes);
 
-}  // namespace coif
+}  // namespace coif::cache

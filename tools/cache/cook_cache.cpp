@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::cache {
 namespace {
 
 namespace fs = std::filesystem;
@@ -51,10 +51,10 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
 }
 
 /// Messages name files by their paths; those of another checkout would point to the wrong ones.
-void replace_in_messages(CookReport& report, const std::string& from, const std::string& to) {
+void replace_in_messages(cook::CookReport& report, const std::string& from, const std::string& to) {
   for (std::string& text : report.warnings) replace_all(text, from, to);
   for (std::string& text : report.notes) replace_all(text, from, to);
-  for (LeftOut& left_out : report.left_out) {
+  for (cook::LeftOut& left_out : report.left_out) {
     replace_all(left_out.what, from, to);
     replace_all(left_out.why, from, to);
   }
@@ -75,7 +75,7 @@ void take(const std::vector<fs::path>& files, Dependency::Base base, const fs::p
 }
 
 /// The files of `inputs` as they are now.
-std::vector<Dependency> take_dependencies(const CookInputs& inputs, const CookPlace& place) {
+std::vector<Dependency> take_dependencies(const cook::CookInputs& inputs, const CookPlace& place) {
   std::vector<Dependency> dependencies;
   take(inputs.source_files, Dependency::Base::kSource, place.source_directory(), dependencies);
   take(inputs.recipe_files, Dependency::Base::kRecipe, or_here(place.recipe_directory), dependencies);
@@ -94,10 +94,11 @@ bool are_unchanged(const std::vector<Dependency>& dependencies, const CookPlace&
 }
 
 /// True where the folder of the source's textures gives the same answers as then.
-bool are_still_answered(const std::vector<TextureQuestion>& questions, const CookPlace& place) {
+bool are_still_answered(const std::vector<cook::TextureQuestion>& questions, const CookPlace& place) {
   if (questions.empty()) return true;
-  const TextureFolder folder(place.source, place.roots);
-  return std::ranges::all_of(questions, [&](const TextureQuestion& q) { return answer_to(q, folder) == q.answer; });
+  const cook::TextureFolder folder(place.source, place.roots);
+  return std::ranges::all_of(questions,
+                             [&](const cook::TextureQuestion& q) { return cook::answer_to(q, folder) == q.answer; });
 }
 
 /// The first of the files (source included) that was written, replaced or renamed at `since` or later.
@@ -106,14 +107,14 @@ std::optional<fs::path> changed_since(std::chrono::nanoseconds since, const std:
   std::vector<fs::path> paths{place.source};
   for (const Dependency& dependency : dependencies) paths.push_back(path_of(dependency, place));
   const auto found = std::ranges::find_if(paths, [&](const fs::path& path) {
-    const auto changed = file_change_time(path);
+    const auto changed = platform::file_change_time(path);
     return changed && *changed >= since;
   });
   return found == paths.end() ? std::nullopt : std::optional(*found);
 }
 
-CookResult result_from(CacheEntry entry, const CookPlace& place) {
-  CookResult result{std::move(entry.asset), std::move(entry.report), {}, {}};
+cook::CookResult result_from(CacheEntry entry, const CookPlace& place) {
+  cook::CookResult result{std::move(entry.asset), std::move(entry.report), {}, {}};
   replace_in_messages(result.report, kFolderMark, place.source_directory().string() + "/");
   for (const Dependency& dependency : entry.dependencies) {
     const bool from_recipe = dependency.base == Dependency::Base::kRecipe;
@@ -143,7 +144,7 @@ fs::path CookPlace::source_directory() const { return or_here(source.parent_path
 
 fs::path CookCache::folder_of(const std::string& key) const { return folder_ / key.substr(0, 2) / key.substr(2); }
 
-std::optional<CookResult> CookCache::find(const std::string& key, const CookPlace& place) const {
+std::optional<cook::CookResult> CookCache::find(const std::string& key, const CookPlace& place) const {
   for (const AgedFile& file : files_in(folder_of(key))) {
     if (file.path.extension() != kCacheSuffix) continue;
     const auto bytes = FileBytes::read(file.path);
@@ -156,8 +157,8 @@ std::optional<CookResult> CookCache::find(const std::string& key, const CookPlac
   return {};
 }
 
-tl::expected<void, ToolError> CookCache::store(const std::string& key, const CookPlace& place, const CookResult& result,
-                                               std::chrono::nanoseconds begin) const {
+tl::expected<void, ToolError> CookCache::store(const std::string& key, const CookPlace& place,
+                                               const cook::CookResult& result, std::chrono::nanoseconds begin) const {
   CacheEntry entry{take_dependencies(result.inputs, place), result.inputs.questions, {}, result.report, result.asset};
   for (const fs::path& named : result.inputs.named_files)
     entry.named.push_back(named.lexically_proximate(place.source_directory()).string());
@@ -199,4 +200,4 @@ std::string cook_key(const CookIdentity& identity) {
   return content_digits(std::as_bytes(std::span(text)));
 }
 
-}  // namespace coif
+}  // namespace coif::cache

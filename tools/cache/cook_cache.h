@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cache {
 
 // How the files of a cache are called: K1/K2...K32/E1...E32.entry, digits of a key and of what an entry is the result
 // of.
@@ -59,10 +59,10 @@ struct CookIdentity {
 /// A cook as a cache keeps it: the result, and what it is the result of.
 struct CacheEntry {
   std::vector<Dependency> dependencies;
-  std::vector<TextureQuestion> questions;
+  std::vector<cook::TextureQuestion> questions;
   std::vector<std::string>
-      named;          ///< CookInputs::named_files, from the source's folder; absolute where they lie elsewhere.
-  CookReport report;  ///< As the cook that made it told it, times included.
+      named;                ///< CookInputs::named_files, from the source's folder; absolute where they lie elsewhere.
+  cook::CookReport report;  ///< As the cook that made it told it, times included.
   std::vector<std::byte> asset;
 };
 
@@ -87,12 +87,12 @@ class CookCache {
 
   /// The result of the same cook, with the inputs where they lie here. Whatever is absent, damaged or out of date is
   /// nothing.
-  [[nodiscard]] std::optional<CookResult> find(const std::string& key, const CookPlace& place) const;
+  [[nodiscard]] std::optional<cook::CookResult> find(const std::string& key, const CookPlace& place) const;
 
   /// Keeps a result. `begin`: file_clock_now() (platform/files.h) before the first input was read; inputs that changed
   /// since may not be those that were read, and the result is not kept. Errors say what keeps it from being kept; the
   /// cook itself is none the worse.
-  tl::expected<void, ToolError> store(const std::string& key, const CookPlace& place, const CookResult& result,
+  tl::expected<void, ToolError> store(const std::string& key, const CookPlace& place, const cook::CookResult& result,
                                       std::chrono::nanoseconds begin) const;
 
  private:
@@ -101,4 +101,4 @@ class CookCache {
   std::filesystem::path folder_;
 };
 
-}  // namespace coif
+}  // namespace coif::cache

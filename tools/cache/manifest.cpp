@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-namespace coif {
+namespace coif::cache {
 namespace {
 
 namespace fs = std::filesystem;
@@ -142,4 +142,4 @@ tl::expected<std::string, ToolError> depfile_text(const fs::path& target, std::s
                                   target.string() + ": a path with a line break cannot stand in a depfile; rename it"});
 }
 
-}  // namespace coif
+}  // namespace coif::cache

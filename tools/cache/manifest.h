@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cache {
 
 /// One cook of many.
 struct CookRequest {
@@ -42,4 +42,4 @@ tl::expected<std::vector<CookRequest>, ToolError> read_manifest(const std::files
 tl::expected<std::string, ToolError> depfile_text(const std::filesystem::path& target,
                                                   std::span<const std::filesystem::path> inputs);
 
-}  // namespace coif
+}  // namespace coif::cache

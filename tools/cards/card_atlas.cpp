@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace coif {
+namespace coif::cards {
 namespace {
 
 constexpr std::uint32_t kLeastAcross = 2, kLeastAlong = 4;
@@ -59,4 +59,4 @@ AtlasPlan plan_atlas(std::span<const CardSize> cards, std::size_t texels, float 
   return {};
 }
 
-}  // namespace coif
+}  // namespace coif::cards

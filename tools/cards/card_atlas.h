@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::cards {
 
 /// Where a card's texels lie in the atlas.
 struct AtlasPlace {
@@ -30,4 +30,4 @@ struct CardSize {
 /// are not enough for that.
 [[nodiscard]] AtlasPlan plan_atlas(std::span<const CardSize> cards, std::size_t texels, float finer_across = 4);
 
-}  // namespace coif
+}  // namespace coif::cards

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-namespace coif {
+namespace coif::cards {
 namespace {
 
 constexpr int kCardSide = 4;  // samples of a pixel, each way
@@ -111,7 +111,7 @@ void develop_band(std::span<const Fragment> fragments, const SampleRows& rows, H
 
 }  // namespace
 
-HairPicture draw_cards(const CardSurface& surface, const PictureFrame& frame, const Threads& threads) {
+HairPicture draw_cards(const CardSurface& surface, const PictureFrame& frame, const platform::Threads& threads) {
   HairPicture picture = blank_picture(frame.size);
   const PictureFrame fine = finer(frame, kCardSide);
   const auto bands = triangles_by_band(surface, fine, kCardBand * kCardSide);
@@ -124,4 +124,4 @@ HairPicture draw_cards(const CardSurface& surface, const PictureFrame& frame, co
   return picture;
 }
 
-}  // namespace coif
+}  // namespace coif::cards

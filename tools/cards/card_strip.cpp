@@ -6,7 +6,7 @@
 #include <cmath>
 #include <queue>
 
-namespace coif {
+namespace coif::cards {
 namespace {
 
 /// Between two neighbouring edges of a strip.
@@ -99,4 +99,4 @@ std::vector<CardStrip> make_strips(std::span<const Wisp> wisps, std::size_t tria
   return strips;
 }
 
-}  // namespace coif
+}  // namespace coif::cards

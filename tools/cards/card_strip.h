@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::cards {
 
 /// A strip of quads along a ribbon: which of its stations have an edge across it.
 struct CardStrip {
@@ -28,4 +28,4 @@ struct CardStrip {
 /// straight strip is farthest from the ribbon, of all strips, each counted by its strands.
 [[nodiscard]] std::vector<CardStrip> make_strips(std::span<const Wisp> wisps, std::size_t triangles);
 
-}  // namespace coif
+}  // namespace coif::cards

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace coif {
+namespace coif::cards {
 
 /// Cards as they are drawn: triangles, and one texture on all of them.
 struct CardSurface {
@@ -23,4 +23,4 @@ struct CardSurface {
   std::vector<Eigen::Vector2f> direction;  ///< Of strands, (across, along), not unit. Empty: along everywhere.
 };
 
-}  // namespace coif
+}  // namespace coif::cards

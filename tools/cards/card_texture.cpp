@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace coif {
+namespace coif::cards {
 namespace {
 
 constexpr int kAcross = 8, kAlong = 4;  // samples of a texel
@@ -207,8 +207,8 @@ struct StrandPoint {
 
 }  // namespace
 
-CardTexture draw_on_card(const Groom& groom, std::span<const std::uint8_t> is_reversed, const Wisp& wisp, float width,
-                         std::uint32_t texels_across, std::uint32_t texels_along) {
+CardTexture draw_on_card(const groom::Groom& groom, std::span<const std::uint8_t> is_reversed, const Wisp& wisp,
+                         float width, std::uint32_t texels_across, std::uint32_t texels_along) {
   CardTexture texture = empty_texture(texels_across, texels_along, !groom.colors.empty());
   const FlatRibbon flat(wisp.ribbon);
   const float length = length_of(wisp.ribbon);
@@ -239,4 +239,4 @@ CardTexture draw_on_card(const Groom& groom, std::span<const std::uint8_t> is_re
   return texture;
 }
 
-}  // namespace coif
+}  // namespace coif::cards

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace coif {
+namespace coif::cards {
 
 /// What lies on a card, texel by texel, rows from root to tip; columns as `across` points.
 struct CardTexture {
@@ -26,7 +26,8 @@ struct CardTexture {
 
 /// The wisp's strands as they lie on its card when this is flat, each as wide as it is, by 4 x 8 samples of a texel.
 /// `width`: of strands whose groom says none.
-[[nodiscard]] CardTexture draw_on_card(const Groom& groom, std::span<const std::uint8_t> is_reversed, const Wisp& wisp,
-                                       float width, std::uint32_t texels_across, std::uint32_t texels_along);
+[[nodiscard]] CardTexture draw_on_card(const groom::Groom& groom, std::span<const std::uint8_t> is_reversed,
+                                       const Wisp& wisp, float width, std::uint32_t texels_across,
+                                       std::uint32_t texels_along);
 
-}  // namespace coif
+}  // namespace coif::cards

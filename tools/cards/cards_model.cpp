@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-namespace coif {
+namespace coif::cards {
 namespace {
 
 const Eigen::Vector3f kBrown(0.36f, 0.24f, 0.15f);  // as screens have it
@@ -56,7 +56,7 @@ std::array<std::uint8_t, 4> strand_texel(const CardTexture& texture, float deepe
 }
 
 /// All levels have one atlas.
-void add_images(std::span<const Cards> levels, SourceModel& model) {
+void add_images(std::span<const Cards> levels, importer::SourceModel& model) {
   AtlasPicture colors(levels.front().plan), strands(levels.front().plan);
   for (const Cards& cards : levels) {
     for (std::size_t i = 0; i < cards.wisps.size(); ++i) {
@@ -81,10 +81,10 @@ bool faces_inwards(const Ribbon& ribbon, const Eigen::Vector3f& middle) {
 }
 
 /// Triangles of strips whose front is the other side are turned round.
-SourceLevel level_of(const Cards& cards, const Eigen::Vector3f& middle) {
+importer::SourceLevel level_of(const Cards& cards, const Eigen::Vector3f& middle) {
   CardSurface surface = surface_of(cards);
-  SourceLevel level;
-  SourceMesh& mesh = level.mesh;
+  importer::SourceLevel level;
+  importer::SourceMesh& mesh = level.mesh;
   mesh.name = "hair";
   mesh.material = 0;
   mesh.triangles = std::move(surface.triangles);
@@ -109,19 +109,19 @@ SourceLevel level_of(const Cards& cards, const Eigen::Vector3f& middle) {
   return level;
 }
 
-SourceModel empty_model(const Groom& groom) {
-  SourceModel model;
+importer::SourceModel empty_model(const groom::Groom& groom) {
+  importer::SourceModel model;
   model.path = groom.path;
   model.importer = groom.format;
   model.space = groom.space;
   model.made_from_strands = true;
   model.warnings = groom.warnings;
-  model.nodes.push_back({"hair", kNoIndex, Eigen::Affine3d::Identity()});
-  SourceMaterial material;
+  model.nodes.push_back({"hair", importer::kNoIndex, Eigen::Affine3d::Identity()});
+  importer::SourceMaterial material;
   material.name = "cards";
   material.base_texture.image = 0;
   material.strand_texture.image = 1;
-  material.alpha_use = AlphaUse::kBlend;
+  material.alpha_use = importer::AlphaUse::kBlend;
   material.double_sided = true;
   model.materials.push_back(std::move(material));
   return model;
@@ -129,12 +129,12 @@ SourceModel empty_model(const Groom& groom) {
 
 }  // namespace
 
-tl::expected<SourceModel, ToolError> model_of_cards(const Groom& groom, const CardsBudget& budget,
-                                                    const Threads& threads) {
+tl::expected<importer::SourceModel, ToolError> model_of_cards(const groom::Groom& groom, const CardsBudget& budget,
+                                                              const platform::Threads& threads) {
   const GroomShape shape = shape_of(groom, budget.strand_width);
   const auto levels = make_card_levels(groom, shape, budget, threads);
   if (!levels) return tl::unexpected(levels.error());
-  SourceModel model = empty_model(groom);
+  importer::SourceModel model = empty_model(groom);
   model.scalp_radius = scalp_radius_of(shape.strands);
   const Eigen::Vector3f middle = box_of_roots(shape.strands).center();
   model.meshes.push_back(level_of(levels->front(), middle).mesh);
@@ -143,4 +143,4 @@ tl::expected<SourceModel, ToolError> model_of_cards(const Groom& groom, const Ca
   return model;
 }
 
-}  // namespace coif
+}  // namespace coif::cards

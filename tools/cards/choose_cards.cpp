@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-namespace coif {
+namespace coif::cards {
 namespace {
 
 /// Of a card on the average, to choose from: fewer bend no lock.
@@ -33,7 +33,8 @@ Ribbon flattened(const Ribbon& ribbon, const CardStrip& strip) {
   return flat;
 }
 
-ChosenCards cards_of(const EvenStrands& strands, std::size_t triangles, double quads, const Threads& threads) {
+ChosenCards cards_of(const EvenStrands& strands, std::size_t triangles, double quads,
+                     const platform::Threads& threads) {
   const auto count = std::max<std::size_t>(std::size_t(double(triangles) / (2 * quads)), 1);
   ChosenCards cards{find_wisps(strands, count, threads), {}};
   cards.strips = make_strips(cards.wisps, triangles);
@@ -42,7 +43,7 @@ ChosenCards cards_of(const EvenStrands& strands, std::size_t triangles, double q
 
 }  // namespace
 
-double strands_off_strips(const EvenStrands& strands, const ChosenCards& cards, const Threads& threads) {
+double strands_off_strips(const EvenStrands& strands, const ChosenCards& cards, const platform::Threads& threads) {
   std::vector<double> off(cards.strips.size(), 0);
   parallel_for(off.size(), threads, [&](std::size_t i) {
     const Wisp& wisp = cards.wisps[cards.strips[i].wisp];
@@ -56,7 +57,7 @@ double strands_off_strips(const EvenStrands& strands, const ChosenCards& cards, 
   return std::accumulate(off.begin(), off.end(), 0.0) / double(std::max<std::size_t>(strands.count(), 1));
 }
 
-ChosenCards choose_cards(const EvenStrands& strands, std::size_t triangles, const Threads& threads) {
+ChosenCards choose_cards(const EvenStrands& strands, std::size_t triangles, const platform::Threads& threads) {
   ChosenCards best;
   double least = std::numeric_limits<double>::max();
   for (const double quads : kQuads) {
@@ -69,4 +70,4 @@ ChosenCards choose_cards(const EvenStrands& strands, std::size_t triangles, cons
   return best;
 }
 
-}  // namespace coif
+}  // namespace coif::cards

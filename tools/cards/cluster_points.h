@@ -12,7 +12,7 @@
 #include <numeric>
 #include <vector>
 
-namespace coif {
+namespace coif::cards {
 
 /// Points in clusters by squared distance (Lloyd 1982; the first middles by spread_seeds()). Of very many points a
 /// sample finds the middles. `D`: coordinates of a point, a multiple of 8.
@@ -24,7 +24,7 @@ class PointClusters {
   /// The numbers of `points` in `count` clusters at most, each ascending, none empty. Repeats for equal input, whatever
   /// `threads` is.
   [[nodiscard]] static std::vector<std::vector<std::uint32_t>> find(const std::vector<Point>& points, std::size_t count,
-                                                                    const Threads& threads) {
+                                                                    const platform::Threads& threads) {
     if (points.empty() || count == 0) return {};
     const std::vector<Point> middles = middles_of(sample_of(points), count, threads);
     std::vector<std::vector<std::uint32_t>> clusters(middles.size());
@@ -63,7 +63,7 @@ class PointClusters {
   }
 
   static Nearest nearest_middles(const std::vector<Point>& points, const std::vector<Point>& middles,
-                                 const Threads& threads) {
+                                 const platform::Threads& threads) {
     Nearest found{std::vector<std::uint32_t>(points.size()), 0};
     std::vector<float> distances(points.size(), std::numeric_limits<float>::max());
     parallel_for(points.size(), threads, [&](std::size_t i) {
@@ -93,7 +93,8 @@ class PointClusters {
     }
   }
 
-  static std::vector<Point> middles_of(const std::vector<Point>& sample, std::size_t count, const Threads& threads) {
+  static std::vector<Point> middles_of(const std::vector<Point>& sample, std::size_t count,
+                                       const platform::Threads& threads) {
     const auto apart = [&](std::uint32_t i, std::uint32_t k) { return squared_distance(sample[i], sample[k]); };
     std::vector<Point> middles;
     for (const std::uint32_t seed : spread_seeds(sample.size(), std::min(count, sample.size()), apart))
@@ -109,4 +110,4 @@ class PointClusters {
   }
 };
 
-}  // namespace coif
+}  // namespace coif::cards

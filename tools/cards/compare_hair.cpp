@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::cards {
 
 HairLikeness compare_hair(const HairPicture& wanted, const HairPicture& seen) {
   double both = 0, either = 0, squares = 0;
@@ -22,4 +22,4 @@ HairLikeness compare_hair(const HairPicture& wanted, const HairPicture& seen) {
 
 double psnr_db(double error) { return error > 1e-5 ? -20 * std::log10(error) : 100; }
 
-}  // namespace coif
+}  // namespace coif::cards

@@ -2,7 +2,7 @@
 
 #include "cards/strand_picture.h"
 
-namespace coif {
+namespace coif::cards {
 
 /// How near one picture of hair comes to another of the same frame.
 struct HairLikeness {
@@ -16,4 +16,4 @@ struct HairLikeness {
 /// The same error in decibels below a white pixel, at most 100.
 [[nodiscard]] double psnr_db(double error);
 
-}  // namespace coif
+}  // namespace coif::cards

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace coif {
+namespace coif::cards {
 namespace {
 
 /// Points at even shares of a polyline's length; returns that.
@@ -98,7 +98,7 @@ double least_spread(std::span<const Eigen::Vector3f> points) {
 /// Both ends of all strands, and which of them lie on a scalp.
 class StrandEnds {
  public:
-  explicit StrandEnds(const Groom& groom) {
+  explicit StrandEnds(const groom::Groom& groom) {
     for (std::size_t i = 0; i < groom.strand_count(); ++i) {
       first_.push_back(groom.strand(i).front());
       last_.push_back(groom.strand(i).back());
@@ -171,7 +171,7 @@ double scalp_radius_of(const EvenStrands& strands) {
   return lie_on_it && least_spread(near) > kLeastSpread * sphere.radius ? sphere.radius : 0;
 }
 
-EvenStrands even_strands(const Groom& groom, float width, std::span<const std::uint8_t> is_reversed) {
+EvenStrands even_strands(const groom::Groom& groom, float width, std::span<const std::uint8_t> is_reversed) {
   EvenStrands even;
   even.width = width;
   if (!groom.widths.empty()) {
@@ -187,7 +187,7 @@ EvenStrands even_strands(const Groom& groom, float width, std::span<const std::u
   return even;
 }
 
-std::vector<std::uint8_t> find_reversed_strands(const Groom& groom) {
+std::vector<std::uint8_t> find_reversed_strands(const groom::Groom& groom) {
   std::vector<std::uint8_t> reversed(groom.strand_count(), 0);
   if (groom.root_first || groom.strand_count() == 0) return reversed;
   const StrandEnds ends(groom);
@@ -212,4 +212,4 @@ std::vector<std::uint8_t> find_reversed_strands(const Groom& groom) {
   return reversed;
 }
 
-}  // namespace coif
+}  // namespace coif::cards

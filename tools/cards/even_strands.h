@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::cards {
 
 /// Strands as points at even shares of their length, root first, the same number of each: what shapes are compared by.
 struct EvenStrands {
@@ -33,17 +33,18 @@ struct EvenStrands {
 [[nodiscard]] double scalp_radius_of(const EvenStrands& strands);
 
 /// The end of a strand that grows from the skin, as find_reversed_strands() has it.
-[[nodiscard]] inline const Eigen::Vector3f& root_of(const Groom& groom, std::span<const std::uint8_t> is_reversed,
-                                                    std::size_t i) {
+[[nodiscard]] inline const Eigen::Vector3f& root_of(const groom::Groom& groom,
+                                                    std::span<const std::uint8_t> is_reversed, std::size_t i) {
   return is_reversed[i] != 0 ? groom.strand(i).back() : groom.strand(i).front();
 }
 
 /// `width`: of strands whose groom says none. `is_reversed`, empty or one for each strand: it begins with its tip.
-[[nodiscard]] EvenStrands even_strands(const Groom& groom, float width, std::span<const std::uint8_t> is_reversed = {});
+[[nodiscard]] EvenStrands even_strands(const groom::Groom& groom, float width,
+                                       std::span<const std::uint8_t> is_reversed = {});
 
 /// Which strands begin with their tip, one for each. Nothing is asked of a format that begins with roots. Else: roots
 /// lie on a scalp, which is round, tips do not; where the file's own order does not tell them apart as a whole, each
 /// strand is judged by how far its ends lie from the sphere that most roots lie on.
-[[nodiscard]] std::vector<std::uint8_t> find_reversed_strands(const Groom& groom);
+[[nodiscard]] std::vector<std::uint8_t> find_reversed_strands(const groom::Groom& groom);
 
-}  // namespace coif
+}  // namespace coif::cards

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::cards {
 namespace {
 
 /// Metres, of a point from the line between two others.
@@ -41,10 +41,10 @@ void find_corners(const std::vector<Eigen::Vector3f>& points, std::uint32_t firs
 
 }  // namespace
 
-Groom fewer_strands(const Groom& groom, float width, std::size_t points) {
+groom::Groom fewer_strands(const groom::Groom& groom, float width, std::size_t points) {
   const std::size_t each =
       std::max<std::size_t>((groom.points.size() + points - 1) / std::max<std::size_t>(points, 1), 1);
-  Groom fewer;
+  groom::Groom fewer;
   fewer.root_first = groom.root_first;
   fewer.begin.push_back(0);
   for (std::size_t i = 0; i < groom.strand_count(); i += each) {
@@ -58,11 +58,11 @@ Groom fewer_strands(const Groom& groom, float width, std::size_t points) {
   return fewer;
 }
 
-Groom straighter_strands(const Groom& groom, float tolerance) {
+groom::Groom straighter_strands(const groom::Groom& groom, float tolerance) {
   std::vector<bool> stays(groom.points.size(), false);
   for (std::size_t i = 0; i < groom.strand_count(); ++i)
     find_corners(groom.points, groom.begin[i], groom.begin[i + 1] - 1, tolerance, stays);
-  Groom straighter;
+  groom::Groom straighter;
   straighter.root_first = groom.root_first;
   straighter.groups = groom.groups;
   straighter.begin.push_back(0);
@@ -78,4 +78,4 @@ Groom straighter_strands(const Groom& groom, float tolerance) {
   return straighter;
 }
 
-}  // namespace coif
+}  // namespace coif::cards

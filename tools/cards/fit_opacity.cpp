@@ -10,7 +10,7 @@
 #include <span>
 #include <utility>
 
-namespace coif {
+namespace coif::cards {
 namespace {
 
 constexpr double kLeastFall = 0.02;      // of the error, for another round
@@ -83,7 +83,7 @@ class AtlasChange {
 /// Cards whose opacity changes, round by round.
 class OpacityRounds {
  public:
-  OpacityRounds(FitTarget& target, Cards& cards, const Threads& threads)
+  OpacityRounds(FitTarget& target, Cards& cards, const platform::Threads& threads)
       : target_(target),
         cards_(cards),
         threads_(threads),
@@ -152,7 +152,7 @@ class OpacityRounds {
 
   FitTarget& target_;
   Cards& cards_;
-  Threads threads_;
+  platform::Threads threads_;
   std::vector<std::uint32_t> first_triangle_{0};
   AtlasChange change_;
   std::vector<std::vector<float>> last_change_;  ///< Of each card's texels.
@@ -167,7 +167,7 @@ std::vector<std::vector<float>> opacities_of(const Cards& cards) {
 
 }  // namespace
 
-OpacityFit fit_opacity(FitTarget& target, int rounds, Cards& cards, const Threads& threads) {
+OpacityFit fit_opacity(FitTarget& target, int rounds, Cards& cards, const platform::Threads& threads) {
   OpacityFit fit;
   if (rounds <= 0) return fit;
   OpacityRounds fitting(target, cards, threads);
@@ -186,4 +186,4 @@ OpacityFit fit_opacity(FitTarget& target, int rounds, Cards& cards, const Thread
   return fit;
 }
 
-}  // namespace coif
+}  // namespace coif::cards

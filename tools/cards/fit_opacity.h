@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace coif {
+namespace coif::cards {
 
 /// How near cards came to their strands, round by round.
 struct OpacityFit {
@@ -22,6 +22,6 @@ struct OpacityFit {
 /// Andersen and Kak 1984), spread along the card, where strands lie. A part of each round's change is made again in the
 /// next (Polyak 1964, the heavy ball), which takes half as many rounds. Ends when a round gains too little, or after so
 /// many. Repeats for equal input, whatever `threads` is.
-OpacityFit fit_opacity(FitTarget& target, int rounds, Cards& cards, const Threads& threads);
+OpacityFit fit_opacity(FitTarget& target, int rounds, Cards& cards, const platform::Threads& threads);
 
-}  // namespace coif
+}  // namespace coif::cards

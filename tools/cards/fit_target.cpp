@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-namespace coif {
+namespace coif::cards {
 namespace {
 
 constexpr std::size_t kMostPoints = std::size_t{1} << 21;  // more are drawn to no purpose: pixels are millimetres
@@ -26,8 +26,8 @@ std::vector<Eigen::Vector3f> turned_directions(std::size_t turns) {
 
 }  // namespace
 
-FitTarget::FitTarget(const Groom& groom, float strand_width) : strand_width_(strand_width) {
-  const Groom fine = fewer_strands(groom, strand_width, kMostPoints);
+FitTarget::FitTarget(const groom::Groom& groom, float strand_width) : strand_width_(strand_width) {
+  const groom::Groom fine = fewer_strands(groom, strand_width, kMostPoints);
   const float pixels_of_metre = frame_along({0, 0, -1}, ball_around(fine.points), kPicture).pixels_of_metre;
   groom_ = straighter_strands(fine, kTolerance / pixels_of_metre);
   const ShownBall ball = ball_around(groom_.points);
@@ -45,4 +45,4 @@ const std::vector<float>& FitTarget::coverage(std::size_t view) {
   return coverage;
 }
 
-}  // namespace coif
+}  // namespace coif::cards

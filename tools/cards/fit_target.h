@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace coif {
+namespace coif::cards {
 
 /// The pictures of strands that cards are fitted to, whichever cards these are: from some directions all around, of
 /// which a round of fitting sees a part.
@@ -17,7 +17,7 @@ class FitTarget {
   static constexpr std::size_t kTurns = 3;   ///< Of them, until a round has the same again.
 
   /// `strand_width`: of strands whose groom says none, metres.
-  FitTarget(const Groom& groom, float strand_width);
+  FitTarget(const groom::Groom& groom, float strand_width);
 
   /// Which view it is that a round sees as its own number `view`.
   [[nodiscard]] static std::size_t view_of(int round, std::size_t view) {
@@ -30,10 +30,10 @@ class FitTarget {
   [[nodiscard]] const std::vector<float>& coverage(std::size_t view);
 
  private:
-  Groom groom_;  // no finer than pictures show
+  groom::Groom groom_;  // no finer than pictures show
   float strand_width_;
   std::vector<PictureFrame> frames_;
   std::vector<std::vector<float>> coverage_;
 };
 
-}  // namespace coif
+}  // namespace coif::cards

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace coif {
+namespace coif::cards {
 namespace {
 
 /// Fog outside of the hair shows more than what lacks inside.
@@ -60,4 +60,4 @@ void FitView::compare(std::span<const float> wanted) {
   }
 }
 
-}  // namespace coif
+}  // namespace coif::cards

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::cards {
 
 /// What a card has at a sample, and between which texels.
 struct SeenTexel {
@@ -63,4 +63,4 @@ class FitView {
   double error_ = 0, covered_ = 0;
 };
 
-}  // namespace coif
+}  // namespace coif::cards

@@ -11,7 +11,7 @@
 #include <random>
 #include <utility>
 
-namespace coif {
+namespace coif::cards {
 namespace {
 
 using Eigen::Vector3f;
@@ -21,7 +21,7 @@ constexpr float kTipSeparation = 1;
 /// Strands that may begin with their tips, seen from their roots.
 class GuideRoots {
  public:
-  explicit GuideRoots(const Groom& guides) : guides_(guides), reversed_(find_reversed_strands(guides)) {}
+  explicit GuideRoots(const groom::Groom& guides) : guides_(guides), reversed_(find_reversed_strands(guides)) {}
 
   [[nodiscard]] bool is_reversed(std::size_t i) const { return reversed_[i] != 0; }
   [[nodiscard]] const Vector3f& root(std::size_t i) const { return root_of(guides_, reversed_, i); }
@@ -48,7 +48,7 @@ class GuideRoots {
   }
 
  private:
-  const Groom& guides_;
+  const groom::Groom& guides_;
   std::vector<std::uint8_t> reversed_;
 };
 
@@ -67,34 +67,34 @@ std::span<const Value> part_of(const std::vector<Value>& values, std::size_t beg
 
 }  // namespace
 
-tl::expected<Groom, ToolError> with_follow_hairs(Groom guides, std::uint32_t count, float radius) {
+tl::expected<groom::Groom, ToolError> with_follow_hairs(groom::Groom guides, std::uint32_t count, float radius) {
   if (count == 0) return guides;
   const std::uint64_t each = std::uint64_t{count} + 1;
-  if (each * guides.strand_count() > kMostStrands || each * guides.points.size() > kMostStrandPoints) {
+  if (each * guides.strand_count() > groom::kMostStrands || each * guides.points.size() > groom::kMostStrandPoints) {
     return file_failure(ToolError::Kind::kOverBudget, guides.path,
                         "{} strands with {} follow hairs each are more than {} strands or {} points; ask for fewer by "
                         "the recipe's \"cards.follow_hairs\"",
-                        guides.strand_count(), count, kMostStrands, kMostStrandPoints);
+                        guides.strand_count(), count, groom::kMostStrands, groom::kMostStrandPoints);
   }
   const GuideRoots roots(guides);
   if (!(radius > 0)) radius = roots.typical_distance();
-  Groom all;
+  groom::Groom all;
   all.path = guides.path;
   all.format = guides.format;
   all.root_first = guides.root_first;
   all.space = guides.space;
   all.warnings = guides.warnings;
-  GroomBuilder builder(all);
+  groom::GroomBuilder builder(all);
   std::mt19937 random(1);
   std::vector<Vector3f> points;
-  for (const StrandGroup& group : guides.groups) {
+  for (const groom::StrandGroup& group : guides.groups) {
     builder.begin_group(group.name);
     for (std::size_t i = group.first_strand; i < group.first_strand + std::size_t{group.strand_count}; ++i) {
       const auto guide = guides.strand(i);
       const std::size_t begin = guides.begin[i];
-      const GroomBuilder::Attributes looks{part_of(guides.widths, begin, guide.size()),
-                                           part_of(guides.colors, begin, guide.size()),
-                                           part_of(guides.opacities, begin, guide.size())};
+      const groom::GroomBuilder::Attributes looks{part_of(guides.widths, begin, guide.size()),
+                                                  part_of(guides.colors, begin, guide.size()),
+                                                  part_of(guides.opacities, begin, guide.size())};
       builder.add(guide, looks);
       const Vector3f across = roots.way(i).unitOrthogonal(), aside = roots.way(i).cross(across);
       for (std::uint32_t f = 0; f < count; ++f) {
@@ -114,4 +114,4 @@ tl::expected<Groom, ToolError> with_follow_hairs(Groom guides, std::uint32_t cou
   return all;
 }
 
-}  // namespace coif
+}  // namespace coif::cards

@@ -15,13 +15,13 @@
 #include <string_view>
 #include <utility>
 
-namespace coif {
+namespace coif::cards {
 namespace {
 
 namespace fs = std::filesystem;
-using Model = tl::expected<SourceModel, ToolError>;
+using Model = tl::expected<importer::SourceModel, ToolError>;
 
-Model cards_of(const Groom& groom, const Recipe& recipe, const HairSourceSettings& settings) {
+Model cards_of(const groom::Groom& groom, const cook::Recipe& recipe, const HairSourceSettings& settings) {
   if (settings.progress) settings.progress("cards");
   const CardsBudget budget{.triangles = recipe.cards_triangles,
                            .texels = recipe.cards_texels,
@@ -37,15 +37,16 @@ Model cards_of(const Groom& groom, const Recipe& recipe, const HairSourceSetting
 }
 
 /// The file that the recipe names; its own says what unit it is in.
-Model named_body(const Recipe& recipe, const HairSourceSettings& settings) {
-  ImportSettings import = settings.import;
+Model named_body(const cook::Recipe& recipe, const HairSourceSettings& settings) {
+  importer::ImportSettings import = settings.import;
   import.metres_per_unit.reset();
   import.up_axis.reset();
-  return import_model(settings.recipe_directory / recipe.cards_body, import);
+  return importer::import_model(settings.recipe_directory / recipe.cards_body, import);
 }
 
 /// Cards of a file's strands on a body, where there is one.
-Model cards_on(Groom groom, std::optional<SourceModel> body, const Recipe& recipe, const HairSourceSettings& settings) {
+Model cards_on(groom::Groom groom, std::optional<importer::SourceModel> body, const cook::Recipe& recipe,
+               const HairSourceSettings& settings) {
   if (!recipe.cards_body.empty()) {
     auto named = named_body(recipe, settings);
     if (!named) return named;
@@ -60,10 +61,10 @@ Model cards_on(Groom groom, std::optional<SourceModel> body, const Recipe& recip
   return model;
 }
 
-Model grown_hair(const fs::path& path, const Recipe& recipe, const HairSourceSettings& settings) {
-  auto body = recipe.cards_body.empty() ? Model(sample_body()) : named_body(recipe, settings);
+Model grown_hair(const fs::path& path, const cook::Recipe& recipe, const HairSourceSettings& settings) {
+  auto body = recipe.cards_body.empty() ? Model(grow::sample_body()) : named_body(recipe, settings);
   if (!body) return body;
-  const auto groom = grow_from(recipe, *body, path.string(), settings.threads);
+  const auto groom = grow::grow_from(recipe, *body, path.string(), settings.threads);
   if (!groom) return tl::unexpected(groom.error());
   auto model = cards_of(*groom, recipe, settings);
   if (model) add_body(std::move(*body), *model);
@@ -75,19 +76,20 @@ bool mentions_lines(const fs::path& path) {
   const auto bytes = FileBytes::read(path);
   if (!bytes) return false;
   const std::string_view text(reinterpret_cast<const char*>(bytes->span().data()), bytes->span().size());
-  const auto suffix = find_suffix(path);
-  if (suffix && suffix->format == SourceFormat::kObj) return text.starts_with("l ") || text.find("\nl ") != text.npos;
+  const auto suffix = importer::find_suffix(path);
+  if (suffix && suffix->format == importer::SourceFormat::kObj)
+    return text.starts_with("l ") || text.find("\nl ") != text.npos;
   return text.find("\"mode\"") != text.npos;
 }
 
-bool has_mesh_called_hair(const SourceModel& model) {
-  return std::ranges::any_of(model.meshes, [&](const SourceMesh& mesh) {
-    return is_called_hair(mesh.name) || is_called_hair(material_name(model, mesh));
+bool has_mesh_called_hair(const importer::SourceModel& model) {
+  return std::ranges::any_of(model.meshes, [&](const importer::SourceMesh& mesh) {
+    return cook::is_called_hair(mesh.name) || cook::is_called_hair(importer::material_name(model, mesh));
   });
 }
 
 /// Whether lines beside a mesh are hair: modelling tools leave single edges behind, which are none.
-bool is_hair_beside_mesh(const Groom& groom) {
+bool is_hair_beside_mesh(const groom::Groom& groom) {
   constexpr std::size_t kFewestStrands = 32, kFewestPoints = 4;
   std::size_t strands = 0;
   for (std::size_t i = 0; i < groom.strand_count(); ++i) strands += groom.strand(i).size() >= kFewestPoints ? 1 : 0;
@@ -95,61 +97,62 @@ bool is_hair_beside_mesh(const Groom& groom) {
 }
 
 /// The strands of a file that may have a mesh as well; none where its mesh is the hair.
-std::optional<Groom> strands_beside(const Model& model, const fs::path& path, const Recipe& recipe,
-                                    const ImportSettings& import) {
+std::optional<groom::Groom> strands_beside(const Model& model, const fs::path& path, const cook::Recipe& recipe,
+                                           const importer::ImportSettings& import) {
   const bool says_what_is_hair =
       !recipe.hair_meshes.empty() || !recipe.hair_materials.empty() || !recipe.hair_bones.empty();
   if (model && (says_what_is_hair || has_mesh_called_hair(*model) || !mentions_lines(path))) return std::nullopt;
-  auto groom = read_groom(path, import);
+  auto groom = groom::read_groom(path, import);
   if (!groom || (model && !is_hair_beside_mesh(*groom))) return std::nullopt;
   return std::move(*groom);
 }
 
 /// A file that may hold triangles, lines, or both.
-Model read_model(const fs::path& path, const Recipe& recipe, const HairSourceSettings& settings) {
-  auto model = import_model(path, settings.import);
+Model read_model(const fs::path& path, const cook::Recipe& recipe, const HairSourceSettings& settings) {
+  auto model = importer::import_model(path, settings.import);
   // Lines without triangles are no model, but may be hair.
   const bool may_be_lines = model || model.error().kind == ToolError::Kind::kBadInput;
-  std::optional<Groom> groom;
-  if (may_be_lines && has_strand_suffix(path)) groom = strands_beside(model, path, recipe, settings.import);
+  std::optional<groom::Groom> groom;
+  if (may_be_lines && groom::has_strand_suffix(path)) groom = strands_beside(model, path, recipe, settings.import);
   if (groom) {
-    std::optional<SourceModel> body;
+    std::optional<importer::SourceModel> body;
     if (model) {
       body = std::move(*model);
       // They are the hair.
-      std::erase_if(body->warnings, [](const Warning& warning) { return warning.code == source_code::kLoose; });
+      std::erase_if(body->warnings,
+                    [](const Warning& warning) { return warning.code == importer::source_code::kLoose; });
     }
     return cards_on(std::move(*groom), std::move(body), recipe, settings);
   }
   if (model && !recipe.cards_body.empty()) {
-    warn(model->warnings, source_code::kNoStrands,
-         "the file has strips: \"cards.body\" is for strands, and is not read");
+    importer::warn(model->warnings, importer::source_code::kNoStrands,
+                   "the file has strips: \"cards.body\" is for strands, and is not read");
   }
   return model;
 }
 
 }  // namespace
 
-Model read_hair_source(const fs::path& path, const Recipe& recipe, const HairSourceSettings& settings) {
-  if (is_recipe_file(path)) return grown_hair(path, recipe, settings);
-  const auto suffix = find_suffix(path);
+Model read_hair_source(const fs::path& path, const cook::Recipe& recipe, const HairSourceSettings& settings) {
+  if (cook::is_recipe_file(path)) return grown_hair(path, recipe, settings);
+  const auto suffix = importer::find_suffix(path);
   const bool has_strands_alone =
-      suffix && (suffix->format == SourceFormat::kHair || suffix->format == SourceFormat::kTressFx);
+      suffix && (suffix->format == importer::SourceFormat::kHair || suffix->format == importer::SourceFormat::kTressFx);
   if (!has_strands_alone) return read_model(path, recipe, settings);
-  auto groom = read_groom(path, settings.import);
+  auto groom = groom::read_groom(path, settings.import);
   if (!groom) return tl::unexpected(groom.error());
   return cards_on(std::move(*groom), std::nullopt, recipe, settings);
 }
 
-std::string source_values(const Recipe& recipe) {
+std::string source_values(const cook::Recipe& recipe) {
   std::string text;
-  for (const RecipeKey& key : recipe_keys()) {
+  for (const cook::RecipeKey& key : cook::recipe_keys()) {
     const std::string_view section = key.section;
     if (section == "cards" || section == "grow" || section == "hair" || section == "head" || section == "lods" ||
         key.path() == "textures.max_size")
-      text += write_value(key, recipe).dump() + "\n";
+      text += cook::write_value(key, recipe).dump() + "\n";
   }
   return text;
 }
 
-}  // namespace coif
+}  // namespace coif::cards

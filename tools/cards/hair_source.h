@@ -12,13 +12,13 @@
 #include <functional>
 #include <string>
 
-namespace coif {
+namespace coif::cards {
 
 /// What beside the source's own bytes decides which model a cook begins with.
 struct HairSourceSettings {
-  ImportSettings import;                   ///< Its unit and axis are those of the source.
+  importer::ImportSettings import;         ///< Its unit and axis are those of the source.
   std::filesystem::path recipe_directory;  ///< CookSettings::recipe_directory.
-  Threads threads = 1;                     ///< The model does not depend on it.
+  platform::Threads threads = 1;           ///< The model does not depend on it.
   /// Called before each part of the work with its name, "import" or "cards". May be empty, and may throw.
   std::function<void(const char* part)> progress{};
 };
@@ -29,11 +29,11 @@ struct HairSourceSettings {
 /// itself (is_recipe_file()). Where there are strands, a body that the recipe names comes with them. Errors: those of
 /// import_model(), read_groom(), grow_from() and model_of_cards(). Blocks; costs a fork or two, so call it before
 /// starting threads where you can.
-[[nodiscard]] tl::expected<SourceModel, ToolError> read_hair_source(const std::filesystem::path& path,
-                                                                    const Recipe& recipe,
-                                                                    const HairSourceSettings& settings);
+[[nodiscard]] tl::expected<importer::SourceModel, ToolError> read_hair_source(const std::filesystem::path& path,
+                                                                              const cook::Recipe& recipe,
+                                                                              const HairSourceSettings& settings);
 
 /// The recipe's values that read_hair_source() asks for: with others it gives another model.
-[[nodiscard]] std::string source_values(const Recipe& recipe);
+[[nodiscard]] std::string source_values(const cook::Recipe& recipe);
 
-}  // namespace coif
+}  // namespace coif::cards

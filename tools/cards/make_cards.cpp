@@ -10,7 +10,7 @@
 #include <span>
 #include <utility>
 
-namespace coif {
+namespace coif::cards {
 namespace {
 
 constexpr std::size_t kFewestTexels = 4096;  // 64 x 64
@@ -34,8 +34,8 @@ struct ChosenLevel {
   ScalpCards scalp{};
 };
 
-ChosenLevel choose_level(const Groom& groom, const GroomShape& shape, std::size_t triangles, float caps,
-                         const Threads& threads) {
+ChosenLevel choose_level(const groom::Groom& groom, const GroomShape& shape, std::size_t triangles, float caps,
+                         const platform::Threads& threads) {
   ChosenLevel level;
   const auto for_scalp = std::size_t(caps * float(triangles));
   level.scalp = find_scalp_cards(groom, shape.is_reversed, shape.strands, for_scalp, threads);
@@ -53,8 +53,8 @@ std::vector<CardSize> sizes_of(const ChosenLevel& level, float scalp_share, floa
 }
 
 /// Cards at their places in the atlas, those of the scalp behind the others.
-Cards draw_level(const Groom& groom, const GroomShape& shape, ChosenLevel level, AtlasPlan plan,
-                 const Threads& threads) {
+Cards draw_level(const groom::Groom& groom, const GroomShape& shape, ChosenLevel level, AtlasPlan plan,
+                 const platform::Threads& threads) {
   Cards cards{std::move(level.cards.wisps), std::move(level.cards.strips), std::move(plan), {}};
   const std::size_t above_scalp = cards.wisps.size();
   cards.wisps.insert(cards.wisps.end(), level.scalp.wisps.begin(), level.scalp.wisps.end());
@@ -85,9 +85,9 @@ AtlasPlan plan_within(std::span<const CardSize> sizes, const CardsBudget& budget
 }
 
 /// All of them in one atlas.
-tl::expected<std::vector<Cards>, ToolError> draw_levels(const Groom& groom, const GroomShape& shape,
+tl::expected<std::vector<Cards>, ToolError> draw_levels(const groom::Groom& groom, const GroomShape& shape,
                                                         std::vector<ChosenLevel> levels, const CardsBudget& budget,
-                                                        const Threads& threads) {
+                                                        const platform::Threads& threads) {
   std::vector<CardSize> sizes;
   std::vector<std::size_t> ends;
   for (const ChosenLevel& level : levels) {
@@ -148,19 +148,19 @@ void paint(const CardTexture& texture, const AtlasPlace& place, CardSurface& sur
 
 }  // namespace
 
-GroomShape shape_of(const Groom& groom, float strand_width) {
+GroomShape shape_of(const groom::Groom& groom, float strand_width) {
   GroomShape shape;
   shape.is_reversed = find_reversed_strands(groom);
   shape.strands = even_strands(groom, strand_width, shape.is_reversed);
   if (!(shape.strands.width > 0)) {
     const float radius = 0.5f * box_of_roots(shape.strands).sizes().maxCoeff();
-    shape.strands.width = usual_strand_width(radius, shape.strands.count());
+    shape.strands.width = groom::usual_strand_width(radius, shape.strands.count());
   }
   return shape;
 }
 
-tl::expected<Cards, ToolError> texture_cards(const Groom& groom, const GroomShape& shape, ChosenCards cards,
-                                             std::size_t texels, const Threads& threads) {
+tl::expected<Cards, ToolError> texture_cards(const groom::Groom& groom, const GroomShape& shape, ChosenCards cards,
+                                             std::size_t texels, const platform::Threads& threads) {
   std::vector<ChosenLevel> level(1);
   level[0].cards = std::move(cards);
   auto drawn = draw_levels(groom, shape, std::move(level), {.texels = texels, .caps = 0}, threads);
@@ -168,8 +168,9 @@ tl::expected<Cards, ToolError> texture_cards(const Groom& groom, const GroomShap
   return std::move(drawn->front());
 }
 
-tl::expected<std::vector<Cards>, ToolError> make_card_levels(const Groom& groom, const GroomShape& shape,
-                                                             const CardsBudget& budget, const Threads& threads) {
+tl::expected<std::vector<Cards>, ToolError> make_card_levels(const groom::Groom& groom, const GroomShape& shape,
+                                                             const CardsBudget& budget,
+                                                             const platform::Threads& threads) {
   if (budget.triangles < 2 || budget.texels < kFewestTexels) {
     return file_failure(ToolError::Kind::kOverBudget, groom.path,
                         "cards need 2 triangles and {} texels at least; allow them more", kFewestTexels);
@@ -187,8 +188,8 @@ tl::expected<std::vector<Cards>, ToolError> make_card_levels(const Groom& groom,
   return drawn;
 }
 
-tl::expected<Cards, ToolError> make_cards(const Groom& groom, const GroomShape& shape, const CardsBudget& budget,
-                                          const Threads& threads) {
+tl::expected<Cards, ToolError> make_cards(const groom::Groom& groom, const GroomShape& shape, const CardsBudget& budget,
+                                          const platform::Threads& threads) {
   CardsBudget one = budget;
   one.levels = 1;
   auto made = make_card_levels(groom, shape, one, threads);
@@ -212,4 +213,4 @@ CardSurface surface_of(const Cards& cards) {
   return surface;
 }
 
-}  // namespace coif
+}  // namespace coif::cards

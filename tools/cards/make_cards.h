@@ -18,7 +18,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace coif {
+namespace coif::cards {
 
 /// What cards may cost.
 struct CardsBudget {
@@ -41,7 +41,7 @@ struct GroomShape {
   EvenStrands strands;                    ///< Of some width.
 };
 
-[[nodiscard]] GroomShape shape_of(const Groom& groom, float strand_width);
+[[nodiscard]] GroomShape shape_of(const groom::Groom& groom, float strand_width);
 
 /// A strip and a texture for each wisp, and where this lies in the atlas.
 struct Cards {
@@ -52,23 +52,24 @@ struct Cards {
 };
 
 /// Textures for cards that are there. kOverBudget where the texels are too few for them.
-[[nodiscard]] tl::expected<Cards, ToolError> texture_cards(const Groom& groom, const GroomShape& shape,
+[[nodiscard]] tl::expected<Cards, ToolError> texture_cards(const groom::Groom& groom, const GroomShape& shape,
                                                            ChosenCards cards, std::size_t texels,
-                                                           const Threads& threads);
+                                                           const platform::Threads& threads);
 
 /// Cards in place of the strands, of one level of detail. Repeats for equal input, whatever `threads` is. kOverBudget
 /// where the budget is too small for the fewest cards that hold the hair.
-[[nodiscard]] tl::expected<Cards, ToolError> make_cards(const Groom& groom, const GroomShape& shape,
-                                                        const CardsBudget& budget, const Threads& threads);
+[[nodiscard]] tl::expected<Cards, ToolError> make_cards(const groom::Groom& groom, const GroomShape& shape,
+                                                        const CardsBudget& budget, const platform::Threads& threads);
 
 /// The same for as many levels of detail as the budget says, the finest first, each made from the strands. They share
 /// the texels, in one atlas: a level is for pictures in which hair is so much smaller as it has fewer triangles, and
 /// has texels for these. Levels end before one that would have no triangles.
-[[nodiscard]] tl::expected<std::vector<Cards>, ToolError> make_card_levels(const Groom& groom, const GroomShape& shape,
+[[nodiscard]] tl::expected<std::vector<Cards>, ToolError> make_card_levels(const groom::Groom& groom,
+                                                                           const GroomShape& shape,
                                                                            const CardsBudget& budget,
-                                                                           const Threads& threads);
+                                                                           const platform::Threads& threads);
 
 /// As they are drawn, strip by strip, two vertices at each of its stations.
 [[nodiscard]] CardSurface surface_of(const Cards& cards);
 
-}  // namespace coif
+}  // namespace coif::cards

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::cards {
 
 /// Looks along a direction without perspective at a ball, so that pictures of one size from all around show one scale.
 struct PictureFrame {
@@ -69,4 +69,4 @@ struct ShownBall {
   return directions;
 }
 
-}  // namespace coif
+}  // namespace coif::cards

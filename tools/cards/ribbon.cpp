@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::cards {
 namespace {
 
 constexpr std::size_t kStations = Ribbon::kStations;
@@ -138,4 +138,4 @@ float distance_to(const Ribbon& ribbon, std::span<const Eigen::Vector3f> strand,
   return sum / float(kStations);
 }
 
-}  // namespace coif
+}  // namespace coif::cards

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::cards {
 
 /// A card's middle line and how it lies, at the stations of even strands: what a wisp of strands is flattened onto.
 struct Ribbon {
@@ -39,4 +39,4 @@ struct Ribbon {
 [[nodiscard]] float distance_to(const Ribbon& ribbon, std::span<const Eigen::Vector3f> strand,
                                 float limit = std::numeric_limits<float>::max(), float beside = 0.12f);
 
-}  // namespace coif
+}  // namespace coif::cards

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace coif {
+namespace coif::cards {
 namespace {
 
 using Eigen::Vector3f;
@@ -93,8 +93,8 @@ CardStrip strip_of(std::uint32_t wisp) {
 
 }  // namespace
 
-ScalpCards find_scalp_cards(const Groom& groom, std::span<const std::uint8_t> is_reversed, const EvenStrands& strands,
-                            std::size_t triangles, const Threads& threads) {
+ScalpCards find_scalp_cards(const groom::Groom& groom, std::span<const std::uint8_t> is_reversed,
+                            const EvenStrands& strands, std::size_t triangles, const platform::Threads& threads) {
   ScalpCards cards;
   const std::size_t count = std::min(triangles / (2 * kQuadsOfScalpCard), kMostScalpCards);
   Scalp scalp = find_scalp(groom, is_reversed, strands, count, threads);
@@ -148,4 +148,4 @@ std::vector<CardSize> scalp_card_sizes(const ScalpCards& cards, std::span<const 
   return sizes;
 }
 
-}  // namespace coif
+}  // namespace coif::cards

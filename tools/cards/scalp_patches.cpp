@@ -11,7 +11,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace coif {
+namespace coif::cards {
 namespace {
 
 using Eigen::Vector3f;
@@ -31,7 +31,7 @@ struct RootPart {
   std::array<std::uint32_t, kPiecesOnSkin + 1> of_groom;
 };
 
-RootPart root_part(const Groom& groom, bool is_reversed, std::size_t strand, float reach) {
+RootPart root_part(const groom::Groom& groom, bool is_reversed, std::size_t strand, float reach) {
   const std::uint32_t first = groom.begin[strand], last = groom.begin[strand + 1] - 1;
   const auto number = [&](std::uint32_t k) { return is_reversed ? last - k : first + k; };
   RootPart part;
@@ -55,7 +55,7 @@ RootPart root_part(const Groom& groom, bool is_reversed, std::size_t strand, flo
 
 /// By place and direction.
 std::vector<std::vector<std::uint32_t>> group_roots(const std::vector<RootPart>& parts, float reach, float apart,
-                                                    std::size_t count, const Threads& threads) {
+                                                    std::size_t count, const platform::Threads& threads) {
   using Roots = PointClusters<8>;
   std::vector<Roots::Point> roots(parts.size(), Roots::Point{});
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -127,8 +127,8 @@ void lay_down(const ScalpPatch& patch, RootPart& part) {
   }
 }
 
-Groom groom_of(const Groom& groom, const std::vector<RootPart>& parts) {
-  Groom strands;
+groom::Groom groom_of(const groom::Groom& groom, const std::vector<RootPart>& parts) {
+  groom::Groom strands;
   strands.path = groom.path;
   strands.groups = groom.groups;
   strands.root_first = true;
@@ -151,8 +151,8 @@ Vector3f ScalpPatch::normal(float x, float y) const {
   return axes.transpose() * up.normalized();
 }
 
-Scalp find_scalp(const Groom& groom, std::span<const std::uint8_t> is_reversed, const EvenStrands& strands,
-                 std::size_t count, const Threads& threads) {
+Scalp find_scalp(const groom::Groom& groom, std::span<const std::uint8_t> is_reversed, const EvenStrands& strands,
+                 std::size_t count, const platform::Threads& threads) {
   Scalp scalp;
   count = std::min(count, strands.count() / kFewestRoots);
   if (count == 0) return scalp;
@@ -179,4 +179,4 @@ Scalp find_scalp(const Groom& groom, std::span<const std::uint8_t> is_reversed, 
   return scalp;
 }
 
-}  // namespace coif
+}  // namespace coif::cards

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::cards {
 
 /// Some roots beside each other, of strands that set out in one direction, and the skin that they are in: a cap of a
 /// sphere over a plane.
@@ -42,13 +42,13 @@ struct Scalp {
   float radius = 0;                 ///< Half the longest side of the box around all roots, metres.
   float reach = 0;                  ///< As much of each strand, from its root on, is shown on the skin, metres.
   std::vector<ScalpPatch> patches;  ///< All strands are in one each.
-  Groom strands;                    ///< So much of each, root first, laid down on the skin; in the order of the hair's.
+  groom::Groom strands;             ///< So much of each, root first, laid down on the skin; in the order of the hair's.
 };
 
 /// `count` patches at most. No patches and no strands where there is no scalp: a lock, whose strands are many times
 /// longer than its roots lie apart, or so few roots that nothing is known of the skin between them. Repeats for equal
 /// input, whatever `threads` is.
-[[nodiscard]] Scalp find_scalp(const Groom& groom, std::span<const std::uint8_t> is_reversed,
-                               const EvenStrands& strands, std::size_t count, const Threads& threads);
+[[nodiscard]] Scalp find_scalp(const groom::Groom& groom, std::span<const std::uint8_t> is_reversed,
+                               const EvenStrands& strands, std::size_t count, const platform::Threads& threads);
 
-}  // namespace coif
+}  // namespace coif::cards

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace coif {
+namespace coif::cards {
 
 /// Of `count` things, not none, `wanted` that lie far from each other: each is drawn by the squares of distances from
 /// those drawn before (Arthur and Vassilvitskii 2007, "k-means++"). Fewer where the rest are copies of these.
@@ -33,4 +33,4 @@ template <typename Distance>
   return seeds;
 }
 
-}  // namespace coif
+}  // namespace coif::cards

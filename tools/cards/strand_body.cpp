@@ -17,13 +17,13 @@
 #include <optional>
 #include <utility>
 
-namespace coif {
+namespace coif::cards {
 namespace {
 
 using Eigen::Vector3f;
 
-bool is_hair(const SourceModel& body, const SourceMesh& mesh) {
-  return is_called_hair(mesh.name) || is_called_hair(material_name(body, mesh));
+bool is_hair(const importer::SourceModel& body, const importer::SourceMesh& mesh) {
+  return cook::is_called_hair(mesh.name) || cook::is_called_hair(importer::material_name(body, mesh));
 }
 
 struct Skin {
@@ -31,9 +31,9 @@ struct Skin {
   std::vector<std::uint32_t> triangles;
 };
 
-Skin skin_of(const SourceModel& body) {
+Skin skin_of(const importer::SourceModel& body) {
   Skin skin;
-  for (const SourceMesh& mesh : body.meshes) {
+  for (const importer::SourceMesh& mesh : body.meshes) {
     if (is_hair(body, mesh)) continue;
     const auto first = std::uint32_t(skin.positions.size());
     skin.positions.insert(skin.positions.end(), mesh.positions.begin(), mesh.positions.end());
@@ -56,7 +56,7 @@ struct OtherSpace {
 };
 
 /// Some of the strands' roots.
-std::vector<Vector3f> some_roots(const Groom& groom) {
+std::vector<Vector3f> some_roots(const groom::Groom& groom) {
   constexpr std::size_t kSome = 400;
   const std::vector<std::uint8_t> reversed = find_reversed_strands(groom);
   const std::size_t step = std::max<std::size_t>(groom.strand_count() / kSome, 1);
@@ -72,10 +72,12 @@ float typical_distance(const grow::BodySurface& skin, std::span<const Vector3f> 
   return quantile(distances, 0.5f);
 }
 
-bool is_open(Statement said) { return said == Statement::kUsual || said == Statement::kUnsaid; }
+bool is_open(importer::Statement said) {
+  return said == importer::Statement::kUsual || said == importer::Statement::kUnsaid;
+}
 
 /// The spaces that the strands' file leaves open, its own first.
-std::vector<OtherSpace> spaces_for(const SourceSpace& space) {
+std::vector<OtherSpace> spaces_for(const importer::SourceSpace& space) {
   constexpr float kScales[] = {1, 0.01f, 100, 0.001f, 1000, 0.1f, 10, 0.0254f, 1 / 0.0254f};
   std::vector<OtherSpace> spaces;
   for (const char up : {'y', 'z', 'x'}) {
@@ -94,30 +96,30 @@ char axis_after(char before, char up) {
 }
 
 /// The head's node, and kNoIndex where nothing is called so. Of several the one that moves most.
-std::uint32_t head_node_of(const SourceModel& body) {
-  if (body.head_node != kNoIndex) return body.head_node;
-  NodeWeights weights(body.nodes.size(), 0.0);
-  for (const SourceMesh& mesh : body.meshes) {
-    for (const SourceInfluence& influence : mesh.influences) weights[influence.node] += influence.weight;
+std::uint32_t head_node_of(const importer::SourceModel& body) {
+  if (body.head_node != importer::kNoIndex) return body.head_node;
+  cook::NodeWeights weights(body.nodes.size(), 0.0);
+  for (const importer::SourceMesh& mesh : body.meshes) {
+    for (const importer::SourceInfluence& influence : mesh.influences) weights[influence.node] += influence.weight;
     if (mesh.influences.empty()) weights[mesh.node] += double(mesh.positions.size());
   }
-  const NodeWeights below = weights_below(body, weights);
-  std::uint32_t best = kNoIndex;
+  const cook::NodeWeights below = cook::weights_below(body, weights);
+  std::uint32_t best = importer::kNoIndex;
   for (std::uint32_t n = 0; n < body.nodes.size(); ++n) {
-    if (is_called_head(body.nodes[n].name) && (best == kNoIndex || below[n] > below[best])) best = n;
+    if (cook::is_called_head(body.nodes[n].name) && (best == importer::kNoIndex || below[n] > below[best])) best = n;
   }
   return best;
 }
 
 /// A node for a head that has none, and the skin above the chin on it.
-std::uint32_t make_head_node(const grow::HeadFrame& head, SourceModel& body) {
-  SourceNode node;
+std::uint32_t make_head_node(const grow::HeadFrame& head, importer::SourceModel& body) {
+  importer::SourceNode node;
   node.name = "head";
   const Vector3f joint = head.center - Vector3f(0, 0.9f * head.radii.y(), 0.3f * head.radii.z());
   node.model_from_node.translate(joint.cast<double>());
   body.nodes.push_back(std::move(node));
   const auto head_node = std::uint32_t(body.nodes.size() - 1);
-  for (SourceMesh& mesh : body.meshes) {
+  for (importer::SourceMesh& mesh : body.meshes) {
     mesh.influences.clear();
     mesh.influence_begin.assign(1, 0);
     for (const Vector3f& p : mesh.positions) {
@@ -130,18 +132,18 @@ std::uint32_t make_head_node(const grow::HeadFrame& head, SourceModel& body) {
   return head_node;
 }
 
-std::uint32_t find_head_node(SourceModel& body, std::vector<Warning>& warnings) {
-  if (const std::uint32_t named = head_node_of(body); named != kNoIndex) return named;
+std::uint32_t find_head_node(importer::SourceModel& body, std::vector<Warning>& warnings) {
+  if (const std::uint32_t named = head_node_of(body); named != importer::kNoIndex) return named;
   const Skin skin = skin_of(body);
   if (const auto head = grow::find_head(skin.positions, skin.triangles)) return make_head_node(*head, body);
-  warn(warnings, source_code::kBody, "{}: nothing is called head, and no skull is found at its top; name a node head",
-       body.path);
-  return kNoIndex;
+  importer::warn(warnings, importer::source_code::kBody,
+                 "{}: nothing is called head, and no skull is found at its top; name a node head", body.path);
+  return importer::kNoIndex;
 }
 
 }  // namespace
 
-void place_on_body(const SourceModel& body, Groom& groom) {
+void place_on_body(const importer::SourceModel& body, groom::Groom& groom) {
   constexpr float kOnSkin = 0.12f;  // of the roots' extent: caps and skulls are modelled loosely
   constexpr float kBetter = 0.4f;
   Skin skin = skin_of(body);
@@ -159,10 +161,10 @@ void place_on_body(const SourceModel& body, Groom& groom) {
   const std::size_t best = std::size_t(std::ranges::min_element(off) - off.begin());
   const float far = off.front() * extent;
   if (off[best] >= kOnSkin || off[best] > kBetter * off.front()) {
-    warn(groom.warnings, source_code::kBody,
-         "roots lie {:.3g} m from {}; give both files one unit, one up axis and one place, or say the "
-         "strands' own by the recipe's \"source.metres_per_unit\" and \"source.up_axis\"",
-         far, body.path);
+    importer::warn(groom.warnings, importer::source_code::kBody,
+                   "roots lie {:.3g} m from {}; give both files one unit, one up axis and one place, or say the "
+                   "strands' own by the recipe's \"source.metres_per_unit\" and \"source.up_axis\"",
+                   far, body.path);
     return;
   }
   const OtherSpace& space = spaces[best];
@@ -170,37 +172,37 @@ void place_on_body(const SourceModel& body, Groom& groom) {
   for (float& width : groom.widths) width *= space.scale;
   groom.space.metres_per_unit *= double(space.scale);
   groom.space.up_axis = axis_after(groom.space.up_axis, space.up);
-  warn(groom.warnings, source_code::kBody,
-       "roots would lie {:.3g} m from {}; the strands are taken as of {:.4g} m per unit with {} up: set "
-       "\"source.metres_per_unit\" and \"source.up_axis\" in the recipe if that is wrong",
-       far, body.path, groom.space.metres_per_unit, char(groom.space.up_axis - 'a' + 'A'));
+  importer::warn(groom.warnings, importer::source_code::kBody,
+                 "roots would lie {:.3g} m from {}; the strands are taken as of {:.4g} m per unit with {} up: set "
+                 "\"source.metres_per_unit\" and \"source.up_axis\" in the recipe if that is wrong",
+                 far, body.path, groom.space.metres_per_unit, char(groom.space.up_axis - 'a' + 'A'));
 }
 
-void add_body(SourceModel body, SourceModel& cards) {
+void add_body(importer::SourceModel body, importer::SourceModel& cards) {
   std::size_t dropped = 0;
-  for (const SourceMesh& mesh : body.meshes) dropped += is_hair(body, mesh) ? 1 : 0;
+  for (const importer::SourceMesh& mesh : body.meshes) dropped += is_hair(body, mesh) ? 1 : 0;
   if (dropped > 0)
-    warn(cards.warnings, source_code::kBody, "{}: {} of its meshes are called hair and left out; strands are the hair",
-         body.path, dropped);
-  std::erase_if(body.meshes, [&](const SourceMesh& mesh) { return is_hair(body, mesh); });
+    importer::warn(cards.warnings, importer::source_code::kBody,
+                   "{}: {} of its meshes are called hair and left out; strands are the hair", body.path, dropped);
+  std::erase_if(body.meshes, [&](const importer::SourceMesh& mesh) { return is_hair(body, mesh); });
   const std::uint32_t head = find_head_node(body, cards.warnings);
   const auto nodes = std::uint32_t(body.nodes.size());
-  for (SourceNode& node : cards.nodes) {
-    if (node.parent != kNoIndex)
+  for (importer::SourceNode& node : cards.nodes) {
+    if (node.parent != importer::kNoIndex)
       node.parent += nodes;
     else
       node.parent = head;
   }
-  for (SourceMesh& mesh : cards.meshes) mesh.node += nodes;
-  for (SourceLevel& level : cards.coarser) level.mesh.node += nodes;
+  for (importer::SourceMesh& mesh : cards.meshes) mesh.node += nodes;
+  for (importer::SourceLevel& level : cards.coarser) level.mesh.node += nodes;
   body.nodes.insert(body.nodes.end(), cards.nodes.begin(), cards.nodes.end());
   cards.nodes = std::move(body.nodes);
-  cards.head_node = body.head_node != kNoIndex ? body.head_node : head;
-  SourceMaterial skin;
+  cards.head_node = body.head_node != importer::kNoIndex ? body.head_node : head;
+  importer::SourceMaterial skin;
   skin.name = "body";
   const auto material = std::uint32_t(cards.materials.size());
   cards.materials.push_back(std::move(skin));
-  for (SourceMesh& mesh : body.meshes) {
+  for (importer::SourceMesh& mesh : body.meshes) {
     mesh.name = "body";
     mesh.material = material;
     cards.meshes.push_back(std::move(mesh));
@@ -213,4 +215,4 @@ void add_body(SourceModel body, SourceModel& cards) {
   cards.warnings.insert(cards.warnings.end(), body.warnings.begin(), body.warnings.end());
 }
 
-}  // namespace coif
+}  // namespace coif::cards

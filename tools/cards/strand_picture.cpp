@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace coif {
+namespace coif::cards {
 namespace {
 
 constexpr std::uint32_t kBand = 16;  // rows of pixels that are drawn together
@@ -79,7 +79,7 @@ class Band {
 };
 
 /// `side`: samples of a pixel, each way.
-std::vector<Piece> pieces_of(const Groom& groom, const PictureFrame& frame, float width, int side) {
+std::vector<Piece> pieces_of(const groom::Groom& groom, const PictureFrame& frame, float width, int side) {
   std::vector<Piece> pieces;
   pieces.reserve(groom.points.size());
   const float samples_of_metre = float(side) * frame.pixels_of_metre;
@@ -137,8 +137,8 @@ void develop(const Band& band, const std::vector<Piece>& pieces, std::uint32_t f
 
 }  // namespace
 
-HairPicture draw_strands(const Groom& groom, const PictureFrame& frame, float width, const Threads& threads,
-                         std::uint32_t side) {
+HairPicture draw_strands(const groom::Groom& groom, const PictureFrame& frame, float width,
+                         const platform::Threads& threads, std::uint32_t side) {
   HairPicture picture = blank_picture(frame.size);
   const std::vector<Piece> pieces = pieces_of(groom, frame, width, int(side));
   const std::size_t bands = (frame.size + kBand - 1) / kBand;
@@ -152,4 +152,4 @@ HairPicture draw_strands(const Groom& groom, const PictureFrame& frame, float wi
   return picture;
 }
 
-}  // namespace coif
+}  // namespace coif::cards

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace coif {
+namespace coif::cards {
 
 /// What is seen of hair from one direction, pixel by pixel, rows top to bottom.
 struct HairPicture {
@@ -36,7 +36,7 @@ struct HairPicture {
 /// Strands with round cross sections of `width` metres where the groom says none, each pixel by `side` x `side`
 /// samples, the nearest strand in each. Which sample a strand covers is exact, so that a strand thinner than a sample
 /// covers as many as its width is worth.
-[[nodiscard]] HairPicture draw_strands(const Groom& groom, const PictureFrame& frame, float width,
-                                       const Threads& threads, std::uint32_t side = 8);
+[[nodiscard]] HairPicture draw_strands(const groom::Groom& groom, const PictureFrame& frame, float width,
+                                       const platform::Threads& threads, std::uint32_t side = 8);
 
-}  // namespace coif
+}  // namespace coif::cards

@@ -1,6 +1,6 @@
 #include "cards/surface_raster.h"
 
-namespace coif {
+namespace coif::cards {
 
 std::vector<std::vector<std::uint32_t>> triangles_by_band(const CardSurface& surface, const PictureFrame& frame,
                                                           std::uint32_t rows) {
@@ -19,4 +19,4 @@ std::vector<std::vector<std::uint32_t>> triangles_by_band(const CardSurface& sur
   return bands;
 }
 
-}  // namespace coif
+}  // namespace coif::cards

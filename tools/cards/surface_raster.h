@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::cards {
 
 /// A place on a card that a sample sees.
 struct SurfacePoint {
@@ -134,4 +134,4 @@ template <typename Texel>
   return (1 - fy) * above + fy * below;
 }
 
-}  // namespace coif
+}  // namespace coif::cards

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-namespace coif {
+namespace coif::cards {
 namespace {
 
 constexpr std::size_t kSample = 16384;  // strands that find the cards
@@ -38,7 +38,7 @@ std::pair<std::uint32_t, float> nearest_ribbon(const std::vector<Ribbon>& ribbon
 }
 
 Assignment assign(const EvenStrands& strands, std::span<const std::uint32_t> which, const std::vector<Ribbon>& ribbons,
-                  std::span<const std::uint32_t> guesses, const Threads& threads) {
+                  std::span<const std::uint32_t> guesses, const platform::Threads& threads) {
   Assignment out;
   out.ribbon_of.resize(which.size());
   std::vector<float> distances(which.size());
@@ -60,7 +60,7 @@ std::vector<std::vector<std::uint32_t>> members_of(std::span<const std::uint32_t
 }
 
 std::vector<Ribbon> ribbons_of(const EvenStrands& strands, const std::vector<std::vector<std::uint32_t>>& members,
-                               const Threads& threads) {
+                               const platform::Threads& threads) {
   std::vector<Ribbon> ribbons(members.size());
   parallel_for(members.size(), threads, [&](std::size_t i) { ribbons[i] = ribbon_of(strands, members[i]); });
   return ribbons;
@@ -68,7 +68,7 @@ std::vector<Ribbon> ribbons_of(const EvenStrands& strands, const std::vector<std
 
 }  // namespace
 
-std::vector<Wisp> find_wisps(const EvenStrands& strands, std::size_t count, const Threads& threads) {
+std::vector<Wisp> find_wisps(const EvenStrands& strands, std::size_t count, const platform::Threads& threads) {
   if (strands.count() == 0 || count == 0) return {};
   std::vector<std::uint32_t> all(strands.count());
   std::iota(all.begin(), all.end(), 0u);
@@ -103,4 +103,4 @@ std::vector<Wisp> find_wisps(const EvenStrands& strands, std::size_t count, cons
   return wisps;
 }
 
-}  // namespace coif
+}  // namespace coif::cards

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace coif {
+namespace coif::cards {
 
 /// Strands that go onto one card.
 struct Wisp {
@@ -19,6 +19,7 @@ struct Wisp {
 /// whose card it loses least, and cards are the best of their strands (Lloyd 1982, with ribbons in place of points; the
 /// first ones by Arthur and Vassilvitskii 2007, "k-means++"). Of very many strands a sample finds the cards. Repeats
 /// for equal input, whatever `threads` is.
-[[nodiscard]] std::vector<Wisp> find_wisps(const EvenStrands& strands, std::size_t count, const Threads& threads);
+[[nodiscard]] std::vector<Wisp> find_wisps(const EvenStrands& strands, std::size_t count,
+                                           const platform::Threads& threads);
 
-}  // namespace coif
+}  // namespace coif::cards

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 using nlohmann::ordered_json;
@@ -66,7 +66,7 @@ constexpr const char* kTextureRoles[] = {"base_color", "shift_mask", "normal", "
 constexpr const char* kTexelFormats[] = {"rgba8", "rg8", "eac_rg11"};                           // as TexelFormat
 
 /// Of the base colour with what each mip covers: hair that loses coverage gets thin with distance.
-ordered_json mip_list(const TextureRecord& texture, const std::vector<AlphaCoverage>& coverage) {
+ordered_json mip_list(const TextureRecord& texture, const std::vector<cook::AlphaCoverage>& coverage) {
   ordered_json list = ordered_json::array();
   for (std::uint32_t level = 0; level < texture.mip_count; ++level) {
     list.push_back(
@@ -79,7 +79,7 @@ ordered_json mip_list(const TextureRecord& texture, const std::vector<AlphaCover
 }
 
 ordered_json texture_list(const Asset& asset) {
-  const std::vector<AlphaCoverage> coverage = mip_coverage(asset);
+  const std::vector<cook::AlphaCoverage> coverage = cook::mip_coverage(asset);
   ordered_json list = ordered_json::array();
   for (const auto& textures : {asset.textures(), asset.reliefs()}) {
     for (const TextureRecord& texture : textures) {
@@ -297,4 +297,4 @@ std::string asset_text(const std::string& name, const Asset& asset) {
   return text;
 }
 
-}  // namespace coif
+}  // namespace coif::cli

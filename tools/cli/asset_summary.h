@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace coif {
+namespace coif::cli {
 
 /// Counts, chunk sizes and settings of an open asset as JSON; the keys are stable.
 [[nodiscard]] std::string asset_json(const Asset& asset);
@@ -28,10 +28,10 @@ namespace coif {
 [[nodiscard]] std::string tuning_text(const Asset& asset);
 
 /// The names that a recipe can speak of: meshes, materials, and nodes as a tree with the bones marked.
-[[nodiscard]] std::string list_text(const SourceModel& model);
-[[nodiscard]] std::string list_json(const SourceModel& model);
+[[nodiscard]] std::string list_text(const importer::SourceModel& model);
+[[nodiscard]] std::string list_json(const importer::SourceModel& model);
 
 /// The program's manual page, in roff for man(1): its own help, command by command, and what help has no room for.
 [[nodiscard]] std::string manual_page(const CLI::App& program);
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -2,7 +2,6 @@
 
 #include "base/files.h"
 #include "base/json.h"
-#include "cli/batch_job.h"
 #include "cli/messages.h"
 
 #include <fmt/format.h>
@@ -13,7 +12,7 @@
 #include <fstream>
 #include <map>
 
-namespace coif {
+namespace coif::cli {
 
 bool is_cooked(const nlohmann::ordered_json& outcome) { return outcome["exit_code"] == 0; }
 
@@ -37,7 +36,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-using Requests = std::vector<CookRequest>;
+using Requests = std::vector<cache::CookRequest>;
 
 tl::expected<void, ToolError> check_options(const CookOptions& options) {
   std::error_code ignored;
@@ -68,7 +67,7 @@ bool may_be_replaced(const fs::path& output) {
 tl::expected<void, ToolError> check_outputs_of(const CookOptions& options, const Requests& requests) {
   std::vector<fs::path> inputs{options.manifest, options.body};
   std::vector<NamedOutput> outputs{{"--report", options.report}};
-  for (const CookRequest& request : requests) {
+  for (const cache::CookRequest& request : requests) {
     inputs.emplace_back(request.source);
     inputs.push_back(fs::path(request.source).replace_extension(".recipe.json"));
     if (request.recipe) inputs.emplace_back(*request.recipe);
@@ -94,7 +93,7 @@ tl::expected<Requests, ToolError> named_requests(const CookOptions& options) {
   std::map<std::string, std::string> owners;
   for (const std::string& source : options.sources) {
     fs::path stem = fs::path(source).stem();
-    if (is_recipe_file(source)) stem = stem.stem();
+    if (cook::is_recipe_file(source)) stem = stem.stem();
     const std::string output = (fs::path(options.output) / stem).string() + ".coif";
     const auto [owner, is_new] = owners.emplace(output, source);
     if (!is_new) return usage(fmt::format("{} and {} would both become {}", owner->second, source, output));
@@ -104,9 +103,9 @@ tl::expected<Requests, ToolError> named_requests(const CookOptions& options) {
 }
 
 /// "K/N", K within 1 .. N. Error (kUsage): says so.
-tl::expected<Share, ToolError> parse_share(const std::string& text) {
+tl::expected<cache::Share, ToolError> parse_share(const std::string& text) {
   const auto share = parse_pair<std::size_t>(text, '/');
-  if (share && share->first >= 1 && share->first <= share->second) return Share{share->first, share->second};
+  if (share && share->first >= 1 && share->first <= share->second) return cache::Share{share->first, share->second};
   return usage(fmt::format("--batch: '{}' is not K/N with K from 1 to N, as in 3/40", text));
 }
 
@@ -116,9 +115,10 @@ tl::expected<Requests, ToolError> batch_requests(const CookOptions& options) {
   if (auto checked = check_options(options); !checked) return tl::unexpected(checked.error());
   const auto share = parse_share(options.share);
   if (!share) return tl::unexpected(share.error());
-  const auto all = options.manifest.empty() ? named_requests(options) : read_manifest(options.manifest, options.output);
+  const auto all =
+      options.manifest.empty() ? named_requests(options) : cache::read_manifest(options.manifest, options.output);
   if (!all) return all;
-  return share_of(*all, *share);
+  return cache::share_of(*all, *share);
 }
 
 std::string line_of(const Outcomes& file, std::size_t width) {
@@ -149,7 +149,7 @@ std::string batch_text(const Outcomes& outcomes) {
 }
 
 /// Of a process that never answered.
-ordered_json crashed(const CookRequest& request, const Messages& messages) {
+ordered_json crashed(const cache::CookRequest& request, const Messages& messages) {
   const std::string text = request.source + ": the cook crashed; cook it alone, and report it with the file";
   messages.error(text);
   return {{"source", request.source},
@@ -185,7 +185,7 @@ tl::expected<Exit, ToolError> run_cook_batch(const CookOptions& options, const M
   if (auto checked = check_outputs_of(options, *requests); !checked) return tl::unexpected(checked.error());
   if (!options.limits.requires_sandbox) tell_of_missing_sandbox(messages);
   const auto cooks = unsigned(std::clamp<std::size_t>(requests->size(), 1, options.jobs));
-  const unsigned threads = options.threads.value_or(std::max(1u, all_threads() / cooks));
+  const unsigned threads = options.threads.value_or(std::max(1u, platform::all_threads() / cooks));
   const auto answers = cook_each(options, *requests, threads);
   auto outcomes = Outcomes::array();
   int worst = 0;
@@ -206,4 +206,4 @@ tl::expected<Exit, ToolError> run_cook_batch(const CookOptions& options, const M
   return Exit(worst);
 }
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -1,4 +1,4 @@
-#include "cli/batch_job.h"
+#include "cli/batch.h"
 
 #include "base/files.h"
 #include "cli/command.h"
@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -71,7 +71,7 @@ Document options_document(const CookOptions& options) {
 
 CookOptions options_from(const Document& document) {
   CookOptions options;
-  for (const RecipePreset& preset : recipe_presets()) {
+  for (const cook::RecipePreset& preset : cook::recipe_presets()) {
     if (document.at("preset").get<std::string>() == preset.name) options.preset = preset.name;
   }
   document.at("body").get_to(options.body);
@@ -90,7 +90,7 @@ CookOptions options_from(const Document& document) {
 
 // In the child.
 
-tl::expected<CookSummary, FailedCook> cook_one(const CookOptions& options, const CookRequest& request,
+tl::expected<CookSummary, FailedCook> cook_one(const CookOptions& options, const cache::CookRequest& request,
                                                const Messages& messages) {
   auto choice = held_recipe(request.source, request.recipe, options.limits.requires_sandbox, options.roots, messages,
                             {options.preset, ""});
@@ -103,7 +103,7 @@ tl::expected<CookSummary, FailedCook> cook_one(const CookOptions& options, const
 }
 
 /// The lines of the result, as JSON, and kInputIdentities.
-ordered_json outcome_of(const CookOptions& options, const CookRequest& request, const Messages& messages) {
+ordered_json outcome_of(const CookOptions& options, const cache::CookRequest& request, const Messages& messages) {
   const auto begin = std::chrono::steady_clock::now();
   const auto summary = cook_one(options, request, messages);
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
@@ -124,11 +124,12 @@ ordered_json outcome_of(const CookOptions& options, const CookRequest& request, 
   return outcome;
 }
 
-Bytes answer_request(const JobCall& call) {
+platform::Bytes answer_request(const platform::JobCall& call) {
   const Document document = Document::from_msgpack(call.request());
   CookOptions options = options_from(document.at("options"));
-  const CookRequest request{document.at("source").get<std::string>(), optional_from<std::string>(document.at("recipe")),
-                            document.at("output").get<std::string>()};
+  const cache::CookRequest request{document.at("source").get<std::string>(),
+                                   optional_from<std::string>(document.at("recipe")),
+                                   document.at("output").get<std::string>()};
   options.sources = {request.source};
   options.output = request.output;
   options.threads = document.at("threads").get<unsigned>();
@@ -137,28 +138,28 @@ Bytes answer_request(const JobCall& call) {
   return {text.begin(), text.end()};
 }
 
-const Job kCookOne("cook one of many", answer_request);
+const platform::Job kCookOne("cook one of many", answer_request);
 
-Bytes draw_thumbnail(const JobCall& call) {
+platform::Bytes draw_thumbnail(const platform::JobCall& call) {
   constexpr std::uint32_t kPixels = 144;
   const auto file = AssetFile::open(fs::path(std::string(call.request().begin(), call.request().end())));
   if (!file) return {};
-  PictureSettings settings;
+  render::PictureSettings settings;
   settings.width = settings.height = kPixels;
   settings.warm_up = false;
-  const auto picture = render_picture(file->asset(), settings);
-  return picture ? encode_png(*picture) : Bytes{};
+  const auto picture = render::render_picture(file->asset(), settings);
+  return picture ? render::encode_png(*picture) : platform::Bytes{};
 }
 
-const Job kDrawThumbnail("draw thumbnail", draw_thumbnail);
+const platform::Job kDrawThumbnail("draw thumbnail", draw_thumbnail);
 
 }  // namespace
 
-std::vector<std::optional<ordered_json>> cook_each(const CookOptions& options, const std::vector<CookRequest>& requests,
-                                                   unsigned threads) {
+std::vector<std::optional<ordered_json>> cook_each(const CookOptions& options,
+                                                   const std::vector<cache::CookRequest>& requests, unsigned threads) {
   const Document common = options_document(options);
-  std::vector<Bytes> calls;
-  for (const CookRequest& request : requests) {
+  std::vector<platform::Bytes> calls;
+  for (const cache::CookRequest& request : requests) {
     calls.push_back(Document::to_msgpack({{"options", common},
                                           {"source", request.source},
                                           {"recipe", or_null(request.recipe)},
@@ -166,17 +167,17 @@ std::vector<std::optional<ordered_json>> cook_each(const CookOptions& options, c
                                           {"threads", threads}}));
   }
   std::vector<std::optional<ordered_json>> outcomes;
-  for (const auto& answer : run_in_processes(kCookOne, calls, options.jobs))
+  for (const auto& answer : platform::run_in_processes(kCookOne, calls, options.jobs))
     outcomes.push_back(answer ? std::optional(ordered_json::parse(*answer)) : std::nullopt);
   return outcomes;
 }
 
-std::vector<Bytes> thumbnails(const std::vector<std::string>& assets, unsigned jobs) {
-  std::vector<Bytes> calls, pictures;
+std::vector<platform::Bytes> thumbnails(const std::vector<std::string>& assets, unsigned jobs) {
+  std::vector<platform::Bytes> calls, pictures;
   for (const std::string& asset : assets) calls.emplace_back(asset.begin(), asset.end());
-  for (auto& answer : run_in_processes(kDrawThumbnail, calls, jobs))
-    pictures.push_back(answer ? std::move(*answer) : Bytes{});
+  for (auto& answer : platform::run_in_processes(kDrawThumbnail, calls, jobs))
+    pictures.push_back(answer ? std::move(*answer) : platform::Bytes{});
   return pictures;
 }
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -2,7 +2,6 @@
 
 #include "base/encodings.h"
 #include "base/text.h"
-#include "cli/batch_job.h"
 #include "report/page/report_page.h"
 
 #include <fmt/format.h>
@@ -11,7 +10,7 @@
 #include <iterator>
 #include <vector>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 std::string text_of(const Outcomes& file, const char* key) { return file[key].get<std::string>(); }
@@ -49,7 +48,8 @@ Outcomes failures(const std::vector<Outcomes>& files, const Places& places) {
   return rows;
 }
 
-Outcomes assets(const std::vector<Outcomes>& files, const std::vector<Bytes>& pictures, const Places& places) {
+Outcomes assets(const std::vector<Outcomes>& files, const std::vector<platform::Bytes>& pictures,
+                const Places& places) {
   Outcomes rows = Outcomes::array();
   for (std::size_t i = 0; i < files.size(); ++i) {
     const Outcomes& file = files[i];
@@ -78,17 +78,17 @@ std::string batch_page(const Outcomes& outcomes, unsigned jobs) {
   std::ranges::partition_copy(files, std::back_inserter(cooked), std::back_inserter(failed), is_cooked);
   std::vector<std::string> outputs;
   for (const Outcomes& file : cooked) outputs.push_back(text_of(file, "output"));
-  const std::vector<Bytes> pictures = thumbnails(outputs, jobs);
+  const std::vector<platform::Bytes> pictures = thumbnails(outputs, jobs);
   const Places places{common_folder(files, "source"), common_folder(files, "output")};
-  const auto undrawn = std::size_t(std::ranges::count_if(pictures, &Bytes::empty));
-  return page_html({{"title", "coif cook"},
-                    {"finding", sentence(count(outcomes)) + "."},
-                    {"sources", places.sources.empty() ? "./" : places.sources},
-                    {"assets", places.assets.empty() ? "./" : places.assets},
-                    {"undrawn", undrawn > 0 ? undrawn_text(undrawn) : ""},
-                    {"failed", failures(failed, places)},
-                    {"cooked", assets(cooked, pictures, places)}},
-                   coif_cook_page);
+  const auto undrawn = std::size_t(std::ranges::count_if(pictures, &platform::Bytes::empty));
+  return report::page_html({{"title", "coif cook"},
+                            {"finding", sentence(count(outcomes)) + "."},
+                            {"sources", places.sources.empty() ? "./" : places.sources},
+                            {"assets", places.assets.empty() ? "./" : places.assets},
+                            {"undrawn", undrawn > 0 ? undrawn_text(undrawn) : ""},
+                            {"failed", failures(failed, places)},
+                            {"cooked", assets(cooked, pictures, places)}},
+                           coif_cook_page);
 }
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 
-namespace coif {
+namespace coif::cli {
 
 /// What the program tells the shell. An interface: build scripts depend on the numbers.
 enum class Exit : int {
@@ -63,4 +63,4 @@ Command add_report(CLI::App& program);
 Command add_strip(CLI::App& program);
 Command add_cache(CLI::App& program);
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <memory>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 struct CacheOptions {
@@ -58,7 +58,8 @@ double seconds_ago(std::filesystem::file_time_type time) {
   return std::chrono::duration<double>(std::filesystem::file_time_type::clock::now() - time).count();
 }
 
-std::string result_text(const CacheOptions& options, const CacheTrimmed& trimmed, const CacheUsage& usage) {
+std::string result_text(const CacheOptions& options, const cache::CacheTrimmed& trimmed,
+                        const cache::CacheUsage& usage) {
   std::string text;
   if (options.max_bytes) {
     text += fmt::format("{}: removed {}, {}, and {} of killed cooks\n", options.folder,
@@ -76,7 +77,7 @@ std::string result_text(const CacheOptions& options, const CacheTrimmed& trimmed
   return text;
 }
 
-std::string result_json(const CacheTrimmed& trimmed, const CacheUsage& usage) {
+std::string result_json(const cache::CacheTrimmed& trimmed, const cache::CacheUsage& usage) {
   nlohmann::ordered_json json{{"sources", usage.keys},
                               {"entries", usage.entries},
                               {"bytes", usage.bytes},
@@ -92,13 +93,13 @@ std::string result_json(const CacheTrimmed& trimmed, const CacheUsage& usage) {
 
 tl::expected<Exit, ToolError> run_cache(const CacheOptions& options) {
   if (!options.stats && !options.max_bytes) return usage("needs --stats, --max-size or both; see 'coif cache --help'");
-  CacheTrimmed trimmed;
+  cache::CacheTrimmed trimmed;
   if (options.max_bytes) {
-    const auto done = trim_cache(options.folder, *options.max_bytes);
+    const auto done = cache::trim_cache(options.folder, *options.max_bytes);
     if (!done) return tl::unexpected(done.error());
     trimmed = *done;
   }
-  const auto usage = cache_usage(options.folder);
+  const auto usage = cache::cache_usage(options.folder);
   if (!usage) return tl::unexpected(usage.error());
   const bool as_json = options.format == OutputFormat::kJson;
   print_result(as_json ? result_json(trimmed, *usage) : result_text(options, trimmed, *usage));
@@ -128,4 +129,4 @@ Command add_cache(CLI::App& program) {
   return {app, [options](const Messages&) { return run_cache(*options); }};
 }
 
-}  // namespace coif
+}  // namespace coif::cli

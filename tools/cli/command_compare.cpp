@@ -7,20 +7,20 @@
 
 #include <memory>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 struct CompareOptions {
   std::string a;
   std::string b;
-  std::vector<Motion> motions;
-  RecordingSettings recording;
+  std::vector<motion::Motion> motions;
+  animation::RecordingSettings recording;
   OutputFormat format = OutputFormat::kText;
 };
 
 struct MotionResult {
   const char* motion;
-  RigDifference difference;
+  compare::RigDifference difference;
 };
 
 struct CompareResult {
@@ -34,16 +34,16 @@ ToolError about_both(const CompareOptions& options, const ToolError& error) {
 }
 
 tl::expected<CompareResult, ToolError> compare(const CompareOptions& options, const Asset& a, const Asset& b) {
-  const auto match = match_surfaces(a, b);
+  const auto match = compare::match_surfaces(a, b);
   if (!match) return tl::unexpected(about_both(options, match.error()));
-  CompareResult result{match->rest_rms, hair_size(a), {}};
-  RecordingSettings recording = options.recording;
-  for (const MotionInfo& info : all_motions()) {
+  CompareResult result{match->rest_rms, compare::hair_size(a), {}};
+  animation::RecordingSettings recording = options.recording;
+  for (const motion::MotionInfo& info : motion::all_motions()) {
     const bool wanted =
         options.motions.empty() || std::ranges::find(options.motions, info.motion) != options.motions.end();
     if (!wanted) continue;
     recording.motion = info.motion;
-    const auto difference = compare_rigs(a, b, *match, recording);
+    const auto difference = compare::compare_rigs(a, b, *match, recording);
     if (!difference) return tl::unexpected(about_both(options, difference.error()));
     result.rows.push_back({info.name, *difference});
   }
@@ -55,7 +55,7 @@ double percent(double part, double whole) { return whole > 0 ? 100 * part / whol
 std::string result_json(const CompareOptions& options, const CompareResult& result) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const MotionResult& row : result.rows) {
-    const RigDifference& d = row.difference;
+    const compare::RigDifference& d = row.difference;
     rows.push_back({{"motion", row.motion},
                     {"rms_mm", 1000 * d.rms},
                     {"max_mm", 1000 * d.max},
@@ -81,7 +81,7 @@ std::string result_text(const CompareOptions& options, const CompareResult& resu
       options.b, options.a, 1000 * result.size, options.recording.seconds, options.recording.fps,
       1000 * result.rest_rms, "motion", "rms mm", "%", "max mm", "%", "moved mm", "ratio", "still");
   for (const MotionResult& row : result.rows) {
-    const RigDifference& d = row.difference;
+    const compare::RigDifference& d = row.difference;
     text += fmt::format("  {:<10}{:>9.2f}{:>7.2f}{:>10.2f}{:>7.1f}{:>11.2f}{:>8.2f}{:>8.2f}\n", row.motion,
                         1000 * d.rms, percent(d.rms, result.size), 1000 * d.max, percent(d.max, result.size),
                         1000 * d.moved, d.ratio, d.still_ratio);
@@ -102,10 +102,10 @@ tl::expected<Exit, ToolError> run_compare(const CompareOptions& options) {
   return Exit::kOk;
 }
 
-void add_motions(CLI::App& app, std::vector<Motion>& motions) {
+void add_motions(CLI::App& app, std::vector<motion::Motion>& motions) {
   const auto parse = [&motions](const std::vector<std::string>& words) {
     for (const std::string& word : words) {
-      const auto motion = find_motion(word);
+      const auto motion = motion::find_motion(word);
       if (!motion) throw CLI::ValidationError("--motion", fmt::format("'{}' is not a motion; see --help", word));
       motions.push_back(*motion);
     }
@@ -131,4 +131,4 @@ Command add_compare(CLI::App& program) {
   return {app, [options](const Messages&) { return run_compare(*options); }};
 }
 
-}  // namespace coif
+}  // namespace coif::cli

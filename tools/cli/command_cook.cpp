@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 tl::expected<Exit, ToolError> list_source(const CookOptions& options, const RecipeChoice& choice,
@@ -30,8 +30,8 @@ tl::expected<Exit, ToolError> list_source(const CookOptions& options, const Reci
   order.keeps_model = true;
   const auto answer = cook_in_child(order, limited_call(options));
   if (!answer) return tl::unexpected<ToolError>(answer.error());
-  ImportOutcome model;
-  if (!decode_model(answer->model, model))
+  importer::ImportOutcome model;
+  if (!importer::decode_model(answer->model, model))
     return file_failure(ToolError::Kind::kInternal, options.source(), "the process that read it makes no sense");
   print_result(options.format == OutputFormat::kJson ? list_json(*model) : list_text(*model));
   return Exit::kOk;
@@ -39,7 +39,8 @@ tl::expected<Exit, ToolError> list_source(const CookOptions& options, const Reci
 
 std::string preset_text() {
   std::string text;
-  for (const RecipePreset& preset : recipe_presets()) text += fmt::format("{:10}  {}\n", preset.name, preset.meaning);
+  for (const cook::RecipePreset& preset : cook::recipe_presets())
+    text += fmt::format("{:10}  {}\n", preset.name, preset.meaning);
   return text + "'coif cook --preset NAME --print-recipe' prints all that one sets\n";
 }
 
@@ -66,7 +67,7 @@ tl::expected<Exit, FailedCook> run_options(const CookOptions& options, const Mes
   choose_body(options.body, *choice);
   if (auto known = acknowledge(options, *choice); !known) return tl::unexpected(failed_by_recipe(known.error()));
   if (options.print_recipe) {
-    print_result(print_recipe(choice->recipe));
+    print_result(cook::print_recipe(choice->recipe));
     return Exit::kOk;
   }
   if (options.list)
@@ -131,7 +132,7 @@ Command add_cook(CLI::App& program) {
       ->type_name("OUT.coif");
   app->add_option("--recipe", options->recipe, "What the artist says (default: SOURCE's name with .recipe.json)")
       ->type_name("R.json");
-  static const auto preset_choices = name_choices(recipe_presets());
+  static const auto preset_choices = name_choices(cook::recipe_presets());
   add_choice<const char*>(*app, "--preset", options->preset, preset_choices,
                           "What kind of hair it is: the recipe begins from that preset, before its \"look.preset\"");
   app->add_flag("--list-presets", options->list_presets, "Print what the presets are for, cook nothing");
@@ -166,4 +167,4 @@ Command add_cook(CLI::App& program) {
   return {app, [options](const Messages& messages) { return run_cook(*options, messages); }};
 }
 
-}  // namespace coif
+}  // namespace coif::cli

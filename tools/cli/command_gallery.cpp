@@ -11,21 +11,21 @@
 
 #include <memory>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 struct GalleryOptions {
   std::string file;
   std::string output;
   std::string page;
-  PixelSize size{GallerySettings{}.width, GallerySettings{}.height};
+  PixelSize size{render::GallerySettings{}.width, render::GallerySettings{}.height};
   std::uint32_t only = 0;
-  const Solver* solver = GallerySettings{}.solver;
+  const Solver* solver = render::GallerySettings{}.solver;
   OutputFormat format = OutputFormat::kText;
 };
 
-std::string result_text(const GalleryOptions& options, const GallerySheet& gallery) {
-  const Picture& sheet = gallery.sheet;
+std::string result_text(const GalleryOptions& options, const render::GallerySheet& gallery) {
+  const render::Picture& sheet = gallery.sheet;
   if (options.format == OutputFormat::kJson) {
     return json_text({{"output", options.output},
                       {"width", sheet.width},
@@ -38,7 +38,7 @@ std::string result_text(const GalleryOptions& options, const GallerySheet& galle
                      counted(gallery.pictures, "picture", "pictures"), sheet.draw_ms, sheet.device);
 }
 
-GallerySettings gallery_settings(const GalleryOptions& options) {
+render::GallerySettings gallery_settings(const GalleryOptions& options) {
   return {options.size.width, options.size.height, options.only, options.solver};
 }
 
@@ -49,16 +49,17 @@ tl::unexpected<ToolError> of_file(const GalleryOptions& options, const ToolError
 
 tl::expected<Exit, ToolError> write_pictures(const GalleryOptions& options, const AssetFile& file) {
   ProgressLine line(options.file);
-  const auto gallery = render_gallery(file.asset(), gallery_settings(options),
-                                      [&line](const std::string& caption) { line.show(caption.c_str()); });
+  const auto gallery = render::render_gallery(file.asset(), gallery_settings(options),
+                                              [&line](const std::string& caption) { line.show(caption.c_str()); });
   line.erase();
   if (!gallery) return of_file(options, gallery.error());
-  if (auto written = write_png(options.output, gallery->sheet); !written) return tl::unexpected(written.error());
+  if (auto written = render::write_png(options.output, gallery->sheet); !written)
+    return tl::unexpected(written.error());
   print_result(result_text(options, *gallery));
   return Exit::kOk;
 }
 
-std::string tiles_text(const GalleryOptions& options, const LiveSheet& sheet, std::size_t bytes) {
+std::string tiles_text(const GalleryOptions& options, const view::LiveSheet& sheet, std::size_t bytes) {
   if (options.format == OutputFormat::kJson) {
     return json_text({{"output", options.output},
                       {"width", options.size.width},
@@ -76,12 +77,12 @@ std::string tiles_text(const GalleryOptions& options, const LiveSheet& sheet, st
 /// A page of live tiles.
 tl::expected<Exit, ToolError> write_page(const GalleryOptions& options, const AssetFile& file) {
   const Asset& asset = file.asset();
-  if (const auto size = check_tile_size(options.size.width, options.size.height); !size)
+  if (const auto size = render::check_tile_size(options.size.width, options.size.height); !size)
     return of_file(options, size.error());
-  const auto sheet = live_sheet(asset, thesis_galleries(asset, gallery_settings(options)));
+  const auto sheet = view::live_sheet(asset, render::thesis_galleries(asset, gallery_settings(options)));
   if (!sheet) return of_file(options, sheet.error());
   const auto page = filled_page(options.page, file, options.file,
-                                sheet_json(asset, *sheet, {options.size.width, options.size.height}));
+                                view::sheet_json(asset, *sheet, {options.size.width, options.size.height}));
   if (!page) return tl::unexpected(page.error());
   if (auto written = write_output(options.output, std::as_bytes(std::span(*page))); !written) {
     return tl::unexpected(written.error());
@@ -117,7 +118,8 @@ Command add_gallery(CLI::App& program) {
   const auto options = std::make_shared<GalleryOptions>();
   app->add_option("FILE", options->file, "A cooked asset")->required();
   app->add_option("-o,--output", options->output, "The sheet to write")->required()->type_name("SHEET.png|SHEET.html");
-  app->add_option("--only", options->only, "One gallery, 1 to 7 (default: all)")->check(CLI::Range(1u, kGalleries));
+  app->add_option("--only", options->only, "One gallery, 1 to 7 (default: all)")
+      ->check(CLI::Range(1u, render::kGalleries));
   add_solver(*app, options->solver)
       ->description("Which method moves the bones of galleries 1 to 5: coif, cascade, passive, thesis");
   add_size(*app, options->size)
@@ -127,4 +129,4 @@ Command add_gallery(CLI::App& program) {
   return {app, [options](const Messages&) { return run_gallery(*options); }};
 }
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -19,23 +19,23 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 struct GrowOptions {
   std::string output, recipe, body;
   const char* style = "";
   std::optional<std::uint32_t> strands, seed;
-  unsigned threads = all_threads();
+  unsigned threads = platform::all_threads();
   OutputFormat format = OutputFormat::kText;
   bool print_recipe = false;
   SourceLimits limits;
 };
 
 tl::expected<RecipeChoice, ToolError> grow_recipe(const GrowOptions& options) {
-  RecipeChoice choice{default_recipe(), {}, options.recipe};
-  auto recipe = options.recipe.empty() ? parse_recipe("{}", "--style", {"", options.style})
-                                       : read_recipe(options.recipe, {"", options.style});
+  RecipeChoice choice{cook::default_recipe(), {}, options.recipe};
+  auto recipe = options.recipe.empty() ? cook::parse_recipe("{}", "--style", {"", options.style})
+                                       : cook::read_recipe(options.recipe, {"", options.style});
   if (!recipe) return tl::unexpected(recipe.error());
   choice.recipe = std::move(*recipe);
   choice.directory = choice.file.parent_path();
@@ -51,39 +51,41 @@ std::filesystem::path body_of(const GrowOptions& options, const RecipeChoice& ch
 }
 
 /// In a child process.
-Bytes answer_grow(const JobCall& call) {
+platform::Bytes answer_grow(const platform::JobCall& call) {
   const nlohmann::json order = nlohmann::json::from_msgpack(call.request());
   const auto name = order.at("name").get<std::string>();
-  const Recipe recipe = parse_recipe(order.at("recipe").get<std::string>(), name).value();
-  const Threads threads(order.at("threads").get<unsigned>(), call.stop());
-  ImportSettings import = import_settings_from(order.at("import"));
+  const cook::Recipe recipe = cook::parse_recipe(order.at("recipe").get<std::string>(), name).value();
+  const platform::Threads threads(order.at("threads").get<unsigned>(), call.stop());
+  importer::ImportSettings import = importer::import_settings_from(order.at("import"));
   import.stop = threads.stop;
-  const auto body = read_body(order.at("body").get<std::string>(), import);
-  if (!body) return encode_groom(tl::unexpected(body.error()));
+  const auto body = grow::read_body(order.at("body").get<std::string>(), import);
+  if (!body) return groom::encode_groom(tl::unexpected(body.error()));
   call.note("grow");
-  return encode_groom(grow_from(recipe, *body, name, threads));
+  return groom::encode_groom(grow::grow_from(recipe, *body, name, threads));
 }
 
-const Job kGrow("grow", answer_grow);
+const platform::Job kGrow("grow", answer_grow);
 
-tl::expected<Groom, ToolError> grow(const GrowOptions& options, const RecipeChoice& choice, const Messages& messages) {
+tl::expected<groom::Groom, ToolError> grow(const GrowOptions& options, const RecipeChoice& choice,
+                                           const Messages& messages) {
   const std::string& name = options.recipe.empty() ? options.output : options.recipe;
   const std::filesystem::path file = body_of(options, choice);
-  const ImportSettings import = file.empty() ? ImportSettings{} : options.limits.of_import({}, messages);
-  const Bytes order = nlohmann::json::to_msgpack({{"name", name},
-                                                  {"recipe", print_recipe(choice.recipe)},
-                                                  {"threads", options.threads},
-                                                  {"import", import_document(import)},
-                                                  {"body", file.string()}});
+  const importer::ImportSettings import =
+      file.empty() ? importer::ImportSettings{} : options.limits.of_import({}, messages);
+  const platform::Bytes order = nlohmann::json::to_msgpack({{"name", name},
+                                                            {"recipe", cook::print_recipe(choice.recipe)},
+                                                            {"threads", options.threads},
+                                                            {"import", importer::import_document(import)},
+                                                            {"body", file.string()}});
   const auto answer = run_within_limits(kGrow, order, {name, options.limits, options.threads});
   if (!answer) return tl::unexpected(answer.error());
-  GroomOutcome groom;
-  if (!decode_groom(*answer, groom))
+  groom::GroomOutcome groom;
+  if (!groom::decode_groom(*answer, groom))
     return file_failure(ToolError::Kind::kInternal, name, "the process that grew it makes no sense");
   return groom;
 }
 
-void print_grown(const GrowOptions& options, const Groom& groom, std::size_t bytes, double seconds) {
+void print_grown(const GrowOptions& options, const groom::Groom& groom, std::size_t bytes, double seconds) {
   if (options.format == OutputFormat::kJson) {
     print_result(json_text({{"output", options.output},
                             {"strands", groom.strand_count()},
@@ -101,7 +103,7 @@ tl::expected<Exit, ToolError> run_grow(const GrowOptions& options, const Message
   const auto choice = grow_recipe(options);
   if (!choice) return tl::unexpected(choice.error());
   if (options.print_recipe) {
-    print_result(print_recipe(choice->recipe));
+    print_result(cook::print_recipe(choice->recipe));
     return Exit::kOk;
   }
   if (options.output.empty()) return usage("needs -o OUT.obj or OUT.hair; see 'coif grow --help'");
@@ -113,7 +115,7 @@ tl::expected<Exit, ToolError> run_grow(const GrowOptions& options, const Message
   const auto groom = grow(options, *choice, messages);
   if (!groom) return tl::unexpected(groom.error());
   for (const std::string& warning : groom->warnings) messages.warning(warning);
-  const auto bytes = encode_strands(*groom, options.output);
+  const auto bytes = groom::encode_strands(*groom, options.output);
   if (!bytes) return tl::unexpected(bytes.error());
   if (auto written = write_output(options.output, *bytes); !written) return tl::unexpected(written.error());
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
@@ -130,7 +132,7 @@ Command add_grow(CLI::App& program) {
                   "The strands to write; an OBJ has no place for their widths and colours")
       ->type_name("OUT.obj|OUT.hair");
   app->add_option("--recipe", options->recipe, "What hair it is")->type_name("R.json");
-  static const auto style_choices = name_choices(built_in_styles());
+  static const auto style_choices = name_choices(cook::built_in_styles());
   add_choice<const char*>(*app, "--style", options->style, style_choices,
                           "Which style it begins from, before what the recipe names");
   app->add_option("--body", options->body,
@@ -150,4 +152,4 @@ Command add_grow(CLI::App& program) {
   return {app, [options](const Messages& messages) { return run_grow(*options, messages); }};
 }
 
-}  // namespace coif
+}  // namespace coif::cli

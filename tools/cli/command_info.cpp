@@ -9,7 +9,7 @@
 
 #include <memory>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 struct InfoOptions {
@@ -113,4 +113,4 @@ std::string tuning_text(const Asset& asset) {
   return text;
 }
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -13,7 +13,7 @@
 #include <memory>
 #include <utility>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 struct LookOptions {
@@ -22,7 +22,7 @@ struct LookOptions {
   std::optional<std::string> recipe;
   std::vector<std::filesystem::path> roots;
   SourceLimits limits;
-  PixelSize size{LookSettings{}.width, LookSettings{}.height};
+  PixelSize size{render::LookSettings{}.width, render::LookSettings{}.height};
   OutputFormat format = OutputFormat::kText;
 };
 
@@ -40,7 +40,7 @@ tl::expected<LookedAt, ToolError> asset_of(const LookOptions& options, const Mes
   if (!is_source(options.file, bytes->span())) return LookedAt{std::move(*bytes), {}, {}};
   auto choice = choose_recipe(options.file, options.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
-  choice->recipe.order_method = OrderMethod::kHead;
+  choice->recipe.order_method = cook::OrderMethod::kHead;
   CookOptions cook;
   cook.sources = {options.file};
   cook.roots = options.roots;
@@ -53,7 +53,7 @@ tl::expected<LookedAt, ToolError> asset_of(const LookOptions& options, const Mes
     result.told.push_back("WARNING: " + warning);
   }
   for (const std::string& note : cooked->report.notes) result.told.push_back(note);
-  for (const LeftOut& left_out : cooked->report.left_out) result.told.push_back("left out: " + left_out.text());
+  for (const cook::LeftOut& left_out : cooked->report.left_out) result.told.push_back("left out: " + left_out.text());
   return result;
 }
 
@@ -64,8 +64,8 @@ std::string title_of(const LookOptions& options, const Asset& asset) {
                      counted(asset.chains().size(), "chain", "chains"));
 }
 
-std::string result_text(const LookOptions& options, const GallerySheet& look) {
-  const Picture& sheet = look.sheet;
+std::string result_text(const LookOptions& options, const render::GallerySheet& look) {
+  const render::Picture& sheet = look.sheet;
   if (options.format == OutputFormat::kJson) {
     return json_text({{"output", options.output},
                       {"width", sheet.width},
@@ -87,11 +87,12 @@ tl::expected<Exit, ToolError> run_look(const LookOptions& options, const Message
   if (!file) return tl::unexpected(file.error());
   const Asset& asset = file->asset();
   ProgressLine line(options.file);
-  const LookSettings settings{options.size.width, options.size.height, title_of(options, asset), looked->told};
-  const auto look = render_look(asset, settings, [&line](const std::string& caption) { line.show(caption.c_str()); });
+  const render::LookSettings settings{options.size.width, options.size.height, title_of(options, asset), looked->told};
+  const auto look =
+      render::render_look(asset, settings, [&line](const std::string& caption) { line.show(caption.c_str()); });
   line.erase();
   if (!look) return tl::unexpected(ToolError{look.error().kind, options.file + ": " + look.error().message});
-  if (auto written = write_png(options.output, look->sheet); !written) return tl::unexpected(written.error());
+  if (auto written = render::write_png(options.output, look->sheet); !written) return tl::unexpected(written.error());
   print_result(result_text(options, *look));
   return Exit::kOk;
 }
@@ -115,4 +116,4 @@ Command add_look(CLI::App& program) {
   return {app, [options](const Messages& messages) { return run_look(*options, messages); }};
 }
 
-}  // namespace coif
+}  // namespace coif::cli

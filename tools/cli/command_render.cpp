@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 struct Shown {
@@ -38,13 +38,13 @@ constexpr Choice<Shown> kShown[] = {{"all", {Component::kAll, false}},
                                     {"patches", {Component::kAll, true}},
                                     {"colliders", {Component::kAll, false, true}}};
 
-using DebugPart = bool DebugView::*;
+using DebugPart = bool render::DebugView::*;
 
-constexpr Choice<DebugPart> kDebugParts[] = {{"bones", &DebugView::bones},
-                                             {"colliders", &DebugView::colliders},
-                                             {"contacts", &DebugView::contacts},
-                                             {"limits", &DebugView::limits},
-                                             {"motion", &DebugView::motion}};
+constexpr Choice<DebugPart> kDebugParts[] = {{"bones", &render::DebugView::bones},
+                                             {"colliders", &render::DebugView::colliders},
+                                             {"contacts", &render::DebugView::contacts},
+                                             {"limits", &render::DebugView::limits},
+                                             {"motion", &render::DebugView::motion}};
 
 struct RenderOptions {
   std::string file;
@@ -62,13 +62,13 @@ struct RenderOptions {
   std::optional<std::string> recipe;
   std::optional<ShadingModel> shading;
   std::uint32_t samples = 8;
-  PictureSettings picture;
+  render::PictureSettings picture;
   OutputFormat format = OutputFormat::kText;
 };
 
 struct Body {
-  SourceModel model;
-  BodyTextures textures;
+  importer::SourceModel model;
+  render::BodyTextures textures;
   std::vector<std::filesystem::path> files;  ///< It was read from, or that it names.
 };
 
@@ -83,24 +83,24 @@ bool is_source_of(const Asset& asset, const std::filesystem::path& file) {
 tl::expected<Body, ToolError> read_body(const RenderOptions& options, const Asset& asset, const Messages& messages) {
   const auto choice = choose_recipe(options.body, options.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
-  auto model =
-      import_model(options.body, options.limits.of_import(import_settings(choice->recipe, options.roots), messages));
+  auto model = importer::import_model(
+      options.body, options.limits.of_import(import_settings(choice->recipe, options.roots), messages));
   if (!model) return tl::unexpected(model.error());
   std::vector<std::filesystem::path> files = files_of(*model);
   const std::vector<std::filesystem::path> of_recipe = files_of(*choice);
   files.insert(files.end(), of_recipe.begin(), of_recipe.end());
-  Findings findings;
-  if (auto resized = settle_size(*model, choice->recipe, findings).model) *model = std::move(*resized);
+  cook::Findings findings;
+  if (auto resized = cook::settle_size(*model, choice->recipe, findings).model) *model = std::move(*resized);
   model = keep_body(std::move(*model), options.body_mesh, choice->recipe, is_source_of(asset, options.body));
   if (!model) return tl::unexpected(model.error());
   if (model->meshes.empty()) messages.warning(options.body + ": has nothing but the hair; drawn as without --body");
-  BodyTextures textures = read_body_textures(*model, findings);
+  render::BodyTextures textures = render::read_body_textures(*model, findings);
   for (const std::string& warning : findings.warnings) messages.warning(options.body + ": " + warning);
   return Body{std::move(*model), std::move(textures), std::move(files)};
 }
 
 /// As many shaded samples as there may be, the rest of the driver's.
-void share_samples(const RenderOptions& options, PictureSettings& settings) {
+void share_samples(const RenderOptions& options, render::PictureSettings& settings) {
   constexpr std::uint32_t kMostSamplesAcross = 8192;
   settings.oversampling = 1;
   for (const std::uint32_t finer : {2u, 4u}) {
@@ -110,8 +110,8 @@ void share_samples(const RenderOptions& options, PictureSettings& settings) {
   settings.edge_samples = options.samples / (settings.oversampling * settings.oversampling);
 }
 
-PictureSettings picture_settings(const RenderOptions& options) {
-  PictureSettings settings = options.picture;
+render::PictureSettings picture_settings(const RenderOptions& options) {
+  render::PictureSettings settings = options.picture;
   settings.width = options.size.width;
   settings.height = options.size.height;
   share_samples(options, settings);
@@ -122,15 +122,15 @@ PictureSettings picture_settings(const RenderOptions& options) {
   settings.colliders = options.shown.colliders;
   if (options.moves) settings.motion = options.motion.motion;
   if (options.gusts.amplitude > 0) {
-    HairCompany company;
+    motion::HairCompany company;
     company.gusts = gusts_in(settings.step.environment.wind, options.gusts);
-    settings.company = std::make_shared<HairCompany>(company);
+    settings.company = std::make_shared<motion::HairCompany>(company);
   }
   return settings;
 }
 
-std::string result_text(const RenderOptions& options, const PictureSettings& settings, const Asset& asset,
-                        const Picture& picture) {
+std::string result_text(const RenderOptions& options, const render::PictureSettings& settings, const Asset& asset,
+                        const render::Picture& picture) {
   const std::size_t triangles = asset.lod_indices(options.picture.lod).size() / 3;
   const std::uint32_t heads = options.picture.heads;
   if (options.format == OutputFormat::kJson) {
@@ -161,8 +161,8 @@ tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Mes
   if (auto checked = check_output(options.output, {options.file, clip_file(options.motion)}); !checked)
     return tl::unexpected(checked.error());
 
-  PictureSettings settings = picture_settings(options);
-  if (options.shading) settings.material = shaded_material(file->asset(), *options.shading);
+  render::PictureSettings settings = picture_settings(options);
+  if (options.shading) settings.material = render::shaded_material(file->asset(), *options.shading);
   if (options.motion.clip) {
     auto clip = open_clip(*options.motion.clip, messages);
     if (!clip) return tl::unexpected(clip.error());
@@ -176,7 +176,7 @@ tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Mes
     if (!body->model.meshes.empty()) settings.body = &body->model;
     settings.body_textures = body->textures;
   }
-  const auto picture = render_picture(file->asset(), settings);
+  const auto picture = render::render_picture(file->asset(), settings);
   if (!picture) {
     return tl::unexpected(ToolError{picture.error().kind, options.file + ": " + picture.error().message});
   }
@@ -185,7 +185,7 @@ tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Mes
                                  options.samples, picture->edge_samples,
                                  settings.oversampling * settings.oversampling * picture->edge_samples));
   }
-  if (auto written = write_png(options.output, *picture); !written) return tl::unexpected(written.error());
+  if (auto written = render::write_png(options.output, *picture); !written) return tl::unexpected(written.error());
   print_result(result_text(options, settings, file->asset(), *picture));
   return Exit::kOk;
 }
@@ -212,7 +212,7 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
   add_source_limits(app, options.limits);
 }
 
-void add_debug(CLI::App& app, DebugView& debug) {
+void add_debug(CLI::App& app, render::DebugView& debug) {
   std::vector<std::string> names;
   for (const auto& part : kDebugParts) names.emplace_back(part.name);
   const std::string list = fmt::format("{}", fmt::join(names, ", "));
@@ -278,4 +278,4 @@ Command add_render(CLI::App& program) {
   return {app, [options](const Messages& messages) { return run_render(*options, messages); }};
 }
 
-}  // namespace coif
+}  // namespace coif::cli

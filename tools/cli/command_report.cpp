@@ -20,7 +20,7 @@
 #include <memory>
 #include <optional>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 /// A report in the forms that somebody asked for.
@@ -31,7 +31,7 @@ struct Rendered {
 
 /// Shows what is measured while it is, and writes the time it took into the heading.
 template <typename Measure>
-auto timed(const std::string& file, ReportHeading& heading, Measure measure) {
+auto timed(const std::string& file, report::ReportHeading& heading, Measure measure) {
   ProgressLine line(file);
   const auto begin = std::chrono::steady_clock::now();
   auto report = measure([&line](const std::string& step) { line.show(step.c_str()); });
@@ -51,8 +51,8 @@ struct ReportJob {
 /// How a report is shown.
 template <typename Report>
 struct ReportForms {
-  std::string (*text)(const ReportHeading&, const Report&);
-  nlohmann::ordered_json (*json)(const ReportHeading&, const Report&);
+  std::string (*text)(const report::ReportHeading&, const Report&);
+  nlohmann::ordered_json (*json)(const report::ReportHeading&, const Report&);
   const char* layout;  ///< Of the page.
 };
 
@@ -67,9 +67,9 @@ nlohmann::ordered_json without_pictures(nlohmann::ordered_json report) {
 
 template <typename Report, typename Measure>
 tl::expected<Rendered, ToolError> report_on(const ReportJob& job, const ReportForms<Report>& forms, Measure measure) {
-  ReportHeading heading = heading_of(job.asset, job.options.file);
+  report::ReportHeading heading = report::heading_of(job.asset, job.options.file);
   if (!job.view.empty()) {
-    heading.view = relative_url(job.options.view, job.options.output);
+    heading.view = report::relative_url(job.options.view, job.options.output);
     heading.view_name = std::filesystem::path(job.options.view).filename().string();
   }
   const auto report = timed(job.options.file, heading, measure);
@@ -83,7 +83,7 @@ tl::expected<Rendered, ToolError> report_on(const ReportJob& job, const ReportFo
     if (!job.view.empty()) rendered.printed += job.options.view + ": written\n";
     rendered.printed += job.options.output + ": written\n";
   }
-  rendered.file = job.suffix == kPageSuffix ? page_html(json, forms.layout) : numbers;
+  rendered.file = job.suffix == kPageSuffix ? report::page_html(json, forms.layout) : numbers;
   return rendered;
 }
 
@@ -98,8 +98,8 @@ CostChoice cost_choice(const ReportOptions& options) {
   return choice;
 }
 
-OrderSettings order_settings(const ReportOptions& options) {
-  OrderSettings settings = options.order;
+report::OrderSettings order_settings(const ReportOptions& options) {
+  report::OrderSettings settings = options.order;
   if (!options.accuracy.solvers.empty()) settings.solver = options.accuracy.solvers.front();
   if (options.size_option->count() > 0) {
     settings.width = options.size.width;
@@ -108,43 +108,47 @@ OrderSettings order_settings(const ReportOptions& options) {
   return settings;
 }
 
-tl::expected<Rendered, ToolError> report_subject(const ReportJob& job, const AccuracySettings& accuracy) {
+tl::expected<Rendered, ToolError> report_subject(const ReportJob& job, const report::AccuracySettings& accuracy) {
   const auto with = [&job](auto measure, const auto& settings) {
-    return
-        [&job, measure, &settings](const ReportProgress& progress) { return measure(job.asset, settings, progress); };
+    return [&job, measure, &settings](const report::ReportProgress& progress) {
+      return measure(job.asset, settings, progress);
+    };
   };
   switch (job.options.subject) {
     case ReportSubject::kAccuracy:
-      return report_on<AccuracyReport>(job, {accuracy_text, accuracy_json, coif_accuracy_page},
-                                       with(measure_accuracy, accuracy));
+      return report_on<report::AccuracyReport>(job, {report::accuracy_text, report::accuracy_json, coif_accuracy_page},
+                                               with(report::measure_accuracy, accuracy));
     case ReportSubject::kStability:
-      return report_on<StabilityReport>(job, {stability_text, stability_json, coif_stability_page},
-                                        with(measure_stability, job.options.stability));
+      return report_on<report::StabilityReport>(job,
+                                                {report::stability_text, report::stability_json, coif_stability_page},
+                                                with(report::measure_stability, job.options.stability));
     case ReportSubject::kOrder:
-      return report_on<OrderReport>(job, {order_text, order_json, coif_order_page},
-                                    with(measure_order, order_settings(job.options)));
+      return report_on<report::OrderReport>(job, {report::order_text, report::order_json, coif_order_page},
+                                            with(report::measure_order, order_settings(job.options)));
     case ReportSubject::kShadows:
-      return report_on<ShadowReport>(job, {shadow_text, shadow_json, coif_shadows_page},
-                                     with(measure_shadows, job.options.shadows));
+      return report_on<report::ShadowReport>(job, {report::shadow_text, report::shadow_json, coif_shadows_page},
+                                             with(report::measure_shadows, job.options.shadows));
     case ReportSubject::kCards:
-      return report_on<CardsReport>(
-          job, {cards_text, cards_json, coif_cards_page}, [&job](const ReportProgress& progress) {
-            const ReportStrands& strands = *job.strands;
-            return measure_cards(job.asset, strands.groom, strands.hash, strands.settings, progress);
-          });
+      return report_on<report::CardsReport>(job, {report::cards_text, report::cards_json, coif_cards_page},
+                                            [&job](const report::ReportProgress& progress) {
+                                              const ReportStrands& strands = *job.strands;
+                                              return report::measure_cards(job.asset, strands.groom, strands.hash,
+                                                                           strands.settings, progress);
+                                            });
     case ReportSubject::kCost:
-      return report_on<CostReport>(job, {cost_text, cost_json, coif_cost_page},
-                                   with(measure_all_cost, cost_choice(job.options)));
+      return report_on<report::CostReport>(job, {report::cost_text, report::cost_json, coif_cost_page},
+                                           with(measure_all_cost, cost_choice(job.options)));
   }
   return tl::unexpected(ToolError{ToolError::Kind::kInternal, "no such subject"});
 }
 
-tl::expected<AccuracySettings, ToolError> accuracy_settings(const ReportOptions& options, const Messages& messages) {
-  AccuracySettings settings = options.accuracy;
+tl::expected<report::AccuracySettings, ToolError> accuracy_settings(const ReportOptions& options,
+                                                                    const Messages& messages) {
+  report::AccuracySettings settings = options.accuracy;
   if (!options.clip) return settings;
   const auto clip = open_clip(*options.clip, messages);
   if (!clip) return tl::unexpected(clip.error());
-  settings.clip = NamedPath{clip->name, clip->path};
+  settings.clip = report::NamedPath{clip->name, clip->path};
   return settings;
 }
 
@@ -166,7 +170,7 @@ tl::expected<std::string, ToolError> linked_page(const ReportOptions& options, c
   if (suffix != kPageSuffix) return usage("--view is for a report that is a page; name one: --output OUT.html");
   if (auto html = choose_suffix(options.view, {kPageSuffix}); !html) return tl::unexpected(html.error());
   if (auto checked = check_report_outputs(options); !checked) return tl::unexpected(checked.error());
-  if (const auto drawable = check_drawable(file.asset()); !drawable) {
+  if (const auto drawable = render::check_drawable(file.asset()); !drawable) {
     return file_failure(drawable.error().kind, options.file, "{}", drawable.error().message);
   }
   return filled_page(options.page, file, options.file);
@@ -223,4 +227,4 @@ Command add_report(CLI::App& program) {
   return {app, [options](const Messages& messages) { return run_report(*options, messages); }};
 }
 
-}  // namespace coif
+}  // namespace coif::cli

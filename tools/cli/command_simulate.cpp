@@ -15,7 +15,7 @@
 #include <optional>
 #include <utility>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 /// An animation for the hair's bones to follow.
@@ -32,7 +32,7 @@ struct SimulateOptions {
   bool true_gravity = false;
   GustOptions gusts;
   std::optional<PoseChoice> pose;
-  RecordingSettings recording;  ///< But for the motion.
+  animation::RecordingSettings recording;  ///< But for the motion.
   OutputFormat format = OutputFormat::kText;
 };
 
@@ -40,45 +40,45 @@ std::vector<std::uint8_t> base_color_png(const Asset& asset) {
   const TextureRecord* texture = asset.texture(TextureRole::kBaseColor);
   if (!texture || texture->format != TexelFormat::kSrgb8Alpha8) return {};
   const auto texels = asset.texels(*texture, 0);
-  Picture picture;
+  render::Picture picture;
   picture.width = texture->width;
   picture.height = texture->height;
   const auto* first = reinterpret_cast<const std::uint8_t*>(texels.data());
   picture.rgba.assign(first, first + texels.size());
-  return encode_png(picture);
+  return render::encode_png(picture);
 }
 
 tl::expected<std::vector<std::byte>, ToolError> encode(const SimulateOptions& options, const std::string& suffix,
-                                                       const Asset& asset, const Recording& recording) {
+                                                       const Asset& asset, const animation::Recording& recording) {
   if (suffix == ".csv") {
-    const std::string csv = to_csv(asset, recording);
+    const std::string csv = animation::to_csv(asset, recording);
     const auto bytes = std::as_bytes(std::span(csv));
     return std::vector<std::byte>(bytes.begin(), bytes.end());
   }
-  std::vector<std::byte> glb = to_glb(asset, recording, base_color_png(asset));
+  std::vector<std::byte> glb = animation::to_glb(asset, recording, base_color_png(asset));
   if (!glb.empty()) return glb;
   return tl::unexpected(
       ToolError{ToolError::Kind::kUsage, fmt::format("{}: more than 4 GiB; record fewer seconds", options.output)});
 }
 
 /// The movement of the head in `recording`; returns its name.
-tl::expected<std::string, ToolError> choose_motion(const SimulateOptions& options, RecordingSettings& recording,
-                                                   const Messages& messages) {
+tl::expected<std::string, ToolError> choose_motion(const SimulateOptions& options,
+                                                   animation::RecordingSettings& recording, const Messages& messages) {
   if (options.attitude) {
-    recording.clip = held_attitude(*options.attitude);
+    recording.clip = motion::held_attitude(*options.attitude);
     const Eigen::Vector3d& up = *options.attitude;
     return fmt::format("attitude {:g},{:g},{:g}", up.x(), up.y(), up.z());
   }
   const HeadMotion& chosen = options.motion;
   recording.motion = chosen.motion;
-  if (!chosen.clip) return all_motions()[std::size_t(chosen.motion)].name;
+  if (!chosen.clip) return motion::all_motions()[std::size_t(chosen.motion)].name;
   auto clip = open_clip(*chosen.clip, messages);
   if (!clip) return tl::unexpected(clip.error());
   recording.clip = std::move(clip->path);
   return std::move(clip->name);
 }
 
-tl::expected<void, ToolError> choose_gusts(const GustOptions& chosen, RecordingSettings& recording) {
+tl::expected<void, ToolError> choose_gusts(const GustOptions& chosen, animation::RecordingSettings& recording) {
   if (chosen.amplitude <= 0) return {};
   if (recording.solver != &kCoifSolver) return usage("--gusts: hair feels gusts with --solver coif alone");
   recording.company.gusts = gusts_in(recording.step.environment.wind, chosen);
@@ -97,15 +97,15 @@ std::vector<Quat> to_quats(const std::vector<Eigen::Quaterniond>& rotations) {
 
 /// Has `recording` follow the clip; returns how many bones it has of the asset's.
 tl::expected<std::size_t, ToolError> choose_pose(const PoseChoice& chosen, const Asset& asset,
-                                                 RecordingSettings& recording, const Messages& messages) {
+                                                 animation::RecordingSettings& recording, const Messages& messages) {
   if (recording.solver != &kCoifSolver) return usage("--pose is for the solver coif only; leave --solver out");
-  std::vector<PosedBone> bones;
+  std::vector<importer::PosedBone> bones;
   for (std::uint32_t i = 0; i < asset.bones().size(); ++i) {
     const std::uint32_t parent = asset.bones()[i].parent;
     const char* const name = asset.bone_name(i);
     bones.push_back({name != nullptr ? name : "", parent == kNone ? -1 : int(parent)});
   }
-  const auto clip = read_pose_clip(chosen.file, bones);
+  const auto clip = importer::read_pose_clip(chosen.file, bones);
   if (!clip) return tl::unexpected(clip.error());
   for (const std::string& note : (*clip)->notes()) messages.note(chosen.file.string() + ": " + note);
   recording.company.pose = [clip = *clip](double seconds) { return to_quats(clip->at(seconds)); };
@@ -139,7 +139,7 @@ struct Played {
 };
 
 std::string result_text(const SimulateOptions& options, const Played& played, const Asset& asset,
-                        const Recording& recording) {
+                        const animation::Recording& recording) {
   const std::string& motion = played.motion;
   if (options.format == OutputFormat::kJson) {
     nlohmann::ordered_json json = {{"output", options.output},
@@ -186,7 +186,7 @@ tl::expected<Exit, ToolError> run_simulate(const SimulateOptions& options, const
     return tl::unexpected(checked.error());
   }
 
-  RecordingSettings settings = options.recording;
+  animation::RecordingSettings settings = options.recording;
   settings.step.environment.true_gravity = options.true_gravity ? 1 : 0;
   const auto motion = choose_motion(options, settings, messages);
   if (!motion) return tl::unexpected(motion.error());
@@ -197,7 +197,7 @@ tl::expected<Exit, ToolError> run_simulate(const SimulateOptions& options, const
     if (!posed) return tl::unexpected(posed.error());
     played.posed_bones = *posed;
   }
-  const auto recording = record(asset, settings);
+  const auto recording = animation::record(asset, settings);
   if (!recording) {
     return tl::unexpected(ToolError{recording.error().kind, options.file + ": " + recording.error().message});
   }
@@ -213,7 +213,7 @@ tl::expected<Exit, ToolError> run_simulate(const SimulateOptions& options, const
 Command add_simulate(CLI::App& program) {
   CLI::App* app = program.add_subcommand("simulate", "Run an asset through a head motion and write every frame");
   const auto options = std::make_shared<SimulateOptions>();
-  RecordingSettings& recording = options->recording;
+  animation::RecordingSettings& recording = options->recording;
   app->footer(motion_help());
   app->add_option("FILE", options->file, "A cooked asset")->required();
   app->add_option("-o,--output", options->output, "CSV: bone ends; GLB: skinned animation for any glTF viewer")
@@ -244,4 +244,4 @@ Command add_simulate(CLI::App& program) {
           }};
 }
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -17,7 +17,7 @@
 #include <memory>
 #include <sstream>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 struct StripOptions {
@@ -172,4 +172,4 @@ Command add_strip(CLI::App& program) {
   return {app, [options](const Messages&) { return run_strip(*options); }};
 }
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -20,11 +20,11 @@
 #include <memory>
 #include <ranges>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using Found = tl::expected<std::vector<Issue>, ToolError>;
+using Found = tl::expected<std::vector<validate::Issue>, ToolError>;
 
 /// What an asset should have been cooked from.
 struct OriginOptions {
@@ -38,21 +38,22 @@ struct OriginOptions {
 struct ValidateOptions {
   std::vector<std::string> files;
   OriginOptions origin;
-  IssuePolicy policy;
+  validate::IssuePolicy policy;
   std::string report;
   bool list_codes = false;
   OutputFormat format = OutputFormat::kText;
 };
 
-constexpr Choice<Severity> kSeverities[] = {
-    {"error", Severity::kError}, {"warning", Severity::kWarning}, {"info", Severity::kInfo}};
+constexpr Choice<validate::Severity> kSeverities[] = {{"error", validate::Severity::kError},
+                                                      {"warning", validate::Severity::kWarning},
+                                                      {"info", validate::Severity::kInfo}};
 
 Found compare_with_new_cook(const Asset& asset, std::span<const std::byte> cooked) {
   const FileBytes bytes = FileBytes::copy(cooked);
   Asset cooked_anew;
   const LoadStatus opened = open_whole(bytes.span(), cooked_anew);
   if (!opened) return tl::unexpected(ToolError{ToolError::Kind::kInternal, describe_text(opened)});
-  return find_recook_issues(asset, cooked_anew);
+  return validate::find_recook_issues(asset, cooked_anew);
 }
 
 /// What a child process is to make of a source, and within what limits.
@@ -63,7 +64,7 @@ CookOrder order_of(const std::string& source, const RecipeChoice& choice, const 
   order.recipe = choice.recipe;
   order.recipe_directory = choice.directory;
   order.import = options.limits.of_import(import_settings(choice.recipe, options.roots), messages);
-  order.threads = all_threads();
+  order.threads = platform::all_threads();
   return order;
 }
 
@@ -77,9 +78,9 @@ Found compare_with_origin(const Asset& asset, const OriginOptions& options, cons
   CookOrder order = order_of(options.source, *choice, options, messages);
   order.source_hash = xxh64(bytes->span());
   order.cooks = options.recook;
-  const auto answer = cook_in_child(order, {options.source, options.limits, all_threads()});
+  const auto answer = cook_in_child(order, {options.source, options.limits, platform::all_threads()});
   if (!answer) return tl::unexpected<ToolError>(answer.error());
-  std::vector<Issue> issues = find_origin_issues(asset, answer->provenance);
+  std::vector<validate::Issue> issues = validate::find_origin_issues(asset, answer->provenance);
   if (!options.recook) return issues;
   auto differences = compare_with_new_cook(asset, answer->result.asset);
   if (!differences) return tl::unexpected(differences.error());
@@ -90,8 +91,8 @@ Found compare_with_origin(const Asset& asset, const OriginOptions& options, cons
 Found validate_asset(std::span<const std::byte> bytes, const OriginOptions& origin, const Messages& messages) {
   Asset asset;
   const LoadStatus status = open_whole(bytes, asset);
-  if (!status) return std::vector{refusal_issue(status)};
-  std::vector<Issue> issues = find_asset_issues(asset);
+  if (!status) return std::vector{validate::refusal_issue(status)};
+  std::vector<validate::Issue> issues = validate::find_asset_issues(asset);
   if (origin.source.empty()) return issues;
   auto differences = compare_with_origin(asset, origin, messages);
   if (!differences) return differences;
@@ -100,30 +101,31 @@ Found validate_asset(std::span<const std::byte> bytes, const OriginOptions& orig
 }
 
 /// Cooks it, but for what takes longest and warns of nothing: the search for draw orders.
-std::vector<Issue> issues_of_a_cook(const fs::path& path, RecipeChoice choice, const OriginOptions& options,
-                                    const Messages& messages) {
-  choice.recipe.order_method = OrderMethod::kHead;
+std::vector<validate::Issue> issues_of_a_cook(const fs::path& path, RecipeChoice choice, const OriginOptions& options,
+                                              const Messages& messages) {
+  choice.recipe.order_method = cook::OrderMethod::kHead;
   choice.recipe.occlusion_strength = 0;
   CookOrder order = order_of(path.string(), choice, options, messages);
   order.finds_issues = true;
-  auto answer = cook_in_child(order, {path.string(), options.limits, all_threads()});
-  return answer ? std::move(answer->issues) : std::vector{import_issue(answer.error())};
+  auto answer = cook_in_child(order, {path.string(), options.limits, platform::all_threads()});
+  return answer ? std::move(answer->issues) : std::vector{validate::import_issue(answer.error())};
 }
 
-std::vector<Issue> validate_source(const fs::path& path, const OriginOptions& options, const Messages& messages) {
+std::vector<validate::Issue> validate_source(const fs::path& path, const OriginOptions& options,
+                                             const Messages& messages) {
   const auto choice = held_recipe(path, options.recipe, options.limits.requires_sandbox, options.roots, messages);
-  const RecipeChoice used = choice ? *choice : RecipeChoice{default_recipe(), {}, {}};
-  std::vector<Issue> issues;
-  if (!choice) issues.push_back(make_issue("S103", choice.error().message, "recipe"));
+  const RecipeChoice used = choice ? *choice : RecipeChoice{cook::default_recipe(), {}, {}};
+  std::vector<validate::Issue> issues;
+  if (!choice) issues.push_back(validate::make_issue("S103", choice.error().message, "recipe"));
   if (const auto known = check_ignored(used.recipe.acknowledged_warnings, "\"warnings.acknowledged\""); !known)
-    issues.push_back(make_issue("S103", known.error().message, "recipe"));
+    issues.push_back(validate::make_issue("S103", known.error().message, "recipe"));
   const auto found = issues_of_a_cook(path, used, options, messages);
   issues.insert(issues.end(), found.begin(), found.end());
   return issues;
 }
 
 /// Nothing of what is no asset, or does not open.
-IssuePictures pictures_of(std::span<const std::byte> bytes, const JudgedIssues& issues) {
+IssuePictures pictures_of(std::span<const std::byte> bytes, const validate::JudgedIssues& issues) {
   Asset asset;
   return open_whole(bytes, asset) ? picture_issues(asset, issues.shown) : IssuePictures{};
 }
@@ -131,28 +133,30 @@ IssuePictures pictures_of(std::span<const std::byte> bytes, const JudgedIssues& 
 tl::expected<Verdict, ToolError> validate_file(const std::string& path, const ValidateOptions& options,
                                                const Messages& messages) {
   const auto bytes = FileBytes::read(path);
-  if (!bytes) return Verdict{path, false, judge({make_issue("F101", bytes.error().message)}, options.policy), {}};
+  if (!bytes)
+    return Verdict{
+        path, false, validate::judge({validate::make_issue("F101", bytes.error().message)}, options.policy), {}};
   const bool source = is_source(path, bytes->span());
   auto issues = source ? Found(validate_source(path, options.origin, messages))
                        : validate_asset(bytes->span(), options.origin, messages);
   if (!issues) return tl::unexpected(issues.error());
-  Verdict verdict{path, true, judge(std::move(*issues), options.policy), {}};
+  Verdict verdict{path, true, validate::judge(std::move(*issues), options.policy), {}};
   if (!options.report.empty()) verdict.pictures = pictures_of(bytes->span(), verdict.issues);
   return verdict;
 }
 
 /// Messages of other passes begin with the path already.
-std::string issue_text(const Verdict& verdict, const Issue& issue) {
+std::string issue_text(const Verdict& verdict, const validate::Issue& issue) {
   const bool has_path = issue.message.starts_with(verdict.path + ":");
   const std::string where = issue.where.empty() || issue.message.starts_with(issue.where) ? "" : issue.where + ": ";
   return fmt::format("{}{}{} [{}]", has_path ? "" : verdict.path + ": ", where, issue.message, issue.code);
 }
 
-void tell(Severity severity, const std::string& text, const Messages& messages) {
+void tell(validate::Severity severity, const std::string& text, const Messages& messages) {
   switch (severity) {
-    case Severity::kError: messages.error(text); break;
-    case Severity::kWarning: messages.warning(text); break;
-    case Severity::kInfo: messages.note(text); break;
+    case validate::Severity::kError: messages.error(text); break;
+    case validate::Severity::kWarning: messages.warning(text); break;
+    case validate::Severity::kInfo: messages.note(text); break;
   }
 }
 
@@ -161,9 +165,9 @@ void tell(const Verdict& verdict, const Messages& messages) {
   std::map<std::string, std::size_t> last;
   for (std::size_t i = 0; i < verdict.issues.shown.size(); ++i) last[verdict.issues.shown[i].code] = i;
   for (std::size_t i = 0; i < verdict.issues.shown.size(); ++i) {
-    const Issue& issue = verdict.issues.shown[i];
+    const validate::Issue& issue = verdict.issues.shown[i];
     tell(issue.severity, issue_text(verdict, issue), messages);
-    const auto more = std::ranges::find(verdict.issues.folded, issue.code, &FoldedIssues::code);
+    const auto more = std::ranges::find(verdict.issues.folded, issue.code, &validate::FoldedIssues::code);
     if (last[issue.code] != i || more == verdict.issues.folded.end()) continue;
     tell(more->severity, fmt::format("{}: {} more like this [{}]", verdict.path, more->count, more->code), messages);
   }
@@ -189,7 +193,7 @@ tl::expected<void, ToolError> check_usage(const ValidateOptions& options) {
 
 /// Every error that the file has says that it cannot be read here.
 bool is_only_unsupported(const Verdict& verdict) {
-  const auto is_error = [](const Issue& issue) { return issue.severity == Severity::kError; };
+  const auto is_error = [](const validate::Issue& issue) { return issue.severity == validate::Severity::kError; };
   auto errors = verdict.issues.shown | std::views::filter(is_error);
   return !std::ranges::empty(errors) &&
          std::ranges::all_of(errors, [](const Issue& e) { return is_unsupported(e.code); });
@@ -218,7 +222,7 @@ tl::expected<Exit, ToolError> publish(const std::vector<Verdict>& verdicts, cons
 tl::expected<Exit, ToolError> run_validate(const ValidateOptions& options, const Messages& messages) {
   if (const auto checked = check_usage(options); !checked) return tl::unexpected(checked.error());
   if (options.list_codes) {
-    print_result(options.format == OutputFormat::kJson ? code_json() : code_page());
+    print_result(options.format == OutputFormat::kJson ? validate::code_json() : validate::code_page());
     return Exit::kOk;
   }
   std::vector<Verdict> verdicts;
@@ -231,8 +235,9 @@ tl::expected<Exit, ToolError> run_validate(const ValidateOptions& options, const
   return publish(verdicts, options);
 }
 
-void add_policy(CLI::App& app, IssuePolicy& policy) {
-  add_choice<Severity>(app, "--severity", policy.lowest, kSeverities, "The lowest that is shown (default info)");
+void add_policy(CLI::App& app, validate::IssuePolicy& policy) {
+  add_choice<validate::Severity>(app, "--severity", policy.lowest, kSeverities,
+                                 "The lowest that is shown (default info)");
   add_ignored(app, policy.ignored);
   app.add_flag("--warnings-as-errors", policy.warnings_as_errors, "A warning makes a file invalid, too");
   add_number(app, "--max-issues", policy.most_of_a_code, 1u, 1000000u,
@@ -268,4 +273,4 @@ Command add_validate(CLI::App& program) {
   return {app, [options](const Messages& messages) { return run_validate(*options, messages); }};
 }
 
-}  // namespace coif
+}  // namespace coif::cli

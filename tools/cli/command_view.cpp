@@ -11,7 +11,7 @@
 
 #include <memory>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 struct ViewOptions {
@@ -49,7 +49,7 @@ tl::expected<Exit, ToolError> run_live(const ViewOptions& options, const Message
                         "see it while you work on it",
                         options.file);
   }
-  const auto place = find_view_page(options.page);
+  const auto place = view::find_view_page(options.page);
   if (!place) return tl::unexpected(place.error());
   LiveOptions live = options.live;
   live.file = options.file;
@@ -71,7 +71,7 @@ tl::expected<Exit, ToolError> run_view(const ViewOptions& options, const Message
   if (auto checked = check_output(output, {options.file, options.page, clip_file(options.motion)}); !checked)
     return tl::unexpected(checked.error());
 
-  const auto place = find_view_page(options.page);
+  const auto place = view::find_view_page(options.page);
   if (!place) return tl::unexpected(place.error());
   const auto page = moved_page(*place, options.live.motion, messages);
   if (!page) return tl::unexpected(page.error());
@@ -131,4 +131,4 @@ Command add_view_page(CLI::App& program) {
           }};
 }
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -19,14 +19,14 @@
 
 #include <chrono>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// `found`: what the cook turned out to read and to name; empty before it.
 tl::expected<void, ToolError> check_cook_outputs(const CookOptions& options, const RecipeChoice& choice,
-                                                 const CookInputs& found) {
+                                                 const cook::CookInputs& found) {
   std::vector<fs::path> inputs = files_of(choice, found);
   inputs.emplace_back(options.source());
   const NamedOutput outputs[] = {
@@ -36,18 +36,18 @@ tl::expected<void, ToolError> check_cook_outputs(const CookOptions& options, con
 
 /// The version alone would not tell apart two builds of it.
 std::string tool_identity() {
-  const auto program = FileBytes::read(program_path());
-  return fmt::format("coif {} {}", COIF_VERSION, program ? content_digits(program->span()) : "");
+  const auto program = FileBytes::read(platform::program_path());
+  return fmt::format("coif {} {}", COIF_VERSION, program ? cache::content_digits(program->span()) : "");
 }
 
 struct FinishedCook {
-  CookResult result;
+  cook::CookResult result;
   bool from_cache = false;
 };
 
 /// Cooks as if there were no cache.
-tl::expected<CookResult, FailedCook> cook_source(const CookOptions& options, const RecipeChoice& choice,
-                                                 std::span<const std::byte> bytes, const Messages& messages) {
+tl::expected<cook::CookResult, FailedCook> cook_source(const CookOptions& options, const RecipeChoice& choice,
+                                                       std::span<const std::byte> bytes, const Messages& messages) {
   std::optional<ProgressLine> progress;
   if (options.shows_progress && !options.quiet) progress.emplace(options.source());
   CookOrder order = order_of(options, choice, messages);
@@ -63,17 +63,17 @@ tl::expected<CookResult, FailedCook> cook_source(const CookOptions& options, con
 
 tl::expected<FinishedCook, FailedCook> cook_or_find(const CookOptions& options, const RecipeChoice& choice,
                                                     const Messages& messages) {
-  const auto begin = file_clock_now();
+  const auto begin = platform::file_clock_now();
   const auto bytes = FileBytes::read(options.source());
-  if (!bytes) return tl::unexpected(FailedCook(bytes.error(), {make_issue("F101", bytes.error().message)}));
+  if (!bytes) return tl::unexpected(FailedCook(bytes.error(), {validate::make_issue("F101", bytes.error().message)}));
   const auto fresh = [&] { return cook_source(options, choice, bytes->span(), messages); };
   if (options.cache.empty()) {
-    return fresh().map([](CookResult result) { return FinishedCook{std::move(result), false}; });
+    return fresh().map([](cook::CookResult result) { return FinishedCook{std::move(result), false}; });
   }
-  const CookCache cache(options.cache);
-  const CookPlace place{options.source(), choice.directory, options.roots};
-  const std::string key =
-      cook_key({tool_identity(), importer_name(), place, bytes->span(), print_recipe(choice.recipe), options.draft});
+  const cache::CookCache cache(options.cache);
+  const cache::CookPlace place{options.source(), choice.directory, options.roots};
+  const std::string key = cache::cook_key({tool_identity(), importer::importer_name(), place, bytes->span(),
+                                           cook::print_recipe(choice.recipe), options.draft});
   if (auto found = cache.find(key, place)) return FinishedCook{std::move(*found), true};
   auto result = fresh();
   if (!result) return tl::unexpected(result.error());
@@ -83,23 +83,23 @@ tl::expected<FinishedCook, FailedCook> cook_or_find(const CookOptions& options, 
 }
 
 tl::expected<std::string, ToolError> depfile_of(const CookOptions& options, const RecipeChoice& choice,
-                                                const CookInputs& inputs) {
+                                                const cook::CookInputs& inputs) {
   std::vector<fs::path> files{options.source()};
   if (!choice.file.empty()) files.push_back(choice.file);
   files.insert(files.end(), inputs.source_files.begin(), inputs.source_files.end());
   files.insert(files.end(), inputs.recipe_files.begin(), inputs.recipe_files.end());
-  return depfile_text(options.output, files);
+  return cache::depfile_text(options.output, files);
 }
 
 }  // namespace
 
 FailedCook::FailedCook(ToolError error) : ToolError(std::move(error)) {
-  if (kind == Kind::kBadInput || kind == Kind::kUnsupported) issues.push_back(import_issue(*this));
+  if (kind == Kind::kBadInput || kind == Kind::kUnsupported) issues.push_back(validate::import_issue(*this));
 }
 
 FailedCook failed_by_recipe(const ToolError& error) {
   if (error.kind == ToolError::Kind::kUsage) return {error, {}};
-  return {error, {make_issue("S103", error.message, "recipe")}};
+  return {error, {validate::make_issue("S103", error.message, "recipe")}};
 }
 
 CookOrder order_of(const CookOptions& options, const RecipeChoice& choice, const Messages& messages) {
@@ -108,12 +108,12 @@ CookOrder order_of(const CookOptions& options, const RecipeChoice& choice, const
   order.recipe = choice.recipe;
   order.recipe_directory = choice.directory;
   order.import = options.limits.of_import(import_settings(choice.recipe, options.roots), messages);
-  order.threads = options.threads.value_or(all_threads());
+  order.threads = options.threads.value_or(platform::all_threads());
   return order;
 }
 
 LimitedCall limited_call(const CookOptions& options) {
-  return {options.source(), options.limits, options.threads.value_or(all_threads())};
+  return {options.source(), options.limits, options.threads.value_or(platform::all_threads())};
 }
 
 tl::expected<void, ToolError> acknowledge(const CookOptions& options, RecipeChoice& choice) {
@@ -124,8 +124,8 @@ tl::expected<void, ToolError> acknowledge(const CookOptions& options, RecipeChoi
   return check_ignored(options.ignored, "--ignore");
 }
 
-tl::expected<CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice,
-                                               const Messages& messages) {
+tl::expected<cook::CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice,
+                                                     const Messages& messages) {
   const auto bytes = FileBytes::read(options.source());
   if (!bytes) return tl::unexpected(bytes.error());
   auto result = cook_source(options, choice, bytes->span(), messages);
@@ -138,7 +138,7 @@ tl::expected<CookSummary, FailedCook> run_cook_job(const CookOptions& options, c
   if (auto checked = check_cook_outputs(options, choice, {}); !checked) return tl::unexpected(checked.error());
   const auto cooked = cook_or_find(options, choice, messages);
   if (!cooked) return tl::unexpected(cooked.error());
-  const CookResult& result = cooked->result;
+  const cook::CookResult& result = cooked->result;
   if (auto checked = check_cook_outputs(options, choice, result.inputs); !checked)
     return tl::unexpected(checked.error());
   tl::expected<std::string, ToolError> depfile;
@@ -151,7 +151,7 @@ tl::expected<CookSummary, FailedCook> run_cook_job(const CookOptions& options, c
     const auto failed =
         file_failure(ToolError::Kind::kBadInput, options.source(),
                      "{} warning{}, and --warnings-as-errors; nothing was written", count, count == 1 ? "" : "s");
-    return tl::unexpected(FailedCook(failed.value(), cook_issues(result.report)));
+    return tl::unexpected(FailedCook(failed.value(), validate::cook_issues(result.report)));
   }
   CookSummary summary{options.output,
                       result.asset.size(),
@@ -162,7 +162,7 @@ tl::expected<CookSummary, FailedCook> run_cook_job(const CookOptions& options, c
                       result.inputs.named_files};
   summary.files.insert(summary.files.end(), result.inputs.recipe_files.begin(), result.inputs.recipe_files.end());
   const auto write = [&](const std::string& path, std::span<const std::byte> bytes) {
-    return write_output(path, bytes, options.durable ? Durability::kNow : Durability::kSoon);
+    return write_output(path, bytes, options.durable ? platform::Durability::kNow : platform::Durability::kSoon);
   };
   auto written = write(options.output, result.asset);
   const std::string report = options.report.empty() ? "" : json_text(cook_json(summary));
@@ -172,4 +172,4 @@ tl::expected<CookSummary, FailedCook> run_cook_job(const CookOptions& options, c
   return summary;
 }
 
-}  // namespace coif
+}  // namespace coif::cli

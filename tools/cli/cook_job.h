@@ -19,13 +19,13 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cli {
 
 /// A cook as it is told to people and programs.
 struct CookSummary {
   std::string output;                        ///< Path of the asset.
   std::size_t bytes = 0;                     ///< Its size.
-  CookReport report;                         ///< Passes include the import; warnings include the importer's.
+  cook::CookReport report;                   ///< Passes include the import; warnings include the importer's.
   bool draft = false;                        ///< CookSettings::draft.
   bool from_cache = false;                   ///< The report's times are those of the cook that filled the cache.
   std::vector<std::filesystem::path> files;  ///< What was read beside the source, or looked for in vain.
@@ -54,7 +54,7 @@ struct CookOptions {
   bool print_recipe = false;
   bool list_presets = false;
   std::optional<std::string> list;  ///< "source" or "patches": print it, and cook nothing.
-  unsigned jobs = all_threads();
+  unsigned jobs = platform::all_threads();
   std::optional<unsigned> threads;  ///< Of each cook.
   SourceLimits limits;
   OutputFormat format = OutputFormat::kText;
@@ -76,9 +76,9 @@ struct FailedCook : ToolError {
   /// The source cannot be read, or takes too much; or there is no issue, because the command line or an output is at
   /// fault.
   FailedCook(ToolError error);
-  FailedCook(ToolError error, Issues found) : ToolError(std::move(error)), issues(std::move(found)) {}
+  FailedCook(ToolError error, validate::Issues found) : ToolError(std::move(error)), issues(std::move(found)) {}
 
-  Issues issues;
+  validate::Issues issues;
 };
 
 /// By what the recipe says, or by its file.
@@ -104,12 +104,12 @@ struct CookOrder;
 tl::expected<void, ToolError> acknowledge(const CookOptions& options, RecipeChoice& choice);
 
 /// Of the first of `options.sources`: cooks within the limits, without a cache, and writes nothing.
-tl::expected<CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice,
-                                               const Messages& messages);
+tl::expected<cook::CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice,
+                                                     const Messages& messages);
 
 /// Of the first of `options.sources`: cooks, or takes the result from the cache, tells the warnings, and writes asset,
 /// report and depfile, each whole or not at all and none without the asset.
 tl::expected<CookSummary, FailedCook> run_cook_job(const CookOptions& options, const RecipeChoice& choice,
                                                    const Messages& messages);
 
-}  // namespace coif
+}  // namespace coif::cli

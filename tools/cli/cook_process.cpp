@@ -15,16 +15,16 @@
 #include <stdexcept>
 #include <utility>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 using Document = nlohmann::json;
 
-Bytes encode_order(const CookOrder& order) {
+platform::Bytes encode_order(const CookOrder& order) {
   const Document document{{"source", order.source},
-                          {"recipe", print_recipe(order.recipe)},
+                          {"recipe", cook::print_recipe(order.recipe)},
                           {"recipe_directory", order.recipe_directory.string()},
-                          {"import", import_document(order.import)},
+                          {"import", importer::import_document(order.import)},
                           {"source_hash", order.source_hash},
                           {"threads", order.threads},
                           {"draft", order.draft},
@@ -41,14 +41,14 @@ Bytes encode_order(const CookOrder& order) {
 /// Throws where the bytes are not those of encode_order(), which is of the same program.
 CookOrder decode_order(std::span<const std::uint8_t> bytes) {
   ByteDecoder decoder(bytes);
-  Bytes packed;
+  platform::Bytes packed;
   CookOrder order;
   if (!decoder.sequence(packed) || !decoder.sequence(order.model)) throw std::runtime_error("no order of a cook");
   const Document document = Document::from_msgpack(packed);
   document.at("source").get_to(order.source);
-  order.recipe = parse_recipe(document.at("recipe").get<std::string>(), order.source).value();
+  order.recipe = cook::parse_recipe(document.at("recipe").get<std::string>(), order.source).value();
   order.recipe_directory = document.at("recipe_directory").get<std::string>();
-  order.import = import_settings_from(document.at("import"));
+  order.import = importer::import_settings_from(document.at("import"));
   document.at("source_hash").get_to(order.source_hash);
   document.at("threads").get_to(order.threads);
   document.at("draft").get_to(order.draft);
@@ -59,19 +59,19 @@ CookOrder decode_order(std::span<const std::uint8_t> bytes) {
   return order;
 }
 
-Document issues_document(const Issues& issues) {
+Document issues_document(const validate::Issues& issues) {
   Document list = Document::array();
-  for (const Issue& i : issues)
+  for (const validate::Issue& i : issues)
     list.push_back({i.code, int(i.severity), i.message, i.where, i.patch ? Document(*i.patch) : Document(nullptr)});
   return list;
 }
 
-Issues issues_from(const Document& document) {
-  Issues issues;
+validate::Issues issues_from(const Document& document) {
+  validate::Issues issues;
   for (const Document& in : document) {
-    Issue& issue = issues.emplace_back();
+    validate::Issue& issue = issues.emplace_back();
     in.at(0).get_to(issue.code);
-    issue.severity = Severity(in.at(1).get<int>());
+    issue.severity = validate::Severity(in.at(1).get<int>());
     in.at(2).get_to(issue.message);
     in.at(3).get_to(issue.where);
     if (!in.at(4).is_null()) issue.patch = in.at(4).get<std::uint32_t>();
@@ -81,7 +81,7 @@ Issues issues_from(const Document& document) {
 
 using CookOutcome = tl::expected<CookAnswer, FailedCook>;
 
-Bytes encode_outcome_of_cook(const CookOutcome& outcome) {
+platform::Bytes encode_outcome_of_cook(const CookOutcome& outcome) {
   Document document{{"is_done", outcome.has_value()},
                     {"issues", issues_document(outcome ? outcome->issues : outcome.error().issues)}};
   if (!outcome) {
@@ -92,7 +92,7 @@ Bytes encode_outcome_of_cook(const CookOutcome& outcome) {
   encoder.sequence(Document::to_msgpack(document));
   if (outcome) {
     encoder.raw(&outcome->provenance, sizeof outcome->provenance);
-    encoder.sequence(encode_result(outcome->result));
+    encoder.sequence(cook::encode_result(outcome->result));
     encoder.sequence(outcome->model);
   }
   return std::move(encoder.bytes);
@@ -100,10 +100,10 @@ Bytes encode_outcome_of_cook(const CookOutcome& outcome) {
 
 CookOutcome decode_outcome_of_cook(std::span<const std::uint8_t> bytes) {
   ByteDecoder decoder(bytes);
-  Bytes packed, result;
+  platform::Bytes packed, result;
   if (!decoder.sequence(packed)) throw std::runtime_error("no outcome of a cook");
   const Document document = Document::from_msgpack(packed);
-  Issues issues = issues_from(document.at("issues"));
+  validate::Issues issues = issues_from(document.at("issues"));
   if (!document.at("is_done").get<bool>()) {
     return tl::unexpected(
         FailedCook({ToolError::Kind(document.at("kind").get<int>()), document.at("message").get<std::string>()},
@@ -114,61 +114,61 @@ CookOutcome decode_outcome_of_cook(std::span<const std::uint8_t> bytes) {
       !decoder.sequence(answer.model))
     throw std::runtime_error("no outcome of a cook");
   answer.issues = std::move(issues);
-  answer.result = decode_result(result);
+  answer.result = cook::decode_result(result);
   return answer;
 }
 
 // In the child.
 
 /// A model that came along takes no time.
-ImportOutcome model_of_order(const CookOrder& order, const Threads& threads,
-                             const std::function<void(const char*)>& begin_part) {
+importer::ImportOutcome model_of_order(const CookOrder& order, const platform::Threads& threads,
+                                       const std::function<void(const char*)>& begin_part) {
   if (!order.model.empty()) {
-    ImportOutcome kept;
-    if (!decode_model(order.model, kept)) throw std::runtime_error("no model of an earlier answer");
+    importer::ImportOutcome kept;
+    if (!importer::decode_model(order.model, kept)) throw std::runtime_error("no model of an earlier answer");
     return kept;
   }
   begin_part("import");
-  ImportSettings import = order.import;
+  importer::ImportSettings import = order.import;
   import.stop = threads.stop;
-  return read_hair_source(order.source, order.draft ? draft_of(order.recipe) : order.recipe,
-                          {import, order.recipe_directory, threads, begin_part});
+  return cards::read_hair_source(order.source, order.draft ? cook::draft_of(order.recipe) : order.recipe,
+                                 {import, order.recipe_directory, threads, begin_part});
 }
 
-CookOutcome cook_here(const CookOrder& order, const Threads& threads,
+CookOutcome cook_here(const CookOrder& order, const platform::Threads& threads,
                       const std::function<void(const char*)>& begin_part) {
   const auto begin = std::chrono::steady_clock::now();
-  ImportOutcome model = model_of_order(order, threads, begin_part);
+  importer::ImportOutcome model = model_of_order(order, threads, begin_part);
   if (!model) return tl::unexpected(FailedCook(model.error()));
   const std::chrono::duration<double, std::milli> import_ms = std::chrono::steady_clock::now() - begin;
   CookAnswer answer;
-  answer.provenance = make_provenance(*model, recipe_hash(order.recipe), order.source_hash);
+  answer.provenance = cook::make_provenance(*model, cook::recipe_hash(order.recipe), order.source_hash);
   if (order.cooks) {
-    CookSettings settings;
+    cook::CookSettings settings;
     settings.threads = threads;
     settings.recipe_directory = order.recipe_directory;
     settings.source_hash = order.source_hash;
     settings.progress = begin_part;
     settings.draft = order.draft;
     settings.list_patches = order.list_patches;
-    auto result = cook(*model, order.recipe, settings);
-    if (order.finds_issues || !result) answer.issues = find_source_issues(*model, order.recipe, result);
+    auto result = cook::cook(*model, order.recipe, settings);
+    if (order.finds_issues || !result) answer.issues = validate::find_source_issues(*model, order.recipe, result);
     if (!result && !order.finds_issues) return tl::unexpected(FailedCook(result.error(), std::move(answer.issues)));
     if (result) answer.result = std::move(*result);
     auto& passes = answer.result.report.passes;
     passes.insert(passes.begin(), {"import", import_ms.count()});
   }
-  if (order.keeps_model) answer.model = encode_model(std::move(model));
+  if (order.keeps_model) answer.model = importer::encode_model(std::move(model));
   return answer;
 }
 
-Bytes answer_order(const JobCall& call) {
+platform::Bytes answer_order(const platform::JobCall& call) {
   const CookOrder order = decode_order(call.request());
-  const Threads threads(order.threads, call.stop());
+  const platform::Threads threads(order.threads, call.stop());
   return encode_outcome_of_cook(cook_here(order, threads, [&call](const char* part) { call.note(part); }));
 }
 
-const Job kCook("cook", answer_order);
+const platform::Job kCook("cook", answer_order);
 
 }  // namespace
 
@@ -178,4 +178,4 @@ tl::expected<CookAnswer, FailedCook> cook_in_child(const CookOrder& order, const
   return decode_outcome_of_cook(*answer);
 }
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -13,14 +13,14 @@
 #include <filesystem>
 #include <string>
 
-namespace coif {
+namespace coif::cli {
 
 /// What a child process is to make of a source.
 struct CookOrder {
   std::string source;
-  Recipe recipe;
+  cook::Recipe recipe;
   std::filesystem::path recipe_directory{};  ///< CookSettings::recipe_directory.
-  ImportSettings import{};
+  importer::ImportSettings import{};
   std::uint64_t source_hash = 0;  ///< CookSettings::source_hash.
   unsigned threads = 1;
   bool draft = false;         ///< CookSettings::draft.
@@ -28,14 +28,14 @@ struct CookOrder {
   bool cooks = true;          ///< false: the source is read, and that is all.
   bool keeps_model = false;   ///< The answer brings the model along.
   bool finds_issues = false;  ///< The answer brings what `coif validate` says of the source and its cook.
-  Bytes model{};              ///< CookAnswer::model of an earlier answer about this source, which is not read then.
+  platform::Bytes model{};    ///< CookAnswer::model of an earlier answer about this source, which is not read then.
 };
 
 struct CookAnswer {
-  CookResult result;              ///< Passes include the import. Empty unless CookOrder::cooks.
+  cook::CookResult result;        ///< Passes include the import. Empty unless CookOrder::cooks.
   ProvenanceRecord provenance{};  ///< Of the source with this recipe, as an asset of a cook would tell it.
-  Issues issues;                  ///< Of CookOrder::finds_issues.
-  Bytes model;                    ///< For decode_model(), of CookOrder::keeps_model.
+  validate::Issues issues;        ///< Of CookOrder::finds_issues.
+  platform::Bytes model;          ///< For decode_model(), of CookOrder::keeps_model.
 };
 
 /// Reads a source and cooks it in a child process that keeps to the limits of `call`. Errors: those of
@@ -43,4 +43,4 @@ struct CookAnswer {
 /// gone, where the token of `call` is requested.
 tl::expected<CookAnswer, FailedCook> cook_in_child(const CookOrder& order, const LimitedCall& call);
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -10,17 +10,17 @@
 #include <filesystem>
 #include <system_error>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
-double total_ms(const CookReport& report) {
+double total_ms(const cook::CookReport& report) {
   double sum = 0;
-  for (const PassTime& pass : report.passes) sum += pass.ms;
+  for (const cook::PassTime& pass : report.passes) sum += pass.ms;
   return sum;
 }
 
 std::string next_step(const CookSummary& summary) {
-  const CookReport& report = summary.report;
+  const cook::CookReport& report = summary.report;
   if (report.simulated_bones == 0) {
     return "nothing will move: 'coif cook SOURCE --list' prints the bones; name the hair's in a recipe "
            "('coif cook --print-recipe')";
@@ -30,15 +30,15 @@ std::string next_step(const CookSummary& summary) {
 }
 
 /// Decibels are those that are expected.
-nlohmann::ordered_json draw_order_json(const OrderFigures& order) {
+nlohmann::ordered_json draw_order_json(const cook::OrderFigures& order) {
   return {{"orders", order.orders},       {"psnr_db", order.psnr},          {"median_psnr_db", order.median},
           {"worst_psnr_db", order.worst}, {"moving_psnr_db", order.moving}, {"crossings", order.crossings},
           {"cuts", order.cuts},           {"triangles_added", order.added}, {"cut_gain_db", order.cut_gain}};
 }
 
-nlohmann::ordered_json left_out_json(const CookReport& report) {
+nlohmann::ordered_json left_out_json(const cook::CookReport& report) {
   auto list = nlohmann::ordered_json::array();
-  for (const LeftOut& left_out : report.left_out) {
+  for (const cook::LeftOut& left_out : report.left_out) {
     list.push_back({{"what", left_out.what},
                     {"why", left_out.why},
                     {"bytes", left_out.bytes},
@@ -49,7 +49,7 @@ nlohmann::ordered_json left_out_json(const CookReport& report) {
 }
 
 /// The warnings with their codes, as `coif validate` has them.
-nlohmann::ordered_json issues_json(const CookReport& report) {
+nlohmann::ordered_json issues_json(const cook::CookReport& report) {
   auto list = nlohmann::ordered_json::array();
   for (const Warning& warning : report.warnings)
     list.push_back({{"code", warning.code}, {"severity", "warning"}, {"message", std::string(warning)}});
@@ -58,11 +58,11 @@ nlohmann::ordered_json issues_json(const CookReport& report) {
 
 /// All that was found, what each pass took, and what was read.
 std::string details(const CookSummary& summary) {
-  const CookReport& report = summary.report;
+  const cook::CookReport& report = summary.report;
   std::string text;
   for (const std::string& note : report.notes) text += fmt::format("  {}\n", note);
-  for (const LeftOut& left_out : report.left_out) text += fmt::format("  left out: {}\n", left_out.text());
-  for (const PassTime& pass : report.passes) text += fmt::format("  {:>9.1f} ms  {}\n", pass.ms, pass.name);
+  for (const cook::LeftOut& left_out : report.left_out) text += fmt::format("  left out: {}\n", left_out.text());
+  for (const cook::PassTime& pass : report.passes) text += fmt::format("  {:>9.1f} ms  {}\n", pass.ms, pass.name);
   for (const std::filesystem::path& file : summary.files) {
     std::error_code error;
     text +=
@@ -71,7 +71,7 @@ std::string details(const CookSummary& summary) {
   return text;
 }
 
-std::string told_with_v(const CookReport& report) {
+std::string told_with_v(const cook::CookReport& report) {
   if (report.notes.empty() && report.left_out.empty()) return {};
   return fmt::format("  {}, {} left out: -v tells them\n", counted(report.notes.size(), "note", "notes"),
                      counted(report.left_out.size(), "thing", "things"));
@@ -80,9 +80,9 @@ std::string told_with_v(const CookReport& report) {
 }  // namespace
 
 nlohmann::ordered_json cook_json(const CookSummary& summary) {
-  const CookReport& report = summary.report;
+  const cook::CookReport& report = summary.report;
   auto passes = nlohmann::ordered_json::array();
-  for (const PassTime& pass : report.passes) passes.push_back({{"name", pass.name}, {"ms", pass.ms}});
+  for (const cook::PassTime& pass : report.passes) passes.push_back({{"name", pass.name}, {"ms", pass.ms}});
   return {{"output", summary.output},
           {"bytes", summary.bytes},
           {"draft", summary.draft},
@@ -107,11 +107,12 @@ namespace {
 
 /// Errors and warnings as `coif validate` would count them.
 nlohmann::ordered_json issues_json(const CookOptions& options, const FailedCook& failed) {
-  IssuePolicy policy{.lowest = Severity::kWarning, .warnings_as_errors = options.warnings_as_errors};
+  validate::IssuePolicy policy{.lowest = validate::Severity::kWarning,
+                               .warnings_as_errors = options.warnings_as_errors};
   policy.most_of_a_code = std::max<std::size_t>(1, failed.issues.size());
   auto list = nlohmann::ordered_json::array();
-  for (const Issue& issue : judge(failed.issues, policy).shown)
-    list.push_back({{"code", issue.code}, {"severity", name(issue.severity)}, {"message", issue.message}});
+  for (const validate::Issue& issue : validate::judge(failed.issues, policy).shown)
+    list.push_back({{"code", issue.code}, {"severity", validate::name(issue.severity)}, {"message", issue.message}});
   return list;
 }
 
@@ -154,7 +155,7 @@ void report_failed_cook(const CookOptions& options, const FailedCook& failed, co
 }
 
 std::string cook_text(const CookSummary& summary, bool in_full) {
-  const CookReport& report = summary.report;
+  const cook::CookReport& report = summary.report;
   std::string text =
       fmt::format("{}: {} in {} ({} by index, {} by position)\n", summary.output,
                   counted(report.triangles, "triangle", "triangles"), counted(report.patches, "patch", "patches"),
@@ -169,4 +170,4 @@ std::string cook_text(const CookSummary& summary, bool in_full) {
   return text + fmt::format("  next: {}\n", next_step(summary));
 }
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -11,7 +11,7 @@
 #include <optional>
 #include <utility>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 constexpr double kSimulationShare = 0.3;  // of the time, where there is something to draw
@@ -19,27 +19,29 @@ constexpr std::uint64_t kMostCrowdBytes = std::uint64_t{1} << 30;
 
 bool is_simulated(const Asset& asset) { return asset.skeleton().simulated_count > 0 && !asset.dynamics().empty(); }
 
-tl::expected<DrawnCrowd, ToolError> crowd_of(const Asset& asset, std::uint32_t heads) {
+tl::expected<render::DrawnCrowd, ToolError> crowd_of(const Asset& asset, std::uint32_t heads) {
   if (!is_simulated(asset)) {
     const auto rest = std::make_shared<std::vector<Mat34>>(asset.bones().size());
-    return DrawnCrowd{[] {}, [rest](std::uint32_t) { return std::span<const Mat34>(*rest); }};
+    return render::DrawnCrowd{[] {}, [rest](std::uint32_t) { return std::span<const Mat34>(*rest); }};
   }
-  auto created = HairCrowd::create(asset, {.heads = heads, .substeps = tuned_substeps(asset, float(1 / kCrowdRate))});
+  auto created = report::HairCrowd::create(
+      asset, {.heads = heads, .substeps = tuned_substeps(asset, float(1 / report::kCrowdRate))});
   if (!created) return tl::unexpected(created.error());
-  const auto crowd = std::make_shared<HairCrowd>(std::move(*created));
-  return DrawnCrowd{[crowd] { (void)crowd->step(); }, [crowd](std::uint32_t head) { return crowd->palette(head); }};
+  const auto crowd = std::make_shared<report::HairCrowd>(std::move(*created));
+  return render::DrawnCrowd{[crowd] { (void)crowd->step(); },
+                            [crowd](std::uint32_t head) { return crowd->palette(head); }};
 }
 
 bool can_be_drawn(const Asset& asset, std::uint32_t heads) {
-  const bool fits = !is_simulated(asset) || HairCrowd::memory_bytes(asset, {.heads = heads}) <= kMostCrowdBytes;
-  return heads <= kMostDrawnHeads && fits;
+  const bool fits = !is_simulated(asset) || report::HairCrowd::memory_bytes(asset, {.heads = heads}) <= kMostCrowdBytes;
+  return heads <= render::kMostDrawnHeads && fits;
 }
 
-DrawCostSettings drawing_settings(const Asset& asset, const CostChoice& choice) {
-  DrawCostSettings settings{.heads = {},
-                            .width = choice.width,
-                            .height = choice.height,
-                            .time = {(1 - kSimulationShare) * choice.seconds, {}}};
+render::DrawCostSettings drawing_settings(const Asset& asset, const CostChoice& choice) {
+  render::DrawCostSettings settings{.heads = {},
+                                    .width = choice.width,
+                                    .height = choice.height,
+                                    .time = {(1 - kSimulationShare) * choice.seconds, {}}};
   std::ranges::copy_if(choice.simulation.heads, std::back_inserter(settings.heads),
                        [&asset](std::uint32_t heads) { return can_be_drawn(asset, heads); });
   return settings;
@@ -49,7 +51,7 @@ std::optional<double> milliseconds(std::optional<double> seconds) {
   return seconds ? std::optional(1e3 * *seconds) : std::nullopt;
 }
 
-RenderingCostRow to_row(const Asset& asset, const DrawCostRow& row) {
+report::RenderingCostRow to_row(const Asset& asset, const render::DrawCostRow& row) {
   return {.heads = row.heads,
           .transparency = row.transparency,
           .samples = row.samples,
@@ -62,7 +64,7 @@ RenderingCostRow to_row(const Asset& asset, const DrawCostRow& row) {
           .gpu_ms_per_frame = milliseconds(row.time.gpu_seconds)};
 }
 
-DistanceCostRow to_row(const Asset& asset, const DrawDistance& distance) {
+report::DistanceCostRow to_row(const Asset& asset, const render::DrawDistance& distance) {
   const std::uint32_t heads = distance.crowd.heads;
   const double ms = 1e3 / heads;
   const auto gpu = distance.time.gpu_seconds;
@@ -78,7 +80,7 @@ DistanceCostRow to_row(const Asset& asset, const DrawDistance& distance) {
           .gpu_ms_per_head = gpu ? std::optional(ms * *gpu) : std::nullopt};
 }
 
-ThesisTableRow to_row(const ThesisCrowdRow& row) {
+report::ThesisTableRow to_row(const render::ThesisCrowdRow& row) {
   return {.heads = row.heads,
           .transparency = row.transparency,
           .simulation = row.simulation,
@@ -88,35 +90,36 @@ ThesisTableRow to_row(const ThesisCrowdRow& row) {
           .gpu_ms_per_frame = milliseconds(row.time.gpu_seconds)};
 }
 
-void add_left_out(const std::vector<DrawCostLeftOut>& crowds, const char* what, CostReport& report) {
-  for (const DrawCostLeftOut& crowd : crowds) report.left_out.push_back({crowd.heads, what, crowd.why});
+void add_left_out(const std::vector<render::DrawCostLeftOut>& crowds, const char* what, report::CostReport& report) {
+  for (const render::DrawCostLeftOut& crowd : crowds) report.left_out.push_back({crowd.heads, what, crowd.why});
 }
 
-tl::expected<void, ToolError> add_thesis_table(const Asset& asset, const CostChoice& choice, const MakeCrowd& make,
-                                               CostReport& report) {
-  ThesisTable& table = report.rendering.thesis_table;
+tl::expected<void, ToolError> add_thesis_table(const Asset& asset, const CostChoice& choice,
+                                               const render::MakeCrowd& make, report::CostReport& report) {
+  report::ThesisTable& table = report.rendering.thesis_table;
   table.width = choice.thesis_width;
   table.height = choice.thesis_height;
-  const auto drawn =
-      measure_thesis_crowds(asset, {.width = table.width, .height = table.height, .time = {choice.seconds, {}}}, make);
+  const auto drawn = render::measure_thesis_crowds(
+      asset, {.width = table.width, .height = table.height, .time = {choice.seconds, {}}}, make);
   if (!drawn) return tl::unexpected(drawn.error());
-  for (const ThesisCrowdRow& row : drawn->rows) table.rows.push_back(to_row(row));
-  add_left_out(drawn->left_out, kThesisTable, report);
+  for (const render::ThesisCrowdRow& row : drawn->rows) table.rows.push_back(to_row(row));
+  add_left_out(drawn->left_out, report::kThesisTable, report);
   return {};
 }
 
-tl::expected<void, ToolError> add_drawing(const Asset& asset, const CostChoice& choice, const ReportProgress& progress,
-                                          CostReport& report) {
-  const MakeCrowd make = [&asset](std::uint32_t heads) { return crowd_of(asset, heads); };
+tl::expected<void, ToolError> add_drawing(const Asset& asset, const CostChoice& choice,
+                                          const report::ReportProgress& progress, report::CostReport& report) {
+  const render::MakeCrowd make = [&asset](std::uint32_t heads) { return crowd_of(asset, heads); };
   if (progress) progress("drawing");
-  const auto drawn = measure_drawing(asset, drawing_settings(asset, choice), make);
+  const auto drawn = render::measure_drawing(asset, drawing_settings(asset, choice), make);
   if (!drawn) return tl::unexpected(drawn.error());
-  RenderingCost& rendering = report.rendering;
+  report::RenderingCost& rendering = report.rendering;
   rendering.device = drawn->device;
-  for (const DrawCostRow& row : drawn->rows) rendering.rows.push_back(to_row(asset, row));
-  for (const DrawDistance& distance : drawn->distances.rows) rendering.distances.push_back(to_row(asset, distance));
-  add_left_out(drawn->left_out, kDrawnCrowd, report);
-  add_left_out(drawn->distances.left_out, kDistances, report);
+  for (const render::DrawCostRow& row : drawn->rows) rendering.rows.push_back(to_row(asset, row));
+  for (const render::DrawDistance& distance : drawn->distances.rows)
+    rendering.distances.push_back(to_row(asset, distance));
+  add_left_out(drawn->left_out, report::kDrawnCrowd, report);
+  add_left_out(drawn->distances.left_out, report::kDistances, report);
   if (drawn->rows.empty()) rendering.note = "no crowd was small enough";
   if (!choice.thesis_table) return {};
   if (progress) progress("Table 1 of the thesis");
@@ -125,7 +128,7 @@ tl::expected<void, ToolError> add_drawing(const Asset& asset, const CostChoice& 
 
 /// Errors that only say that nothing can be drawn become the report's note.
 tl::expected<void, ToolError> add_drawing_or_note(const Asset& asset, const CostChoice& choice,
-                                                  const ReportProgress& progress, CostReport& report) {
+                                                  const report::ReportProgress& progress, report::CostReport& report) {
   report.rendering.width = choice.width;
   report.rendering.height = choice.height;
   const auto added = add_drawing(asset, choice, progress, report);
@@ -138,16 +141,16 @@ tl::expected<void, ToolError> add_drawing_or_note(const Asset& asset, const Cost
 
 }  // namespace
 
-tl::expected<CostReport, ToolError> measure_all_cost(const Asset& asset, const CostChoice& choice,
-                                                     const ReportProgress& progress) {
+tl::expected<report::CostReport, ToolError> measure_all_cost(const Asset& asset, const CostChoice& choice,
+                                                             const report::ReportProgress& progress) {
   const bool has_mesh = !asset.indices().empty();
   if (!is_simulated(asset) && !has_mesh) {
     return tl::unexpected(
         ToolError{ToolError::Kind::kBadInput, "neither simulated bones nor a mesh: there is nothing to measure"});
   }
-  CostSettings simulation = choice.simulation;
+  report::CostSettings simulation = choice.simulation;
   simulation.seconds = choice.draws && has_mesh ? kSimulationShare * choice.seconds : choice.seconds;
-  auto report = measure_cost(asset, simulation, progress);
+  auto report = report::measure_cost(asset, simulation, progress);
   if (!report) return report;
   if (!choice.draws) {
     report->rendering.note = "drawing was not asked for";
@@ -159,4 +162,4 @@ tl::expected<CostReport, ToolError> measure_all_cost(const Asset& asset, const C
   return report;
 }
 
-}  // namespace coif
+}  // namespace coif::cli

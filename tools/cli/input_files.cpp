@@ -14,12 +14,12 @@
 #include <system_error>
 #include <utility>
 
-namespace coif {
+namespace coif::cli {
 
 bool is_source(const std::filesystem::path& path, std::span<const std::byte> bytes) {
   const bool is_asset =
       bytes.size() >= sizeof kAssetMagic && std::memcmp(bytes.data(), kAssetMagic, sizeof kAssetMagic) == 0;
-  return !is_asset && (find_suffix(path).has_value() || is_recipe_file(path));
+  return !is_asset && (importer::find_suffix(path).has_value() || cook::is_recipe_file(path));
 }
 
 tl::expected<AssetFile, ToolError> AssetFile::open(const std::filesystem::path& path) {
@@ -42,8 +42,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-tl::expected<RecipeChoice, ToolError> read_choice(const fs::path& file, const RecipeBeginning& beginning) {
-  auto recipe = read_recipe(file, beginning);
+tl::expected<RecipeChoice, ToolError> read_choice(const fs::path& file, const cook::RecipeBeginning& beginning) {
+  auto recipe = cook::read_recipe(file, beginning);
   if (!recipe) return tl::unexpected(recipe.error());
   return RecipeChoice{std::move(*recipe), file.parent_path(), file};
 }
@@ -51,8 +51,8 @@ tl::expected<RecipeChoice, ToolError> read_choice(const fs::path& file, const Re
 }  // namespace
 
 tl::expected<RecipeChoice, ToolError> choose_recipe(const fs::path& source, const std::optional<std::string>& named,
-                                                    const Messages& messages, const RecipeBeginning& beginning) {
-  if (is_recipe_file(source)) {
+                                                    const Messages& messages, const cook::RecipeBeginning& beginning) {
+  if (cook::is_recipe_file(source)) {
     if (named) return usage(fmt::format("{}: is a recipe itself; leave --recipe out", source.string()));
     return read_choice(source, beginning);
   }
@@ -61,7 +61,7 @@ tl::expected<RecipeChoice, ToolError> choose_recipe(const fs::path& source, cons
   beside.replace_extension(".recipe.json");
   std::error_code ignored;
   if (source.empty() || !fs::exists(beside, ignored)) {
-    auto recipe = parse_recipe("{}", "--preset", beginning);
+    auto recipe = cook::parse_recipe("{}", "--preset", beginning);
     if (!recipe) return tl::unexpected(recipe.error());
     return RecipeChoice{std::move(*recipe), source.parent_path(), {}};
   }
@@ -74,7 +74,7 @@ tl::expected<RecipeChoice, ToolError> choose_recipe(const fs::path& source, cons
 tl::expected<void, ToolError> check_named_files(const RecipeChoice& choice, std::span<const fs::path> roots) {
   if (!choice.is_found) return {};
   const std::vector<fs::path> folders = folders_of_source(choice.file, roots);
-  for (const std::string& name : files_named_by(choice.recipe)) {
+  for (const std::string& name : cook::files_named_by(choice.recipe)) {
     const fs::path path = choice.directory / name;
     std::error_code error;
     if (!fs::exists(fs::symlink_status(path, error)) || lies_in(path, folders)) continue;
@@ -89,7 +89,7 @@ tl::expected<void, ToolError> check_named_files(const RecipeChoice& choice, std:
 
 tl::expected<RecipeChoice, ToolError> held_recipe(const fs::path& source, const std::optional<std::string>& named,
                                                   bool is_asked, std::span<const fs::path> roots,
-                                                  const Messages& messages, const RecipeBeginning& beginning) {
+                                                  const Messages& messages, const cook::RecipeBeginning& beginning) {
   auto choice = choose_recipe(source, named, messages, beginning);
   if (!choice || !is_asked) return choice;
   if (auto held = check_named_files(*choice, roots); !held) return tl::unexpected(held.error());
@@ -98,19 +98,19 @@ tl::expected<RecipeChoice, ToolError> held_recipe(const fs::path& source, const 
 
 std::vector<fs::path> files_of(const RecipeChoice& choice) {
   std::vector<fs::path> files{choice.file};
-  for (const std::string& name : files_named_by(choice.recipe)) files.push_back(choice.directory / name);
+  for (const std::string& name : cook::files_named_by(choice.recipe)) files.push_back(choice.directory / name);
   return files;
 }
 
-std::vector<fs::path> files_of(const RecipeChoice& choice, const CookInputs& inputs) {
+std::vector<fs::path> files_of(const RecipeChoice& choice, const cook::CookInputs& inputs) {
   std::vector<fs::path> files = files_of(choice);
   for (const auto* const found : {&inputs.source_files, &inputs.recipe_files, &inputs.named_files})
     files.insert(files.end(), found->begin(), found->end());
   return files;
 }
 
-std::vector<fs::path> files_of(const SourceModel& model) {
-  std::vector<fs::path> files = named_image_files(model);
+std::vector<fs::path> files_of(const importer::SourceModel& model) {
+  std::vector<fs::path> files = cook::named_image_files(model);
   files.emplace_back(model.path);
   files.insert(files.end(), model.side_files.begin(), model.side_files.end());
   return files;
@@ -123,21 +123,21 @@ void choose_body(const fs::path& body, RecipeChoice& choice) {
       fs::absolute(body).lexically_normal().lexically_proximate(fs::absolute(from).lexically_normal()).string();
 }
 
-ImportSettings import_settings(const Recipe& recipe, std::vector<fs::path> roots) {
-  ImportSettings settings;
+importer::ImportSettings import_settings(const cook::Recipe& recipe, std::vector<fs::path> roots) {
+  importer::ImportSettings settings;
   settings.roots = std::move(roots);
   if (recipe.metres_per_unit > 0) settings.metres_per_unit = recipe.metres_per_unit;
   settings.variant = recipe.source_variant;
   settings.meshes = recipe.hair_meshes;
-  if (recipe.up_axis == RecipeUpAxis::kX) settings.up_axis = UpAxis::kX;
-  if (recipe.up_axis == RecipeUpAxis::kY) settings.up_axis = UpAxis::kY;
-  if (recipe.up_axis == RecipeUpAxis::kZ) settings.up_axis = UpAxis::kZ;
+  if (recipe.up_axis == cook::RecipeUpAxis::kX) settings.up_axis = importer::UpAxis::kX;
+  if (recipe.up_axis == cook::RecipeUpAxis::kY) settings.up_axis = importer::UpAxis::kY;
+  if (recipe.up_axis == cook::RecipeUpAxis::kZ) settings.up_axis = importer::UpAxis::kZ;
   return settings;
 }
 
 namespace {
 
-void remove_hair(const HairChoice& hair, SourceModel& model) {
+void remove_hair(const cook::HairChoice& hair, importer::SourceModel& model) {
   for (std::size_t m = 0; m < model.meshes.size(); ++m) {
     std::vector<std::uint32_t>& triangles = model.meshes[m].triangles;
     std::vector<std::uint32_t> kept;
@@ -148,7 +148,7 @@ void remove_hair(const HairChoice& hair, SourceModel& model) {
   }
 }
 
-bool leaves_something(const HairChoice& hair, const SourceModel& model) {
+bool leaves_something(const cook::HairChoice& hair, const importer::SourceModel& model) {
   for (std::size_t m = 0; m < model.meshes.size(); ++m) {
     for (std::size_t t = 0; t < model.meshes[m].triangles.size() / 3; ++t) {
       if (!hair.takes(m, t)) return true;
@@ -159,13 +159,13 @@ bool leaves_something(const HairChoice& hair, const SourceModel& model) {
 
 }  // namespace
 
-tl::expected<SourceModel, ToolError> keep_body(SourceModel model, const std::string& pattern, const Recipe& recipe,
-                                               bool is_hairs_own) {
+tl::expected<importer::SourceModel, ToolError> keep_body(importer::SourceModel model, const std::string& pattern,
+                                                         const cook::Recipe& recipe, bool is_hairs_own) {
   std::vector<std::string> names;
-  for (const SourceMesh& mesh : model.meshes) names.push_back(fmt::format("'{}'", mesh.name));
+  for (const importer::SourceMesh& mesh : model.meshes) names.push_back(fmt::format("'{}'", mesh.name));
   if (pattern.empty()) {
-    Findings unsaid;
-    const auto hair = choose_hair(model, recipe, unsaid);
+    cook::Findings unsaid;
+    const auto hair = cook::choose_hair(model, recipe, unsaid);
     if (!hair) return tl::unexpected(hair.error());
     const bool leaves_body = leaves_something(*hair, model);
     if (!leaves_body && is_hairs_own) {
@@ -175,7 +175,7 @@ tl::expected<SourceModel, ToolError> keep_body(SourceModel model, const std::str
     // Another model without a sign of hair is taken for hair as a whole; who gives it as a body knows better.
     if (leaves_body) remove_hair(*hair, model);
   }
-  std::erase_if(model.meshes, [&](const SourceMesh& mesh) {
+  std::erase_if(model.meshes, [&](const importer::SourceMesh& mesh) {
     return mesh.triangles.empty() || !(pattern.empty() || matches(mesh.name, pattern));
   });
   if (!model.meshes.empty()) return model;
@@ -184,4 +184,4 @@ tl::expected<SourceModel, ToolError> keep_body(SourceModel model, const std::str
       fmt::format("{}: no mesh is left for the body; give --body-mesh one of {}", model.path, fmt::join(names, ", "))});
 }
 
-}  // namespace coif
+}  // namespace coif::cli

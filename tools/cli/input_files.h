@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cli {
 
 /// An open asset together with the memory it looks into. Moving it leaves the asset's spans valid.
 class AssetFile {
@@ -46,7 +46,7 @@ class AssetFile {
 [[nodiscard]] bool is_source(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 struct RecipeChoice {
-  Recipe recipe;
+  cook::Recipe recipe;
   std::filesystem::path directory;  ///< Where its texture paths start: the recipe's folder, else the source's.
   std::filesystem::path file;       ///< Empty: the defaults, no file.
   bool is_found = false;  ///< It lies beside the source, and nobody named it: it comes from whom the source does.
@@ -56,7 +56,7 @@ struct RecipeChoice {
 /// the source, with a note; else defaults. An empty `source` has nothing beside it. Each begins from `beginning`.
 tl::expected<RecipeChoice, ToolError> choose_recipe(const std::filesystem::path& source,
                                                     const std::optional<std::string>& named, const Messages& messages,
-                                                    const RecipeBeginning& beginning = {});
+                                                    const cook::RecipeBeginning& beginning = {});
 
 /// For whoever takes sources from strangers (--require-sandbox): the files that a recipe names which was found beside
 /// its source really lie in its folder or in one of the `roots`. One that the command line names is the caller's own
@@ -68,26 +68,28 @@ tl::expected<RecipeChoice, ToolError> choose_recipe(const std::filesystem::path&
 tl::expected<RecipeChoice, ToolError> held_recipe(const std::filesystem::path& source,
                                                   const std::optional<std::string>& named, bool is_asked,
                                                   std::span<const std::filesystem::path> roots,
-                                                  const Messages& messages, const RecipeBeginning& beginning = {});
+                                                  const Messages& messages,
+                                                  const cook::RecipeBeginning& beginning = {});
 
 /// The files that the choice's recipe names, and its own; what no output may be written over.
 [[nodiscard]] std::vector<std::filesystem::path> files_of(const RecipeChoice& choice);
 /// The same, and what a cook with it read and found to be named.
-[[nodiscard]] std::vector<std::filesystem::path> files_of(const RecipeChoice& choice, const CookInputs& inputs);
+[[nodiscard]] std::vector<std::filesystem::path> files_of(const RecipeChoice& choice, const cook::CookInputs& inputs);
 /// The files that a model was read from and that it names.
-[[nodiscard]] std::vector<std::filesystem::path> files_of(const SourceModel& model);
+[[nodiscard]] std::vector<std::filesystem::path> files_of(const importer::SourceModel& model);
 
 /// Puts a body named on the command line in place of the recipe's; nothing where `body` is empty.
 void choose_body(const std::filesystem::path& body, RecipeChoice& choice);
 
 /// What a recipe says about reading the source, and ImportSettings::roots.
-[[nodiscard]] ImportSettings import_settings(const Recipe& recipe, std::vector<std::filesystem::path> roots);
+[[nodiscard]] importer::ImportSettings import_settings(const cook::Recipe& recipe,
+                                                       std::vector<std::filesystem::path> roots);
 
 /// Leaves the body alone, so that hair is not drawn twice. `pattern`: with * and ?, of the meshes to keep; empty:
 /// everything that a cook with this recipe would not take for hair. `is_hairs_own`: the hair was cooked from this
 /// model, which is left without meshes where it has nothing else. Errors: kBadInput where nothing is left, with the
 /// names that there are; those of choose_hair().
-tl::expected<SourceModel, ToolError> keep_body(SourceModel model, const std::string& pattern, const Recipe& recipe,
-                                               bool is_hairs_own);
+tl::expected<importer::SourceModel, ToolError> keep_body(importer::SourceModel model, const std::string& pattern,
+                                                         const cook::Recipe& recipe, bool is_hairs_own);
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -14,7 +14,7 @@
 #include <system_error>
 #include <utility>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,7 +34,7 @@ tl::expected<fs::path, ToolError> source_beside(const fs::path& recipe) {
   const fs::path folder = recipe.has_parent_path() ? recipe.parent_path() : fs::path(".");
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     const fs::path& path = entry->path();
-    if (path.stem() == stem_of_recipe(recipe) && find_suffix(path)) found.push_back(path.filename().string());
+    if (path.stem() == stem_of_recipe(recipe) && importer::find_suffix(path)) found.push_back(path.filename().string());
   }
   if (found.size() == 1) return recipe.parent_path() / found.front();
   const std::string what = found.empty() ? fmt::format("no model called '{}' lies beside it", stem_of_recipe(recipe))
@@ -52,31 +52,31 @@ tl::expected<void, ToolError> find_source(LiveOptions& options) {
   return {};
 }
 
-LiveCooking cooking_of(const LiveOptions& options, const Messages& messages) {
-  LiveCooking cooking;
+view::LiveCooking cooking_of(const LiveOptions& options, const Messages& messages) {
+  view::LiveCooking cooking;
   cooking.draft = options.draft;
   cooking.roots = options.roots;
-  cooking.import_settings = [messages, limits = options.limits](const Recipe& recipe,
+  cooking.import_settings = [messages, limits = options.limits](const cook::Recipe& recipe,
                                                                 const std::vector<fs::path>& roots) {
     return limits.of_import(import_settings(recipe, roots), messages);
   };
-  cooking.cook = [limits = options.limits](const LiveOrder& live,
-                                           const std::stop_token& stop) -> tl::expected<LiveCooked, ToolError> {
+  cooking.cook = [limits = options.limits](const view::LiveOrder& live,
+                                           const std::stop_token& stop) -> tl::expected<view::LiveCooked, ToolError> {
     CookOrder order;
     order.source = live.source.string();
     order.recipe = live.recipe;
     order.recipe_directory = live.recipe_directory;
     order.import = live.import;
     order.source_hash = live.source_hash;
-    order.threads = all_threads();
+    order.threads = platform::all_threads();
     order.draft = live.draft;
     order.model = live.model;
     order.keeps_model = live.model.empty();
-    auto answer = cook_in_child(order, {order.source, limits, {all_threads(), stop}});
+    auto answer = cook_in_child(order, {order.source, limits, {platform::all_threads(), stop}});
     if (!answer) return tl::unexpected<ToolError>(answer.error());
-    return LiveCooked{std::move(answer->result), std::move(answer->model)};
+    return view::LiveCooked{std::move(answer->result), std::move(answer->model)};
   };
-  cooking.cooked = [messages](const LiveResult& result) {
+  cooking.cooked = [messages](const view::LiveResult& result) {
     for (const std::string& warning : result.warnings) messages.warning(fmt::format("{}: {}", result.name, warning));
     messages.note(
         fmt::format("{}: cooked in {:.2f} s, {} KB", result.name, result.seconds, (result.asset.size() + 1023) / 1024));
@@ -97,20 +97,20 @@ std::string address_text(const LiveOptions& options, const std::string& address)
 
 tl::expected<Exit, ToolError> view_live(LiveOptions options, const Messages& messages) {
   if (auto found = find_source(options); !found) return tl::unexpected(found.error());
-  if (auto readable = check_readable(options.file, ImportSettings{}.max_file_bytes); !readable)
+  if (auto readable = importer::check_readable(options.file, importer::ImportSettings{}.max_file_bytes); !readable)
     return tl::unexpected(readable.error());
   const auto page = moved_page(options.page, options.motion, messages);
   if (!page) return tl::unexpected(page.error());
 
-  if (auto fits = live_page(*page, ""); !fits) {
+  if (auto fits = view::live_page(*page, ""); !fits) {
     return tl::unexpected(ToolError{fits.error().kind, options.page.string() + ": " + fits.error().message});
   }
 
-  LiveViewSettings settings{options.file, options.recipe, cooking_of(options, messages), {}};
+  view::LiveViewSettings settings{options.file, options.recipe, cooking_of(options, messages), {}};
   settings.server.port = options.port;
   settings.server.page = *page;
-  EndSignals ends;
-  const auto view = LiveView::start(std::move(settings));
+  platform::EndSignals ends;
+  const auto view = view::LiveView::start(std::move(settings));
   if (!view) return tl::unexpected(view.error());
   print_result(address_text(options, (*view)->address()));
   std::fflush(stdout);
@@ -118,4 +118,4 @@ tl::expected<Exit, ToolError> view_live(LiveOptions options, const Messages& mes
   return Exit::kOk;
 }
 
-}  // namespace coif
+}  // namespace coif::cli

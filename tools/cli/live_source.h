@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cli {
 
 /// The command line of `coif view` of a source or a recipe.
 struct LiveOptions {
@@ -33,4 +33,4 @@ struct LiveOptions {
 /// cooks goes to `messages`.
 tl::expected<Exit, ToolError> view_live(LiveOptions options, const Messages& messages);
 
-}  // namespace coif
+}  // namespace coif::cli

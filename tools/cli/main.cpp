@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 /// A result that did not reach its reader (a full disk behind a redirection) is a failure, too. Whoever closed the pipe
@@ -85,8 +85,8 @@ Exit run(const Command& command) {
 }
 
 Exit run_program(int argc, char** argv) {
-  fill_standard_streams();
-  ignore_signals_of_writing();
+  platform::fill_standard_streams();
+  platform::ignore_signals_of_writing();
   CLI::App program("Hair for games: cooks polygon hair into an asset, checks, simulates and draws it.", "coif");
   program.set_version_flag("--version", "coif " COIF_VERSION);
   program.require_subcommand(0, 1);
@@ -127,12 +127,12 @@ Exit run_program(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace coif
+}  // namespace coif::cli
 
 int main(int argc, char** argv) try {
-  coif::run_named_job(argc, argv);
-  return static_cast<int>(coif::run_program(argc, argv));
+  coif::platform::run_named_job(argc, argv);
+  return static_cast<int>(coif::cli::run_program(argc, argv));
 } catch (const std::exception& error) {
   std::fprintf(stderr, "coif: internal error: %s\n", error.what());
-  return static_cast<int>(coif::Exit::kInternal);
+  return static_cast<int>(coif::cli::Exit::kInternal);
 }

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string_view>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 constexpr const char* kDescription = R"(.SH DESCRIPTION
@@ -132,7 +132,7 @@ std::string text_of(const CLI::App& command) {
 }
 
 /// "coif cook [OPTIONS] [SOURCE...]"
-std::string usage(const CLI::App& command) {
+std::string usage_line(const CLI::App& command) {
   constexpr std::string_view kLabel = "Usage: ";
   const std::string line = CLI::Formatter().make_usage(&command, "coif " + command.get_name());
   return line.substr(kLabel.size(), line.find('\n') - kLabel.size());
@@ -144,12 +144,12 @@ std::string manual_page(const CLI::App& program) {
   const auto commands = program.get_subcommands([](const CLI::App*) { return true; });
   std::string page = fmt::format(".TH COIF 1 \"\" \"coif {}\" \"User Commands\"\n.SH NAME\ncoif \\- {}\n.SH SYNOPSIS\n",
                                  COIF_VERSION, escaped(program.get_description()));
-  for (const CLI::App* command : commands) page += fmt::format("\\fB{}\\fR\n.br\n", escaped(usage(*command)));
+  for (const CLI::App* command : commands) page += fmt::format("\\fB{}\\fR\n.br\n", escaped(usage_line(*command)));
   page += kDescription;
   page += ".SH OPTIONS\n" + options(program, false);
   page += ".SH COMMANDS\n";
   for (const CLI::App* command : commands) {
-    page += fmt::format(".SS {}\n{}", escaped(usage(*command)), prose(text_of(*command)));
+    page += fmt::format(".SS {}\n{}", escaped(usage_line(*command)), prose(text_of(*command)));
     page += options(*command, true) + options(*command, false);
   }
   page += ".SH EXIT STATUS\n";
@@ -159,4 +159,4 @@ std::string manual_page(const CLI::App& program) {
   return page + kBackground;
 }
 
-}  // namespace coif
+}  // namespace coif::cli

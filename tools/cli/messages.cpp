@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-namespace coif {
+namespace coif::cli {
 
 Messages::Messages(std::string_view verb) : program_(verb.empty() ? "coif" : fmt::format("coif {}", verb)) {}
 
@@ -41,7 +41,7 @@ constexpr const char* kEraseLine = "\r\033[K";
 
 bool is_watched(std::FILE* stream) {
   const char* const terminal = std::getenv("TERM");
-  return is_terminal(stream) && terminal != nullptr && std::string_view(terminal) != "dumb";
+  return platform::is_terminal(stream) && terminal != nullptr && std::string_view(terminal) != "dumb";
 }
 
 }  // namespace
@@ -107,4 +107,4 @@ std::string status_word(Exit code) {
   return name.substr(0, name.find(" or "));
 }
 
-}  // namespace coif
+}  // namespace coif::cli

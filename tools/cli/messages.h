@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace coif {
+namespace coif::cli {
 
 /// What a command says to people, on the standard error: `coif cook: warning: braid.glb: ...`. Results go to the
 /// standard output and never pass here.
@@ -54,4 +54,4 @@ class ProgressLine {
 
 void print_result(std::string_view text);
 
-}  // namespace coif
+}  // namespace coif::cli

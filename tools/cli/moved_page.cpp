@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-namespace coif {
+namespace coif::cli {
 
 tl::expected<std::string, ToolError> moved_page(const std::filesystem::path& place,
                                                 const std::optional<HeadMotion>& motion, const Messages& messages) {
@@ -14,15 +14,15 @@ tl::expected<std::string, ToolError> moved_page(const std::filesystem::path& pla
   const std::string_view page(reinterpret_cast<const char*>(bytes->span().data()), bytes->span().size());
   if (!motion) return std::string(page);
 
-  HeadClip clip{all_motions()[std::size_t(motion->motion)].name, nullptr, {}};
+  HeadClip clip{motion::all_motions()[std::size_t(motion->motion)].name, nullptr, {}};
   if (motion->clip) {
     auto opened = open_clip(*motion->clip, messages);
     if (!opened) return tl::unexpected(opened.error());
     clip = std::move(*opened);
   }
-  auto moved = with_motion(page, clip.name, clip.keys);
+  auto moved = view::with_motion(page, clip.name, clip.keys);
   if (!moved) return tl::unexpected(ToolError{moved.error().kind, place.string() + ": " + moved.error().message});
   return moved;
 }
 
-}  // namespace coif
+}  // namespace coif::cli

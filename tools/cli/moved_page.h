@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-namespace coif {
+namespace coif::cli {
 
 /// The page of `coif view` that lies at `place`, read, which begins with this motion if there is one. Errors: those of
 /// a clip, of a file that cannot be read, and of a page without a place for motions.
@@ -18,4 +18,4 @@ namespace coif {
                                                               const std::optional<HeadMotion>& motion,
                                                               const Messages& messages);
 
-}  // namespace coif
+}  // namespace coif::cli

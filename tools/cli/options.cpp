@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 constexpr Choice<OutputFormat> kFormats[] = {{"text", OutputFormat::kText}, {"json", OutputFormat::kJson}};
@@ -33,7 +33,7 @@ CLI::Option* add_ignored(CLI::App& app, std::vector<std::string>& codes) {
 
 tl::expected<void, ToolError> check_ignored(const std::vector<std::string>& codes, const std::string& who) {
   for (const std::string& code : codes) {
-    if (!may_ignore(code))
+    if (!validate::may_ignore(code))
       return usage(fmt::format("{}: '{}' is no warning or note; 'coif validate --list-codes' lists them", who, code));
   }
   return {};
@@ -144,13 +144,13 @@ std::optional<ClipChoice> find_clip(std::string_view word) {
 }
 
 tl::expected<HeadClip, ToolError> open_clip(const ClipChoice& choice, const Messages& messages) {
-  const auto clip = read_clip(choice.file, choice.node);
+  const auto clip = importer::read_clip(choice.file, choice.node);
   if (!clip) return tl::unexpected(clip.error());
   for (const std::string& note : clip->notes) messages.note(note);
-  std::vector<ClipKey> keys;
+  std::vector<motion::ClipKey> keys;
   keys.reserve(clip->keys.size());
-  for (const NodeKey& key : clip->keys) keys.push_back({key.seconds, key.position, key.rotation});
-  std::shared_ptr<const HeadPath> path = path_of(keys);
+  for (const importer::NodeKey& key : clip->keys) keys.push_back({key.seconds, key.position, key.rotation});
+  std::shared_ptr<const motion::HeadPath> path = motion::path_of(keys);
   if (path) {
     return HeadClip{printable_text(choice.file.filename().string()) + ":" + clip->node, std::move(path),
                     std::move(keys)};
@@ -160,10 +160,10 @@ tl::expected<HeadClip, ToolError> open_clip(const ClipChoice& choice, const Mess
 
 CLI::Option* add_motion(CLI::App& app, HeadMotion& motion, const std::string& help) {
   std::vector<std::string> names;
-  for (const MotionInfo& info : all_motions()) names.emplace_back(info.name);
+  for (const motion::MotionInfo& info : motion::all_motions()) names.emplace_back(info.name);
   const std::string list = fmt::format("{}", fmt::join(names, ", "));
   const auto parse = [&motion, list](const std::string& word) {
-    if (const auto built_in = find_motion(word)) {
+    if (const auto built_in = motion::find_motion(word)) {
       motion = {*built_in};
     } else if (const auto clip = find_clip(word)) {
       motion.clip = clip;
@@ -177,15 +177,16 @@ CLI::Option* add_motion(CLI::App& app, HeadMotion& motion, const std::string& he
       ->type_name("NAME|CLIP[:NODE]");
 }
 
-void add_recording(CLI::App& app, RecordingSettings& recording, const std::string& what) {
+void add_recording(CLI::App& app, animation::RecordingSettings& recording, const std::string& what) {
   add_number(app, "--fps", recording.fps, 10.0, 1000.0, "Steps and frames per second");
   add_number(app, "--seconds", recording.seconds, 0.0, 3600.0, "Length of " + what);
 }
 
 std::string motion_help() {
   std::string text = "Motions:\n";
-  for (const MotionInfo& info : all_motions()) text += fmt::format("  {:<10}{}\n", info.name, info.description);
+  for (const motion::MotionInfo& info : motion::all_motions())
+    text += fmt::format("  {:<10}{}\n", info.name, info.description);
   return text;
 }
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::cli {
 
 enum class OutputFormat { kText, kJson };
 
@@ -162,9 +162,9 @@ struct ClipChoice {
 
 /// A clip as a movement of the head.
 struct HeadClip {
-  std::string name;                      ///< "walk.glb:head", printable.
-  std::shared_ptr<const HeadPath> path;  ///< Not null.
-  std::vector<ClipKey> keys;             ///< What it goes through.
+  std::string name;                              ///< "walk.glb:head", printable.
+  std::shared_ptr<const motion::HeadPath> path;  ///< Not null.
+  std::vector<motion::ClipKey> keys;             ///< What it goes through.
 };
 
 /// Reads it; `messages` gets what was taken otherwise than the file says. Errors: as read_clip().
@@ -172,7 +172,7 @@ struct HeadClip {
 
 /// A built-in motion or a clip.
 struct HeadMotion {
-  Motion motion = Motion::kStill;
+  motion::Motion motion = motion::Motion::kStill;
   std::optional<ClipChoice> clip{};  ///< Instead of `motion`.
 };
 
@@ -185,9 +185,9 @@ struct HeadMotion {
 CLI::Option* add_motion(CLI::App& app, HeadMotion& motion, const std::string& help);
 
 /// --fps and --seconds; `what` is recorded.
-void add_recording(CLI::App& app, RecordingSettings& recording, const std::string& what);
+void add_recording(CLI::App& app, animation::RecordingSettings& recording, const std::string& what);
 
 /// A paragraph with each motion and its figures, for --help.
 [[nodiscard]] std::string motion_help();
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -9,28 +9,28 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
-std::string root_text(const PatchListing& patch) {
+std::string root_text(const cook::PatchListing& patch) {
   if (patch.root.empty()) return patch.is_unsure ? "?" : "-";
   return patch.root + (patch.is_unsure ? " ?" : "");
 }
 
 /// "3+7": what was said of the patch in the recipe, if anything.
-std::string said_text(const PatchListing& patch) {
+std::string said_text(const cook::PatchListing& patch) {
   std::string text;
   for (const std::uint32_t o : patch.overrides) text += fmt::format("{}[{}]", text.empty() ? "" : " ", o);
   return text + (patch.kept ? "" : " left out");
 }
 
-std::string listing_text(const std::string& source, const std::vector<PatchListing>& patches) {
-  const auto unsure = std::ranges::count(patches, true, &PatchListing::is_unsure);
+std::string listing_text(const std::string& source, const std::vector<cook::PatchListing>& patches) {
+  const auto unsure = std::ranges::count(patches, true, &cook::PatchListing::is_unsure);
   std::string text = fmt::format("{}: {}, {} unsure where the root is (?)\n", source,
                                  counted(patches.size(), "patch", "patches"), unsure);
   text += fmt::format("{:>6} {:>9}  {:^22} {:^19} {:>6}  {:<9} {:<14} {}\n", "index", "triangles", "middle (m)",
                       "size (m)", "island", "root", "chain", "mesh, material, overrides");
-  for (const PatchListing& patch : patches) {
+  for (const cook::PatchListing& patch : patches) {
     const Eigen::Vector3d &m = patch.middle, &s = patch.size;
     text += fmt::format(
         "{:>6} {:>9}  {:>6.3f}, {:>6.3f}, {:>6.3f} {:>5.3f} x {:>5.3f} x {:>5.3f} {:>6}  {:<9} {:<14} {}, {} {}\n",
@@ -41,9 +41,9 @@ std::string listing_text(const std::string& source, const std::vector<PatchListi
   return text;
 }
 
-nlohmann::ordered_json listing_json(const std::string& source, const std::vector<PatchListing>& patches) {
+nlohmann::ordered_json listing_json(const std::string& source, const std::vector<cook::PatchListing>& patches) {
   auto list = nlohmann::ordered_json::array();
-  for (const PatchListing& patch : patches) {
+  for (const cook::PatchListing& patch : patches) {
     list.push_back({{"index", patch.number},
                     {"mesh", patch.mesh},
                     {"material", patch.material},
@@ -61,27 +61,27 @@ nlohmann::ordered_json listing_json(const std::string& source, const std::vector
 }
 
 /// The patches of the asset's finest level, by their numbers.
-std::vector<PatchLabel> labels_of(const Asset& asset, const ListedPatches& listed) {
-  std::vector<PatchLabel> labels;
+std::vector<render::PatchLabel> labels_of(const Asset& asset, const cook::ListedPatches& listed) {
+  std::vector<render::PatchLabel> labels;
   for (const PatchRecord& patch : asset.lod_patches(0)) {
-    const PatchListing& known = listed.patches[listed.number_of_place[patch.file_place]];
+    const cook::PatchListing& known = listed.patches[listed.number_of_place[patch.file_place]];
     labels.push_back({std::to_string(known.number) + (known.is_unsure ? "?" : ""), known.is_unsure});
   }
   return labels;
 }
 
-tl::expected<void, ToolError> draw_chart(const CookOptions& options, const CookResult& cooked) {
+tl::expected<void, ToolError> draw_chart(const CookOptions& options, const cook::CookResult& cooked) {
   const auto file = AssetFile::open(options.source(), FileBytes::copy(cooked.asset));
   if (!file) return tl::unexpected(file.error());
-  PatchChartSettings settings;
+  render::PatchChartSettings settings;
   settings.title = fmt::format("{}: patches by index; ? unsure where the root is",
                                printable_ascii(std::filesystem::path(options.source()).filename().string()));
   ProgressLine line(options.source());
-  const auto chart = render_patch_chart(file->asset(), labels_of(file->asset(), cooked.patches), settings,
-                                        [&line](const std::string& caption) { line.show(caption.c_str()); });
+  const auto chart = render::render_patch_chart(file->asset(), labels_of(file->asset(), cooked.patches), settings,
+                                                [&line](const std::string& caption) { line.show(caption.c_str()); });
   line.erase();
   if (!chart) return tl::unexpected(ToolError{chart.error().kind, options.source() + ": " + chart.error().message});
-  return write_png(options.output, chart->sheet);
+  return render::write_png(options.output, chart->sheet);
 }
 
 }  // namespace
@@ -111,4 +111,4 @@ tl::expected<Exit, ToolError> list_patches_of(const CookOptions& options, const 
   return Exit::kOk;
 }
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 constexpr Choice<ReportSubject> kSubjects[] = {
@@ -24,7 +24,7 @@ CLI::Option* add_list(CLI::App& app, const std::string& name, std::vector<Value>
 }
 
 void take_motion(const std::string& word, ReportOptions& options) {
-  if (const auto motion = find_motion(word)) {
+  if (const auto motion = motion::find_motion(word)) {
     options.accuracy.motions.push_back(*motion);
     return;
   }
@@ -47,7 +47,7 @@ CLI::Option* add_motions(CLI::App& app, ReportOptions& options) {
 
 void add_solvers(CLI::App& app, ReportOptions& options) {
   const auto parse = [&options](const std::vector<std::string>& words) {
-    const std::vector<std::string> known = report_solvers();
+    const std::vector<std::string> known = report::report_solvers();
     for (const std::string& word : words) {
       if (std::ranges::find(known, word) != known.end()) continue;
       throw CLI::ValidationError("--solver", fmt::format("'{}' is not one of {}", word, fmt::join(known, ", ")));
@@ -62,7 +62,7 @@ void add_solvers(CLI::App& app, ReportOptions& options) {
 }
 
 std::vector<const CLI::Option*> add_accuracy_options(CLI::App& app, ReportOptions& options) {
-  AccuracySettings& accuracy = options.accuracy;
+  report::AccuracySettings& accuracy = options.accuracy;
   return {add_motions(app, options),
           add_list(app, "--fps", accuracy.fps, "Frame rates, repeatable")
               ->check(CLI::Range(10.0, 1000.0))
@@ -94,10 +94,10 @@ std::vector<const CLI::Option*> add_cost_options(CLI::App& app, CostChoice& cost
               ->excludes(undrawn)};
 }
 
-std::vector<const CLI::Option*> add_order_options(CLI::App& app, OrderSettings& order) {
+std::vector<const CLI::Option*> add_order_options(CLI::App& app, report::OrderSettings& order) {
   return {
       app.add_option("--views", order.views, "Directions to look from")
-          ->check(CLI::Range(1u, kMostOrderViews))
+          ->check(CLI::Range(1u, report::kMostOrderViews))
           ->capture_default_str(),
       app.add_option("--orbit", order.orbit_frames, "Frames, a degree apart, in which popping is looked for; 0: none")
           ->check(CLI::Range(0u, 360u))
@@ -105,7 +105,7 @@ std::vector<const CLI::Option*> add_order_options(CLI::App& app, OrderSettings& 
       app.add_flag("!--no-modes", order.modes, "Leave out other ways to draw, opaque thresholds and distances")};
 }
 
-std::vector<const CLI::Option*> add_shadow_options(CLI::App& app, ShadowSettings& shadows) {
+std::vector<const CLI::Option*> add_shadow_options(CLI::App& app, report::ShadowSettings& shadows) {
   return {add_list(app, "--map-size", shadows.sizes, "Texels each way of a shadow's map, repeatable")
               ->check(CLI::Range(16u, 4096u))
               ->capture_default_str(),
@@ -181,4 +181,4 @@ tl::expected<void, ToolError> check_subject(const ReportOptions& options) {
   return has_pictures ? tl::expected<void, ToolError>{} : refuse({options.size_option}, "cost', 'order' or 'cards");
 }
 
-}  // namespace coif
+}  // namespace coif::cli

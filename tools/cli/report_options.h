@@ -15,11 +15,11 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cli {
 
 /// What `coif report cost` measures.
 struct CostChoice {
-  CostSettings simulation;                  ///< Its time is set from `seconds`.
+  report::CostSettings simulation;          ///< Its time is set from `seconds`.
   std::uint32_t width = 512, height = 384;  ///< Pixels of a drawn frame.
   bool draws = true;
   double seconds = 18;        ///< About, for all but the thesis's table, which takes as long again.
@@ -30,14 +30,14 @@ struct CostChoice {
 /// Simulation by tools/report and drawing by tools/render as one report. Hair that cannot be drawn, here or at all, is
 /// no error: the report says why. Errors: those of measure_cost(), and kBadInput for an asset with neither simulated
 /// bones nor a mesh.
-tl::expected<CostReport, ToolError> measure_all_cost(const Asset& asset, const CostChoice& choice,
-                                                     const ReportProgress& progress);
+tl::expected<report::CostReport, ToolError> measure_all_cost(const Asset& asset, const CostChoice& choice,
+                                                             const report::ReportProgress& progress);
 
 /// What `coif report cards` compares with.
 struct CardsChoice {
   std::string source;                 ///< The file of the strands.
   std::optional<std::string> recipe;  ///< None: what lies beside the source, or the defaults.
-  CardsSettings settings;             ///< But for what the recipe says.
+  report::CardsSettings settings;     ///< But for what the recipe says.
   SourceLimits limits;
 };
 
@@ -57,12 +57,12 @@ struct ReportOptions {
   std::string view;    ///< The page of `coif view` to write beside it and to link to; empty: none.
   std::string page;    ///< What that is made of; empty: as installed.
   OutputFormat format = OutputFormat::kText;
-  AccuracySettings accuracy;
+  report::AccuracySettings accuracy;
   std::optional<ClipChoice> clip;  ///< To be opened as accuracy.clip.
-  StabilitySettings stability;
-  CostChoice cost;      ///< But for the size of its pictures.
-  OrderSettings order;  ///< But for the size of its pictures, where one was asked for.
-  ShadowSettings shadows;
+  report::StabilitySettings stability;
+  CostChoice cost;              ///< But for the size of its pictures.
+  report::OrderSettings order;  ///< But for the size of its pictures, where one was asked for.
+  report::ShadowSettings shadows;
   CardsChoice cards;  ///< But for the size of its pictures, where one was asked for.
   PixelSize size{512, 384};
   std::vector<SubjectOptions> only;          ///< One for each subject that has options of its own.
@@ -75,4 +75,4 @@ void add_report_options(CLI::App& app, ReportOptions& options);
 /// Error (kUsage): an option that is not for this subject or this output.
 tl::expected<void, ToolError> check_subject(const ReportOptions& options);
 
-}  // namespace coif
+}  // namespace coif::cli

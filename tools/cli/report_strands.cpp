@@ -10,14 +10,15 @@
 
 #include <utility>
 
-namespace coif {
+namespace coif::cli {
 
 tl::expected<ReportStrands, ToolError> read_report_strands(const ReportOptions& options, const Messages& messages) {
   const std::string& source = options.cards.source;
-  if (!has_strand_suffix(source)) {
-    return usage(fmt::format("--source: {} is no file of strands; name one that is: {}", source, strand_suffixes()));
+  if (!groom::has_strand_suffix(source)) {
+    return usage(
+        fmt::format("--source: {} is no file of strands; name one that is: {}", source, groom::strand_suffixes()));
   }
-  CardsSettings settings = options.cards.settings;
+  report::CardsSettings settings = options.cards.settings;
   if (options.size_option->count() > 0) {
     if (options.size.width != options.size.height) return usage("--size: pictures of cards are as wide as high");
     settings.size = options.size.width;
@@ -32,10 +33,10 @@ tl::expected<ReportStrands, ToolError> read_report_strands(const ReportOptions& 
   settings.caps = float(choice->recipe.cards_caps);
   const auto bytes = FileBytes::read(source);
   if (!bytes) return tl::unexpected(bytes.error());
-  auto groom = read_groom(source, options.cards.limits.of_import(import_settings(choice->recipe, {}), messages));
+  auto groom = groom::read_groom(source, options.cards.limits.of_import(import_settings(choice->recipe, {}), messages));
   if (!groom) return tl::unexpected(groom.error());
   for (const std::string& warning : groom->warnings) messages.warning(source + ": " + warning);
   return ReportStrands{std::move(*groom), xxh64(bytes->span()), std::move(settings)};
 }
 
-}  // namespace coif
+}  // namespace coif::cli

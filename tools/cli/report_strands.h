@@ -9,13 +9,13 @@
 
 #include <cstdint>
 
-namespace coif {
+namespace coif::cli {
 
 /// What `coif report cards` compares with, and how.
 struct ReportStrands {
-  Groom groom;
-  std::uint64_t hash = 0;  ///< XXH64 of its file.
-  CardsSettings settings;  ///< Those asked for, with what the recipe says.
+  groom::Groom groom;
+  std::uint64_t hash = 0;          ///< XXH64 of its file.
+  report::CardsSettings settings;  ///< Those asked for, with what the recipe says.
 };
 
 /// Reads the strands as a cook with the recipe does. Errors: kUsage for a file that is of no format with strands or
@@ -23,4 +23,4 @@ struct ReportStrands {
 [[nodiscard]] tl::expected<ReportStrands, ToolError> read_report_strands(const ReportOptions& options,
                                                                          const Messages& messages);
 
-}  // namespace coif
+}  // namespace coif::cli

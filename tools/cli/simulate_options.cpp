@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::cli {
 
 CLI::Option* add_attitude(CLI::App& app, std::optional<Eigen::Vector3d>& attitude) {
   const auto parse = [&attitude](const std::string& text) {
@@ -28,7 +28,7 @@ CLI::Option* add_attitude(CLI::App& app, std::optional<Eigen::Vector3d>& attitud
           fmt::format(
               "Instead of a motion: within {:g} s the head turns, by the shortest way, until its up axis points in "
               "this direction, and stays there",
-              kAttitudeSeconds))
+              motion::kAttitudeSeconds))
       ->type_name("X,Y,Z");
 }
 
@@ -39,13 +39,14 @@ CLI::Option* add_scale(CLI::App& app, float& scale) {
 
 namespace {
 
-void add_lengths(CLI::App& app, FrameLengths& lengths) {
+void add_lengths(CLI::App& app, animation::FrameLengths& lengths) {
   const auto parse = [&lengths](const std::string& text) {
     const auto numbers = parse_numbers<double>(text);
-    const auto is_length = [](double s) { return s >= kShortestFrame && s <= kLongestFrame; };
+    const auto is_length = [](double s) { return s >= animation::kShortestFrame && s <= animation::kLongestFrame; };
     if (!numbers || !std::ranges::all_of(*numbers, is_length)) {
-      throw CLI::ValidationError("--frame-lengths", fmt::format("'{}' is not a list of seconds, {:g} to {:g} each",
-                                                                text, kShortestFrame, kLongestFrame));
+      throw CLI::ValidationError("--frame-lengths",
+                                 fmt::format("'{}' is not a list of seconds, {:g} to {:g} each", text,
+                                             animation::kShortestFrame, animation::kLongestFrame));
     }
     lengths.seconds = *numbers;
   };
@@ -56,15 +57,15 @@ void add_lengths(CLI::App& app, FrameLengths& lengths) {
       ->excludes("--fps");
 }
 
-void add_jitter(CLI::App& app, FrameLengths& lengths) {
+void add_jitter(CLI::App& app, animation::FrameLengths& lengths) {
   const auto parse = [&lengths](const std::string& text) {
     const std::string_view word = text;
     const std::size_t comma = std::min(word.find(','), word.size());
     const auto share = parse_number<double>(word.substr(0, comma));
     const auto seed = comma == word.size() ? lengths.seed : parse_number<std::uint32_t>(word.substr(comma + 1));
-    if (!share || !(*share >= 0 && *share <= kMostJitter) || !seed) {
-      throw CLI::ValidationError(
-          "--jitter", fmt::format("'{}' is not SHARE[,SEED]: 0 to {:g}, and a whole number", text, kMostJitter));
+    if (!share || !(*share >= 0 && *share <= animation::kMostJitter) || !seed) {
+      throw CLI::ValidationError("--jitter", fmt::format("'{}' is not SHARE[,SEED]: 0 to {:g}, and a whole number",
+                                                         text, animation::kMostJitter));
     }
     lengths.jitter = *share;
     lengths.seed = *seed;
@@ -79,17 +80,17 @@ void add_jitter(CLI::App& app, FrameLengths& lengths) {
 
 }  // namespace
 
-void add_frame_lengths(CLI::App& app, FrameLengths& lengths) {
+void add_frame_lengths(CLI::App& app, animation::FrameLengths& lengths) {
   add_lengths(app, lengths);
   add_jitter(app, lengths);
 }
 
-std::string pace_text(const RecordingSettings& recording) {
-  const FrameLengths& lengths = recording.lengths;
+std::string pace_text(const animation::RecordingSettings& recording) {
+  const animation::FrameLengths& lengths = recording.lengths;
   std::string text = fmt::format("{} per second", recording.fps);
   if (!lengths.seconds.empty()) text = fmt::format("{:g} seconds by turns", fmt::join(lengths.seconds, ", "));
   if (lengths.jitter > 0) text += fmt::format(", each up to {:g} % off (seed {})", 100 * lengths.jitter, lengths.seed);
   return text;
 }
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-namespace coif {
+namespace coif::cli {
 
 /// --attitude X,Y,Z: where the head's up axis points to once the head was turned.
 CLI::Option* add_attitude(CLI::App& app, std::optional<Eigen::Vector3d>& attitude);
@@ -19,9 +19,9 @@ CLI::Option* add_attitude(CLI::App& app, std::optional<Eigen::Vector3d>& attitud
 CLI::Option* add_scale(CLI::App& app, float& scale);
 
 /// --frame-lengths S[,S...] and --jitter SHARE[,SEED].
-void add_frame_lengths(CLI::App& app, FrameLengths& lengths);
+void add_frame_lengths(CLI::App& app, animation::FrameLengths& lengths);
 
 /// "60 per second", or how frames go by turns and at random.
-[[nodiscard]] std::string pace_text(const RecordingSettings& recording);
+[[nodiscard]] std::string pace_text(const animation::RecordingSettings& recording);
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <utility>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 /// Half an hour: a million triangles take minutes.
@@ -21,7 +21,7 @@ constexpr std::uint32_t kUsualSeconds = 1800;
 
 }  // namespace
 
-ImportSettings SourceLimits::of_import(ImportSettings settings, const Messages& messages) const {
+importer::ImportSettings SourceLimits::of_import(importer::ImportSettings settings, const Messages& messages) const {
   if (!requires_sandbox && tells_of_sandbox) tell_of_missing_sandbox(messages);
   settings.max_file_bytes = max_source_mb << 20;
   settings.max_memory_bytes = max_memory_mb << 20;
@@ -52,7 +52,7 @@ void tell_of_missing_sandbox(const Messages& messages) {
   static bool is_told = false;
   if (is_told) return;
   is_told = true;
-  const std::string missing = missing_sandbox();
+  const std::string missing = platform::missing_sandbox();
   if (missing.empty()) return;
   messages.warning(
       fmt::format("models are read without a full sandbox, since {}; take files from people you trust alone, or give "
@@ -66,13 +66,13 @@ namespace {
 /// Address space that a thread reserves for its stack and its share of the heap, used or not.
 constexpr std::uint64_t kBytesOfAThread = std::uint64_t{80} << 20;
 
-ChildLimits child_limits(const LimitedCall& call) {
+platform::ChildLimits child_limits(const LimitedCall& call) {
   const std::uint32_t whole = call.limits.max_seconds.value_or(kUsualSeconds);
   const std::uint32_t part = call.limits.max_pass_seconds.value_or(whole);
   const std::uint64_t threads = call.threads.count + 1;  // and the one that JobCall::stop() starts
   return {.memory_bytes = (call.limits.max_memory_mb << 20) + threads * kBytesOfAThread,
           .seconds = whole,
-          .part_seconds = part < whole ? part : ChildLimits::kForever};
+          .part_seconds = part < whole ? part : platform::ChildLimits::kForever};
 }
 
 ToolError too_slow(const LimitedCall& call, const std::string& part, bool is_of_part) {
@@ -100,11 +100,11 @@ ToolError not_started(const LimitedCall& call, int error) {
                       is_short ? "; nothing is wrong with the file: allow more open files ('ulimit -n')" : "")};
 }
 
-ToolError explain(const ChildResult& result, const LimitedCall& call, const std::string& part) {
+ToolError explain(const platform::ChildResult& result, const LimitedCall& call, const std::string& part) {
   switch (result.end) {
-    case ChildResult::End::kTooSlow: return too_slow(call, part, result.is_part);
-    case ChildResult::End::kOutOfMemory: return too_large(call, part);
-    case ChildResult::End::kNotStarted: return not_started(call, result.code);
+    case platform::ChildResult::End::kTooSlow: return too_slow(call, part, result.is_part);
+    case platform::ChildResult::End::kOutOfMemory: return too_large(call, part);
+    case platform::ChildResult::End::kNotStarted: return not_started(call, result.code);
     default: break;
   }
   return {ToolError::Kind::kInternal,
@@ -114,17 +114,18 @@ ToolError explain(const ChildResult& result, const LimitedCall& call, const std:
 
 }  // namespace
 
-tl::expected<Bytes, ToolError> run_within_limits(const Job& job, std::span<const std::uint8_t> request,
-                                                 const LimitedCall& call) {
+tl::expected<platform::Bytes, ToolError> run_within_limits(const platform::Job& job,
+                                                           std::span<const std::uint8_t> request,
+                                                           const LimitedCall& call) {
   std::string part = "import";
   const auto begin_part = [&](std::string_view name) {
     part = name;
     if (call.on_part) call.on_part(part.c_str());
   };
-  ChildResult result =
-      run_in_child(job, request, {ChildKind::kWorker, child_limits(call), call.threads.stop, begin_part});
-  if (result.end == ChildResult::End::kFinished) return std::move(result.output);
+  platform::ChildResult result = platform::run_in_child(
+      job, request, {platform::ChildKind::kWorker, child_limits(call), call.threads.stop, begin_part});
+  if (result.end == platform::ChildResult::End::kFinished) return std::move(result.output);
   return tl::unexpected(explain(result, call, part));
 }
 
-}  // namespace coif
+}  // namespace coif::cli

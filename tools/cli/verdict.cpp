@@ -13,24 +13,26 @@
 #include <cmath>
 #include <numbers>
 
-namespace coif {
+namespace coif::cli {
 namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json issue_list(const std::vector<Issue>& issues) {
+ordered_json issue_list(const std::vector<validate::Issue>& issues) {
   auto list = ordered_json::array();
-  for (const Issue& issue : issues) {
-    list.push_back(
-        {{"code", issue.code}, {"severity", name(issue.severity)}, {"message", issue.message}, {"where", issue.where}});
+  for (const validate::Issue& issue : issues) {
+    list.push_back({{"code", issue.code},
+                    {"severity", validate::name(issue.severity)},
+                    {"message", issue.message},
+                    {"where", issue.where}});
   }
   return list;
 }
 
-ordered_json folded_list(const std::vector<FoldedIssues>& folded) {
+ordered_json folded_list(const std::vector<validate::FoldedIssues>& folded) {
   auto list = ordered_json::array();
-  for (const FoldedIssues& more : folded) {
-    list.push_back({{"code", more.code}, {"severity", name(more.severity)}, {"count", more.count}});
+  for (const validate::FoldedIssues& more : folded) {
+    list.push_back({{"code", more.code}, {"severity", validate::name(more.severity)}, {"count", more.count}});
   }
   return list;
 }
@@ -45,7 +47,7 @@ const char* verdict_word(const Verdict& verdict) {
 std::string verdicts_json(const std::vector<Verdict>& verdicts) {
   auto files = ordered_json::array();
   for (const Verdict& verdict : verdicts) {
-    const JudgedIssues& issues = verdict.issues;
+    const validate::JudgedIssues& issues = verdict.issues;
     files.push_back({{"path", verdict.path},
                      {"valid", issues.valid()},
                      {"errors", issues.errors},
@@ -70,22 +72,22 @@ namespace {
 using nlohmann::ordered_json;
 
 std::string meaning(const std::string& code) {
-  const IssueCode* row = find_issue_code(code);
+  const validate::IssueCode* row = validate::find_issue_code(code);
   return row == nullptr ? "" : fmt::format("{} {}", row->meaning, row->cure);
 }
 
-ordered_json issue_rows(const JudgedIssues& issues) {
+ordered_json issue_rows(const validate::JudgedIssues& issues) {
   ordered_json rows = ordered_json::array();
-  for (const Issue& issue : issues.shown) {
+  for (const validate::Issue& issue : issues.shown) {
     rows.push_back({{"code", issue.code},
-                    {"severity", name(issue.severity)},
+                    {"severity", validate::name(issue.severity)},
                     {"where", issue.where},
                     {"message", issue.message},
                     {"meaning", meaning(issue.code)}});
   }
-  for (const FoldedIssues& more : issues.folded) {
+  for (const validate::FoldedIssues& more : issues.folded) {
     rows.push_back({{"code", more.code},
-                    {"severity", name(more.severity)},
+                    {"severity", validate::name(more.severity)},
                     {"where", ""},
                     {"message", fmt::format("{} more like this", more.count)},
                     {"meaning", ""}});
@@ -94,7 +96,7 @@ ordered_json issue_rows(const JudgedIssues& issues) {
 }
 
 ordered_json file_json(const Verdict& verdict) {
-  const JudgedIssues& issues = verdict.issues;
+  const validate::JudgedIssues& issues = verdict.issues;
   ordered_json pictures = ordered_json::array();
   for (const IssuePicture& picture : verdict.pictures.pictures) {
     const std::string caption = fmt::format("Patch {}, in red, from its own side.", picture.patch);
@@ -120,16 +122,16 @@ std::string verdict_page(std::span<const Verdict> verdicts) {
                       {"finding", fmt::format("{} of {} files are valid.", valid, verdicts.size())},
                       {"files", ordered_json::array()}};
   for (const Verdict& verdict : verdicts) report["files"].push_back(file_json(verdict));
-  return page_html(report, coif_validate_page);
+  return report::page_html(report, coif_validate_page);
 }
 
 namespace {
 
 constexpr std::size_t kMostPictures = 12;
 
-std::vector<std::uint32_t> patches_of(std::span<const Issue> issues) {
+std::vector<std::uint32_t> patches_of(std::span<const validate::Issue> issues) {
   std::vector<std::uint32_t> patches;
-  for (const Issue& issue : issues) {
+  for (const validate::Issue& issue : issues) {
     const bool known = issue.patch && std::ranges::find(patches, *issue.patch) != patches.end();
     if (issue.patch && !known && patches.size() < kMostPictures) patches.push_back(*issue.patch);
   }
@@ -144,8 +146,8 @@ Eigen::Vector3d middle_of(const Asset& asset, std::span<const std::uint32_t> cor
   return sum / double(corners.size());
 }
 
-PictureSettings look_at(const Asset& asset, std::uint32_t patch) {
-  PictureSettings settings;
+render::PictureSettings look_at(const Asset& asset, std::uint32_t patch) {
+  render::PictureSettings settings;
   settings.width = settings.height = 360;
   settings.patches = true;
   while (settings.lod + 1 < asset.stored_lods().size() && patch >= asset.stored_lods()[settings.lod + 1].first_patch)
@@ -163,11 +165,11 @@ PictureSettings look_at(const Asset& asset, std::uint32_t patch) {
 
 }  // namespace
 
-IssuePictures picture_issues(const Asset& asset, std::span<const Issue> issues) {
+IssuePictures picture_issues(const Asset& asset, std::span<const validate::Issue> issues) {
   IssuePictures result;
   const std::vector<std::uint32_t> patches = patches_of(issues);
   if (patches.empty()) return result;
-  auto maker = PictureMaker::create(asset);
+  auto maker = render::PictureMaker::create(asset);
   if (!maker) {
     result.why_none = maker.error().message;
     return result;
@@ -178,9 +180,9 @@ IssuePictures picture_issues(const Asset& asset, std::span<const Issue> issues) 
       result.why_none = picture.error().message;
       return result;
     }
-    result.pictures.push_back({patch, encode_png(*picture)});
+    result.pictures.push_back({patch, render::encode_png(*picture)});
   }
   return result;
 }
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cli {
 
 struct IssuePicture {
   std::uint32_t patch = 0;
@@ -27,13 +27,13 @@ struct IssuePictures {
 };
 
 /// Every patch that `issues` name, red among grey ones, seen from its own side.
-[[nodiscard]] IssuePictures picture_issues(const Asset& asset, std::span<const Issue> issues);
+[[nodiscard]] IssuePictures picture_issues(const Asset& asset, std::span<const validate::Issue> issues);
 
 /// What `coif validate` found out about one file.
 struct Verdict {
   std::string path;
   bool readable = true;
-  JudgedIssues issues;
+  validate::JudgedIssues issues;
   IssuePictures pictures;  ///< Where a page was asked for.
 };
 
@@ -46,4 +46,4 @@ struct Verdict {
 /// All verdicts as one HTML document: a table of each file's issues with their meaning and cure, and its pictures.
 [[nodiscard]] std::string verdict_page(std::span<const Verdict> verdicts);
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -4,7 +4,7 @@
 #include "render/camera.h"
 #include "view/view_page.h"
 
-namespace coif {
+namespace coif::cli {
 
 CLI::Option* add_page(CLI::App& app, std::string& page) {
   return app
@@ -16,7 +16,7 @@ CLI::Option* add_page(CLI::App& app, std::string& page) {
 tl::expected<AssetFile, ToolError> open_drawable(const std::string& path, FileBytes bytes) {
   auto file = AssetFile::open(path, std::move(bytes));
   if (!file) return file;
-  if (const auto drawable = check_drawable(file->asset()); !drawable) {
+  if (const auto drawable = render::check_drawable(file->asset()); !drawable) {
     return file_failure(drawable.error().kind, path, "{}", drawable.error().message);
   }
   return file;
@@ -25,14 +25,14 @@ tl::expected<AssetFile, ToolError> open_drawable(const std::string& path, FileBy
 tl::expected<std::string, ToolError> filled_page(const std::filesystem::path& place, std::string_view page,
                                                  const AssetFile& file, const std::string& path,
                                                  std::string_view sheet) {
-  auto text = view_page(page, file.bytes(), std::filesystem::path(path).filename().string(), sheet);
+  auto text = view::view_page(page, file.bytes(), std::filesystem::path(path).filename().string(), sheet);
   if (!text) return tl::unexpected(ToolError{text.error().kind, place.string() + ": " + text.error().message});
   return text;
 }
 
 tl::expected<std::string, ToolError> filled_page(const std::string& page, const AssetFile& file,
                                                  const std::string& path, std::string_view sheet) {
-  const auto place = find_view_page(page);
+  const auto place = view::find_view_page(page);
   if (!place) return tl::unexpected(place.error());
   const auto empty = FileBytes::read(*place);
   if (!empty) return tl::unexpected(empty.error());
@@ -40,4 +40,4 @@ tl::expected<std::string, ToolError> filled_page(const std::string& page, const 
                      sheet);
 }
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace coif {
+namespace coif::cli {
 
 inline constexpr const char* kPageSuffix = ".html";  ///< Of files that are opened in a browser.
 
@@ -30,4 +30,4 @@ CLI::Option* add_page(CLI::App& app, std::string& page);
 [[nodiscard]] tl::expected<std::string, ToolError> filled_page(const std::string& page, const AssetFile& file,
                                                                const std::string& path, std::string_view sheet = {});
 
-}  // namespace coif
+}  // namespace coif::cli

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::compare {
 namespace {
 
 using Eigen::Vector3d;
@@ -16,7 +16,7 @@ Vector3d rest_position(const Asset& asset, std::uint32_t vertex) {
 }
 
 /// How far skinning moves a vertex, head space; what a renderer draws less the place at rest.
-Vector3d displacement(const Asset& asset, const RecordedFrame& frame, std::uint32_t vertex) {
+Vector3d displacement(const Asset& asset, const animation::RecordedFrame& frame, std::uint32_t vertex) {
   const Vector3d rest = rest_position(asset, vertex);
   const SkinRecord& skin = asset.skin()[vertex];
   Vector3d skinned = Vector3d::Zero();
@@ -36,8 +36,8 @@ struct PointSums {
   Vector3d moved = Vector3d::Zero();
 };
 
-PointSums follow_point(const Asset& a, const Recording& in_a, std::uint32_t vertex_a, const Asset& b,
-                       const Recording& in_b, std::uint32_t vertex_b) {
+PointSums follow_point(const Asset& a, const animation::Recording& in_a, std::uint32_t vertex_a, const Asset& b,
+                       const animation::Recording& in_b, std::uint32_t vertex_b) {
   PointSums sums;
   for (std::size_t f = 0; f < in_a.frames.size(); ++f) {
     const Vector3d by_a = displacement(a, in_a.frames[f], vertex_a);
@@ -53,10 +53,10 @@ PointSums follow_point(const Asset& a, const Recording& in_a, std::uint32_t vert
 }  // namespace
 
 tl::expected<RigDifference, ToolError> compare_rigs(const Asset& a, const Asset& b, const SurfaceMatch& match,
-                                                    const RecordingSettings& settings) {
-  const auto in_a = record(a, settings);
+                                                    const animation::RecordingSettings& settings) {
+  const auto in_a = animation::record(a, settings);
   if (!in_a) return tl::unexpected(in_a.error());
-  const auto in_b = record(b, settings);
+  const auto in_b = animation::record(b, settings);
   if (!in_b) return tl::unexpected(in_b.error());
   const auto frames = double(in_a->frames.size());
   double difference2 = 0, moved2 = 0, swing2 = 0, worst2 = 0;
@@ -85,4 +85,4 @@ double hair_size(const Asset& asset) {
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
-}  // namespace coif
+}  // namespace coif::compare

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace coif {
+namespace coif::compare {
 
 /// Which points of two surfaces are the same.
 struct SurfaceMatch {
@@ -41,9 +41,9 @@ struct RigDifference {
 
 /// Simulates both with the same settings and compares frame by frame. Errors: those of record().
 tl::expected<RigDifference, ToolError> compare_rigs(const Asset& a, const Asset& b, const SurfaceMatch& match,
-                                                    const RecordingSettings& settings);
+                                                    const animation::RecordingSettings& settings);
 
 /// Diagonal of the box around the asset's hair at rest, metres.
 [[nodiscard]] double hair_size(const Asset& asset);
 
-}  // namespace coif
+}  // namespace coif::compare

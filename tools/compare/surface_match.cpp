@@ -11,7 +11,7 @@
 #include <numeric>
 #include <unordered_map>
 
-namespace coif {
+namespace coif::compare {
 namespace {
 
 using Eigen::Vector3d;
@@ -143,4 +143,4 @@ tl::expected<SurfaceMatch, ToolError> match_surfaces(const Asset& a, const Asset
   return match;
 }
 
-}  // namespace coif
+}  // namespace coif::compare

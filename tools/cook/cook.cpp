@@ -10,17 +10,18 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
-ProvenanceRecord provenance_of(const SourceModel& source, const Recipe& recipe, const CookSettings& settings) {
+ProvenanceRecord provenance_of(const importer::SourceModel& source, const Recipe& recipe,
+                               const CookSettings& settings) {
   ProvenanceRecord record = make_provenance(source, recipe_hash(recipe), settings.source_hash);
   if (settings.draft) record.flags |= kProvenanceDraft;
   return record;
 }
 
 /// The files that were read before textures were baked.
-CookInputs inputs_of(const SourceModel& source, const BaseColor& color, const Recipe& recipe,
+CookInputs inputs_of(const importer::SourceModel& source, const BaseColor& color, const Recipe& recipe,
                      const CookSettings& settings) {
   CookInputs inputs;
   inputs.source_files.assign(source.side_files.begin(), source.side_files.end());
@@ -69,7 +70,7 @@ ListedPatches patches_of(Drawn& drawn) {
 
 }  // namespace
 
-tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe& recipe,
+tl::expected<CookResult, ToolError> cook(const importer::SourceModel& source, const Recipe& recipe,
                                          const CookSettings& settings) {
   CookResult result;
   result.report.warnings = source.warnings;
@@ -79,7 +80,7 @@ tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe
   // What of the source is hair, of how many metres, and what it is coloured by.
   auto hair = find_hair(source, used, used, settings, log);
   if (!hair) return tl::unexpected(hair.error());
-  const SourceModel& model = hair->model(source);
+  const importer::SourceModel& model = hair->model(source);
   result.inputs = inputs_of(model, hair->color, used, settings);
 
   // Its strips, which way their strands run, and the head that it grows on.
@@ -107,4 +108,4 @@ tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe
   return result;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -15,7 +15,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// What a cook's result depends on beside the source's and the recipe's own bytes.
 struct CookInputs {
@@ -43,6 +43,7 @@ struct CookResult {
 
 /// Runs the five stages on a source model (cook/stages). Pure: same model, recipe and settings give the same bytes.
 /// Throws Stopped, and nothing else, where settings.threads.stop is requested.
-tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe& recipe, const CookSettings& settings);
+tl::expected<CookResult, ToolError> cook(const importer::SourceModel& source, const Recipe& recipe,
+                                         const CookSettings& settings);
 
-}  // namespace coif
+}  // namespace coif::cook

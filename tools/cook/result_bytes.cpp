@@ -6,7 +6,7 @@
 #include <iterator>
 #include <stdexcept>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using nlohmann::json;
@@ -158,4 +158,4 @@ CookResult decode_result(std::span<const std::uint8_t> bytes) {
   return result;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 // What a cook gave, as bytes: on its way from a child process, and in a cache. The documents go into MessagePack, whose
 // texts may hold any bytes, as names in artists' files do.
@@ -31,4 +31,4 @@ template <class Whole>
 /// What encode_result() made. Throws a std::exception for any other bytes.
 [[nodiscard]] CookResult decode_result(std::span<const std::uint8_t> bytes);
 
-}  // namespace coif
+}  // namespace coif::cook

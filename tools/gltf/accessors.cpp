@@ -10,7 +10,7 @@
 #include <span>
 #include <utility>
 
-namespace coif {
+namespace coif::gltf {
 namespace {
 
 using nlohmann::json;
@@ -202,4 +202,4 @@ tl::expected<std::vector<std::uint32_t>, std::string> read_gltf_indices(const js
                        [&](const json& entry) { return read_integers(buffers, entry, most, width); });
 }
 
-}  // namespace coif
+}  // namespace coif::gltf

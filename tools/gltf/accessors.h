@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::gltf {
 
 /// What an accessor has to be.
 struct NumbersWanted {
@@ -75,4 +75,4 @@ struct GltfElements {
                                                                          const nlohmann::json& accessor,
                                                                          std::size_t most);
 
-}  // namespace coif
+}  // namespace coif::gltf

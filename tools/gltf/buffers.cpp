@@ -14,7 +14,7 @@
 #include <string_view>
 #include <utility>
 
-namespace coif {
+namespace coif::gltf {
 namespace {
 
 namespace fs = std::filesystem;
@@ -181,4 +181,4 @@ tl::expected<GltfView, std::string> GltfBuffers::view(const json& index) {
   return GltfView{*bytes, *step};
 }
 
-}  // namespace coif
+}  // namespace coif::gltf

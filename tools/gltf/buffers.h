@@ -18,7 +18,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coif {
+namespace coif::gltf {
 
 inline constexpr std::size_t kMostBufferBytes = std::size_t{1} << 30;
 
@@ -74,4 +74,4 @@ class GltfBuffers {
 [[nodiscard]] tl::expected<std::vector<std::byte>, std::string> decompress_meshopt(const nlohmann::json& compression,
                                                                                    std::span<const std::byte> bytes);
 
-}  // namespace coif
+}  // namespace coif::gltf

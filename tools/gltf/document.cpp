@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace coif {
+namespace coif::gltf {
 namespace {
 
 using nlohmann::json;
@@ -88,4 +88,4 @@ std::optional<Eigen::Vector3d> vector_of(const json& value) {
   return out;
 }
 
-}  // namespace coif
+}  // namespace coif::gltf

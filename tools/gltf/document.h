@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::gltf {
 
 /// What is wrong, as a sentence without the file's name.
 template <class... Args>
@@ -34,4 +34,4 @@ template <class... Args>
 /// Three finite numbers as a list [x, y, z] or as an object with members x, y and z.
 [[nodiscard]] std::optional<Eigen::Vector3d> vector_of(const nlohmann::json& value);
 
-}  // namespace coif
+}  // namespace coif::gltf

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <utility>
 
-namespace coif {
+namespace coif::gltf {
 namespace {
 
 std::uint32_t component_type(draco::DataType type) {
@@ -87,4 +87,4 @@ tl::expected<std::vector<std::uint32_t>, std::string> DracoMesh::integers(std::u
   return out;
 }
 
-}  // namespace coif
+}  // namespace coif::gltf

@@ -17,7 +17,7 @@ namespace draco {
 class Mesh;
 }
 
-namespace coif {
+namespace coif::gltf {
 
 class DracoMesh {
  public:
@@ -41,4 +41,4 @@ class DracoMesh {
   std::unique_ptr<draco::Mesh> mesh_;
 };
 
-}  // namespace coif
+}  // namespace coif::gltf

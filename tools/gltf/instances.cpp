@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace coif {
+namespace coif::gltf {
 namespace {
 
 constexpr const char* kInstanceAttributes[] = {"TRANSLATION", "ROTATION", "SCALE"};
@@ -52,4 +52,4 @@ tl::expected<std::vector<Eigen::Affine3d>, std::string> read_gltf_instances(cons
   return out;
 }
 
-}  // namespace coif
+}  // namespace coif::gltf

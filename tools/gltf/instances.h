@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::gltf {
 
 inline constexpr std::size_t kMostInstances = 65536;
 
@@ -20,4 +20,4 @@ inline constexpr std::size_t kMostInstances = 65536;
 [[nodiscard]] tl::expected<std::vector<Eigen::Affine3d>, std::string> read_gltf_instances(
     const nlohmann::json& document, GltfBuffers& buffers, const nlohmann::json& node);
 
-}  // namespace coif
+}  // namespace coif::gltf

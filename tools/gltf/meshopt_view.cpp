@@ -6,7 +6,7 @@
 
 #include <cstring>
 
-namespace coif {
+namespace coif::gltf {
 namespace {
 
 using nlohmann::json;
@@ -73,4 +73,4 @@ Bytes decompress_meshopt(const json& compression, std::span<const std::byte> byt
   return out;
 }
 
-}  // namespace coif
+}  // namespace coif::gltf

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-namespace coif {
+namespace coif::gltf {
 namespace {
 
 using nlohmann::json;
@@ -220,4 +220,4 @@ tl::expected<GltfPrimitive, std::string> read_gltf_primitive(const json& documen
   return PrimitiveReader(document, buffers, primitive).read(uv_set, morph_weights);
 }
 
-}  // namespace coif
+}  // namespace coif::gltf

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::gltf {
 
 inline constexpr std::size_t kMostPrimitiveVertices = std::size_t{1} << 25;
 
@@ -45,4 +45,4 @@ struct GltfPrimitive {
                                                                            std::uint32_t uv_set,
                                                                            std::span<const double> morph_weights);
 
-}  // namespace coif
+}  // namespace coif::gltf

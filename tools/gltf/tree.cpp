@@ -7,7 +7,7 @@
 
 #include <utility>
 
-namespace coif {
+namespace coif::gltf {
 namespace {
 
 using nlohmann::json;
@@ -130,4 +130,4 @@ std::vector<GltfSceneNode> gltf_scene_nodes(const json& document, const Eigen::A
   return out;
 }
 
-}  // namespace coif
+}  // namespace coif::gltf

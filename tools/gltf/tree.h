@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coif {
+namespace coif::gltf {
 
 /// A node's place in its parent, as its translation, rotation and scale or as a matrix.
 struct GltfPlace {
@@ -66,4 +66,4 @@ struct GltfSceneNode {
 [[nodiscard]] std::vector<GltfSceneNode> gltf_scene_nodes(
     const nlohmann::json& document, const Eigen::Affine3d& model_from_file = Eigen::Affine3d::Identity());
 
-}  // namespace coif
+}  // namespace coif::gltf

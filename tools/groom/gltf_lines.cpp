@@ -15,19 +15,19 @@
 #include <numeric>
 #include <utility>
 
-namespace coif {
+namespace coif::groom {
 namespace {
 
 using nlohmann::json;
 
 class LineScene {
  public:
-  LineScene(const json& document, GltfBuffers& buffers, Groom& groom)
+  LineScene(const json& document, gltf::GltfBuffers& buffers, Groom& groom)
       : document_(document), buffers_(buffers), builder_(groom), nodes_(list_of(member(document, "nodes"))) {}
 
   /// Of the scene's nodes, but for hidden ones.
   std::string read() {
-    for (const GltfSceneNode& entry : gltf_scene_nodes(document_)) {
+    for (const gltf::GltfSceneNode& entry : gltf::gltf_scene_nodes(document_)) {
       if (entry.is_hidden) continue;
       const std::string fault = read_mesh(nodes_[entry.in_file], entry.model_from_node);
       if (!fault.empty()) return fmt::format("node {}: {}", entry.in_file, fault);
@@ -43,18 +43,19 @@ class LineScene {
     std::string name = printable_text_of(member(node, "name"));
     builder_.begin_group(name.empty() ? printable_text_of(member(meshes[*mesh], "name")) : std::move(name));
     for (const json& primitive : list_of(member(meshes[*mesh], "primitives"))) {
-      const auto kind = gltf_mode(primitive);
-      if (kind != GltfMode::kLines && kind != GltfMode::kLineLoop && kind != GltfMode::kLineStrip) continue;
+      const auto kind = gltf::gltf_mode(primitive);
+      if (kind != gltf::GltfMode::kLines && kind != gltf::GltfMode::kLineLoop && kind != gltf::GltfMode::kLineStrip)
+        continue;
       if (std::string fault = read_lines(primitive, *kind, placed); !fault.empty())
         return fmt::format("mesh {}: {}", *mesh, fault);
     }
     return {};
   }
 
-  std::string read_lines(const json& primitive, GltfMode mode, const Eigen::Affine3d& placed) {
-    const auto numbers =
-        read_gltf_numbers(document_, buffers_, member(member(primitive, "attributes"), "POSITION"),
-                          {.type = "VEC3", .width = 3, .most_elements = kMostStrandPoints, .may_be_quantized = true});
+  std::string read_lines(const json& primitive, gltf::GltfMode mode, const Eigen::Affine3d& placed) {
+    const auto numbers = gltf::read_gltf_numbers(
+        document_, buffers_, member(member(primitive, "attributes"), "POSITION"),
+        {.type = "VEC3", .width = 3, .most_elements = kMostStrandPoints, .may_be_quantized = true});
     if (!numbers) return numbers.error();
     std::vector<Eigen::Vector3f> places(numbers->size() / 3);
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -63,7 +64,7 @@ class LineScene {
     std::vector<std::uint32_t> indices(places.size());
     std::iota(indices.begin(), indices.end(), 0u);
     if (!member(primitive, "indices").is_null()) {
-      auto listed = read_gltf_indices(document_, buffers_, member(primitive, "indices"), kMostStrandPoints);
+      auto listed = gltf::read_gltf_indices(document_, buffers_, member(primitive, "indices"), kMostStrandPoints);
       if (!listed) return listed.error();
       indices = std::move(*listed);
     }
@@ -73,10 +74,10 @@ class LineScene {
     return {};
   }
 
-  void add(GltfMode mode, std::vector<std::uint32_t>& indices, const std::vector<Eigen::Vector3f>& places) {
+  void add(gltf::GltfMode mode, std::vector<std::uint32_t>& indices, const std::vector<Eigen::Vector3f>& places) {
     VertexLines lines;
-    if (mode == GltfMode::kLineLoop && !indices.empty()) indices.push_back(indices.front());
-    if (mode == GltfMode::kLines) {
+    if (mode == gltf::GltfMode::kLineLoop && !indices.empty()) indices.push_back(indices.front());
+    if (mode == gltf::GltfMode::kLines) {
       for (std::size_t i = 0; i + 1 < indices.size(); i += 2) lines.add(std::span(indices).subspan(i, 2));
       weld(lines, places);
     } else if (indices.size() > 1) {
@@ -84,7 +85,7 @@ class LineScene {
     }
     std::vector<Eigen::Vector3f> points;
     const VertexLines strands =
-        mode == GltfMode::kLines ? joined_lines(lines, places.size()).strands : std::move(lines);
+        mode == gltf::GltfMode::kLines ? joined_lines(lines, places.size()).strands : std::move(lines);
     for (std::size_t i = 0; i < strands.count(); ++i) {
       points.clear();
       for (const std::uint32_t v : strands.line(i)) points.push_back(places[v]);
@@ -103,7 +104,7 @@ class LineScene {
   }
 
   const json& document_;
-  GltfBuffers& buffers_;
+  gltf::GltfBuffers& buffers_;
   GroomBuilder builder_;
   const json& nodes_;
 };
@@ -112,19 +113,19 @@ class LineScene {
 
 tl::expected<Groom, std::string> read_gltf_lines(const std::filesystem::path& path,
                                                  std::span<const std::filesystem::path> roots) {
-  const auto document = read_gltf_json(path);
+  const auto document = gltf::read_gltf_json(path);
   if (!document) return tl::unexpected(document.error());
   Groom groom;
   groom.format = "glTF 2.0";
-  groom.space.unit = Statement::kDeclared;
+  groom.space.unit = importer::Statement::kDeclared;
   groom.space.unit_words = "glTF is in metres";
-  groom.space.up = Statement::kDeclared;
+  groom.space.up = importer::Statement::kDeclared;
   groom.space.up_words = "glTF has Y up";
-  GltfBuffers buffers(path, *document, roots);
+  gltf::GltfBuffers buffers(path, *document, roots);
   if (std::string fault = LineScene(*document, buffers, groom).read(); !fault.empty())
     return tl::unexpected(std::move(fault));
-  warn_of_respelled(buffers.respelled(), groom.warnings);
+  importer::warn_of_respelled(buffers.respelled(), groom.warnings);
   return groom;
 }
 
-}  // namespace coif
+}  // namespace coif::groom

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace coif {
+namespace coif::groom {
 namespace {
 
 // The file's unit is not known to be right: a groom in centimetres is a hundred times as large. Beyond this it is
@@ -65,7 +65,9 @@ std::string groups_fault(const Groom& groom) {
 }
 
 void warn_of(std::size_t count, const char* what, std::vector<Warning>& warnings) {
-  if (count != 0) warn(warnings, source_code::kStrands, "{} left out: {}", counted(count, "strand", "strands"), what);
+  if (count != 0)
+    importer::warn(warnings, importer::source_code::kStrands, "{} left out: {}", counted(count, "strand", "strands"),
+                   what);
 }
 
 }  // namespace
@@ -127,4 +129,4 @@ std::string GroomBuilder::finish() {
   return groom_.strand_count() == 0 ? "no strand that could be used; export curves as polylines" : "";
 }
 
-}  // namespace coif
+}  // namespace coif::groom

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::groom {
 
 inline constexpr std::size_t kMostStrands = std::size_t{1} << 20;       ///< A head has some 100,000.
 inline constexpr std::size_t kMostStrandPoints = std::size_t{1} << 26;  ///< Of all strands together.
@@ -39,7 +39,7 @@ struct Groom {
   std::vector<StrandGroup> groups;
   std::uint32_t follow_hairs = 0;  ///< That the file asks for beside each strand; none of them is here.
   bool root_first = false;         ///< By the format's definition. Else either end of a strand may be its root.
-  SourceSpace space;
+  importer::SourceSpace space;
   std::vector<Warning> warnings;  ///< What was repaired or dropped, one sentence each.
 
   [[nodiscard]] std::size_t strand_count() const { return begin.empty() ? 0 : begin.size() - 1; }
@@ -85,4 +85,4 @@ class GroomBuilder {
   bool too_many_ = false;
 };
 
-}  // namespace coif
+}  // namespace coif::groom

@@ -2,7 +2,7 @@
 
 #include "import/stream_parts.h"
 
-namespace coif {
+namespace coif::groom {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x31524847u;
@@ -16,18 +16,19 @@ constexpr auto transfer_groom = [](auto& archive, auto& groom) {
   return archive.sequence(groom.path) && archive.sequence(groom.format) && archive.sequence(groom.points) &&
          archive.sequence(groom.begin) && archive.sequence(groom.widths) && archive.sequence(groom.colors) &&
          archive.sequence(groom.opacities) && archive.list(groom.groups, kCount + 8, transfer_group) &&
-         archive.plain(groom.follow_hairs) && transfer_flag(archive, groom.root_first) &&
-         transfer_space(archive, groom.space) && archive.list(groom.warnings, 2 * kCount, transfer_warning);
+         archive.plain(groom.follow_hairs) && importer::transfer_flag(archive, groom.root_first) &&
+         importer::transfer_space(archive, groom.space) &&
+         archive.list(groom.warnings, 2 * kCount, importer::transfer_warning);
 };
 
 }  // namespace
 
 std::vector<std::uint8_t> encode_groom(const GroomOutcome& outcome) {
-  return encode_framed(kMagic, outcome, transfer_groom);
+  return importer::encode_framed(kMagic, outcome, transfer_groom);
 }
 
 bool decode_groom(std::span<const std::uint8_t> bytes, GroomOutcome& outcome) {
-  return decode_framed(kMagic, bytes, outcome, transfer_groom, find_groom_fault);
+  return importer::decode_framed(kMagic, bytes, outcome, transfer_groom, find_groom_fault);
 }
 
-}  // namespace coif
+}  // namespace coif::groom

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::groom {
 
 using GroomOutcome = tl::expected<Groom, ToolError>;
 
@@ -20,4 +20,4 @@ using GroomOutcome = tl::expected<Groom, ToolError>;
 /// groom.h. Allocates at most a small multiple of the bytes given.
 [[nodiscard]] bool decode_groom(std::span<const std::uint8_t> bytes, GroomOutcome& outcome);
 
-}  // namespace coif
+}  // namespace coif::groom

@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-namespace coif {
+namespace coif::groom {
 namespace {
 
 using HairBytes = std::span<const std::byte>;
@@ -84,8 +84,8 @@ struct PointArrays {
       for (int k = 0; k < 3; ++k) limit(color[k], 1);
     }
     if (bad != 0)
-      warn(warnings, source_code::kStrands,
-           "{} thicknesses, transparencies or colours out of their range set to its end", bad);
+      importer::warn(warnings, importer::source_code::kStrands,
+                     "{} thicknesses, transparencies or colours out of their range set to its end", bad);
   }
 
   [[nodiscard]] GroomBuilder::Attributes of(std::size_t begin, std::size_t count) const {
@@ -141,9 +141,9 @@ tl::expected<Groom, std::string> read_hair_file(HairBytes bytes) {
   groom.format = "HAIR";
   groom.root_first = true;
   groom.space.up_axis = 'z';
-  groom.space.up = Statement::kUsual;
+  groom.space.up = importer::Statement::kUsual;
   groom.space.up_words = "files of this format mostly have Z up";
-  groom.space.unit = Statement::kUnsaid;
+  groom.space.unit = importer::Statement::kUnsaid;
   groom.space.unit_words = "the format has no unit";
   values.tidy(header, groom.warnings);
   GroomBuilder builder(groom);
@@ -156,4 +156,4 @@ tl::expected<Groom, std::string> read_hair_file(HairBytes bytes) {
   return groom;
 }
 
-}  // namespace coif
+}  // namespace coif::groom

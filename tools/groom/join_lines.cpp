@@ -3,7 +3,7 @@
 #include <array>
 #include <limits>
 
-namespace coif {
+namespace coif::groom {
 namespace {
 
 constexpr std::uint32_t kNothing = std::numeric_limits<std::uint32_t>::max();
@@ -92,4 +92,4 @@ JoinedLines joined_lines(const VertexLines& lines, std::size_t vertex_count) {
   return Joiner(lines, vertex_count).join();
 }
 
-}  // namespace coif
+}  // namespace coif::groom

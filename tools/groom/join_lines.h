@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::groom {
 
 /// Lines of a document as lists of its vertices, one after the other.
 struct VertexLines {
@@ -32,4 +32,4 @@ struct JoinedLines {
 /// first line does. Lines have two vertices or more, each below `vertex_count`.
 [[nodiscard]] JoinedLines joined_lines(const VertexLines& lines, std::size_t vertex_count);
 
-}  // namespace coif
+}  // namespace coif::groom

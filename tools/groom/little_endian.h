@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::groom {
 
 /// The number at a place that is known to be in the file.
 template <class Number>
@@ -36,4 +36,4 @@ template <class Number>
   return numbers;
 }
 
-}  // namespace coif
+}  // namespace coif::groom

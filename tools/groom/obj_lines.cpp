@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-namespace coif {
+namespace coif::groom {
 namespace {
 
 constexpr std::size_t kMostVertices = kMostStrandPoints;
@@ -142,13 +142,13 @@ tl::expected<Groom, std::string> read_obj_lines(std::string_view text) {
   if (auto read = document.read(text); !read) return tl::unexpected(read.error());
   Groom groom;
   groom.format = "Wavefront OBJ";
-  groom.space.up = Statement::kUnsaid;
+  groom.space.up = importer::Statement::kUnsaid;
   groom.space.up_words = "OBJ says nothing of its axes";
-  groom.space.unit = Statement::kUnsaid;
+  groom.space.unit = importer::Statement::kUnsaid;
   groom.space.unit_words = "OBJ has no unit";
   GroomBuilder builder(groom);
   const JoinedLines joined = joined_lines(document.lines(), document.vertices().size());
-  std::uint32_t part = kNoIndex;
+  std::uint32_t part = importer::kNoIndex;
   std::vector<Eigen::Vector3f> points;
   for (std::size_t i = 0; i < joined.strands.count(); ++i) {
     if (document.part_of(joined.first_line[i]) != part) {
@@ -163,4 +163,4 @@ tl::expected<Groom, std::string> read_obj_lines(std::string_view text) {
   return groom;
 }
 
-}  // namespace coif
+}  // namespace coif::groom

@@ -14,7 +14,7 @@
 #include <new>
 #include <optional>
 
-namespace coif {
+namespace coif::groom {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,27 +54,31 @@ const StrandFormat* format_of(const fs::path& path) {
   return found == std::end(kFormats) ? nullptr : found;
 }
 
-UpAxis axis_of(char letter) { return letter == 'x' ? UpAxis::kX : letter == 'z' ? UpAxis::kZ : UpAxis::kY; }
+importer::UpAxis axis_of(char letter) {
+  return letter == 'x' ? importer::UpAxis::kX : letter == 'z' ? importer::UpAxis::kZ : importer::UpAxis::kY;
+}
 
 /// From the file's unit and axes to metres, Y up.
-void place(Groom& groom, const ImportSettings& settings) {
+void place(Groom& groom, const importer::ImportSettings& settings) {
   if (settings.metres_per_unit) {
     groom.space.metres_per_unit = *settings.metres_per_unit;
-    groom.space.unit = Statement::kGiven;
+    groom.space.unit = importer::Statement::kGiven;
     groom.space.unit_words = "the caller";
   }
   if (settings.up_axis) {
-    groom.space.up_axis = *settings.up_axis == UpAxis::kX ? 'x' : *settings.up_axis == UpAxis::kY ? 'y' : 'z';
-    groom.space.up = Statement::kGiven;
+    groom.space.up_axis = *settings.up_axis == importer::UpAxis::kX   ? 'x'
+                          : *settings.up_axis == importer::UpAxis::kY ? 'y'
+                                                                      : 'z';
+    groom.space.up = importer::Statement::kGiven;
     groom.space.up_words = "the caller";
   }
   const auto scale = float(groom.space.metres_per_unit);
-  const Eigen::Matrix3f turn = y_up_from(axis_of(groom.space.up_axis)).cast<float>();
+  const Eigen::Matrix3f turn = importer::y_up_from(axis_of(groom.space.up_axis)).cast<float>();
   for (Eigen::Vector3f& point : groom.points) point = scale * (turn * point);
   for (float& width : groom.widths) width *= scale;
 }
 
-GroomOutcome read_here(const fs::path& path, const StrandFormat& format, const ImportSettings& settings) {
+GroomOutcome read_here(const fs::path& path, const StrandFormat& format, const importer::ImportSettings& settings) {
   auto groom = format.read(path, settings.roots);
   if (!groom) {
     return file_failure(ToolError::Kind::kBadInput, path, "cannot be read as {}: {}", format.name, groom.error());
@@ -88,24 +92,25 @@ GroomOutcome read_here(const fs::path& path, const StrandFormat& format, const I
 }
 
 /// Their suffix is one of kFormats.
-const Job kReadStrands("read strands", [](const JobCall& call) {
-  return answer_read(call, [](const fs::path& path, const ImportSettings& settings) {
+const platform::Job kReadStrands("read strands", [](const platform::JobCall& call) {
+  return importer::answer_read(call, [](const fs::path& path, const importer::ImportSettings& settings) {
     return encode_groom(read_here(path, *format_of(path), settings));
   });
 });
 
-tl::expected<Groom, ToolError> read_checked(const fs::path& path, const ImportSettings& settings) {
-  if (auto checked = check_readable(path, settings.max_file_bytes); !checked) return tl::unexpected(checked.error());
+tl::expected<Groom, ToolError> read_checked(const fs::path& path, const importer::ImportSettings& settings) {
+  if (auto checked = importer::check_readable(path, settings.max_file_bytes); !checked)
+    return tl::unexpected(checked.error());
   const StrandFormat* const format = format_of(path);
   if (format == nullptr) {
     return file_failure(ToolError::Kind::kUnsupported, path,
                         "'{}' holds no strands that can be read; export as one of {}", path.extension().string(),
                         strand_suffixes());
   }
-  const auto answer = read_in_child(kReadStrands, path, settings);
+  const auto answer = importer::read_in_child(kReadStrands, path, settings);
   if (!answer) return tl::unexpected(answer.error());
   GroomOutcome outcome;
-  if (!decode_groom(*answer, outcome)) return senseless_answer(path);
+  if (!decode_groom(*answer, outcome)) return importer::senseless_answer(path);
   return outcome;
 }
 
@@ -119,14 +124,14 @@ std::string strand_suffixes() {
   return list;
 }
 
-tl::expected<Groom, ToolError> read_groom(const fs::path& path, const ImportSettings& settings) try {
+tl::expected<Groom, ToolError> read_groom(const fs::path& path, const importer::ImportSettings& settings) try {
   return read_checked(path, settings);
 } catch (const std::bad_alloc&) {
   return file_failure(ToolError::Kind::kBadInput, path, "not enough memory for these strands");
-} catch (const Stopped&) {
+} catch (const platform::Stopped&) {
   throw;
 } catch (const std::exception& thrown) {
   return file_failure(ToolError::Kind::kInternal, path, "{}", thrown.what());
 }
 
-}  // namespace coif
+}  // namespace coif::groom

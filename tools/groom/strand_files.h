@@ -15,7 +15,7 @@
 #include <string>
 #include <string_view>
 
-namespace coif {
+namespace coif::groom {
 
 /// Cem Yuksel's .hair. Source: Yuksel, "HAIR File Format", www.cemyuksel.com/research/hairmodels: a header of 128
 /// bytes, then the arrays that its bits announce: segments of each strand, points, thickness, transparency, colour.
@@ -34,4 +34,4 @@ namespace coif {
 [[nodiscard]] tl::expected<Groom, std::string> read_gltf_lines(const std::filesystem::path& path,
                                                                std::span<const std::filesystem::path> roots);
 
-}  // namespace coif
+}  // namespace coif::groom

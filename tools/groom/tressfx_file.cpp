@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::groom {
 namespace {
 
 using TfxBytes = std::span<const std::byte>;
@@ -83,9 +83,9 @@ tl::expected<Groom, std::string> read_tressfx(TfxBytes bytes) {
   groom.format = fmt::format("TressFX {:.1f}", header->version);
   groom.root_first = true;
   groom.follow_hairs = header->follow_hairs;
-  groom.space.up = Statement::kUsual;
+  groom.space.up = importer::Statement::kUsual;
   groom.space.up_words = "files of this format mostly have Y up";
-  groom.space.unit = Statement::kUnsaid;
+  groom.space.unit = importer::Statement::kUnsaid;
   groom.space.unit_words = "the format has no unit";
   const std::vector<Eigen::Vector3f> all_colors = tfx_colors(*colors);
   std::vector<Eigen::Vector3f> points(header->points_of_strand);
@@ -108,4 +108,4 @@ tl::expected<Groom, std::string> read_tressfx(TfxBytes bytes) {
   return groom;
 }
 
-}  // namespace coif
+}  // namespace coif::groom

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <limits>
 
-namespace coif {
+namespace coif::groom {
 namespace {
 
 /// Numbers one after the other, as this machine has them.
@@ -96,4 +96,4 @@ tl::expected<std::vector<std::byte>, ToolError> encode_strands(const Groom& groo
   });
 }
 
-}  // namespace coif
+}  // namespace coif::groom

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::groom {
 
 /// As Cem Yuksel's .hair (strand_files.h), with all that the strands have; Z up, as such files mostly are, in metres.
 /// The error is a sentence without the file's name: a strand of more segments than the format counts.
@@ -23,4 +23,4 @@ namespace coif {
 [[nodiscard]] tl::expected<std::vector<std::byte>, ToolError> encode_strands(const Groom& groom,
                                                                              const std::filesystem::path& path);
 
-}  // namespace coif
+}  // namespace coif::groom

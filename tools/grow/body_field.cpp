@@ -14,7 +14,8 @@ constexpr float kMostSamples = 3e6f;
 
 }  // namespace
 
-BodyField::BodyField(const BodySurface& surface, const Eigen::AlignedBox3f& box, float spacing, const Threads& threads)
+BodyField::BodyField(const BodySurface& surface, const Eigen::AlignedBox3f& box, float spacing,
+                     const platform::Threads& threads)
     : low_(box.min()), spacing_(std::max(spacing, std::cbrt(box.volume() / kMostSamples))) {
   for (std::size_t k = 0; k < 3; ++k) size_[k] = int(std::ceil(box.sizes()[int(k)] / spacing_)) + 2;
   samples_.resize(std::size_t(size_[0]) * std::size_t(size_[1]) * std::size_t(size_[2]));

@@ -15,7 +15,8 @@ namespace coif::grow {
 class BodyField {
  public:
   /// In `box`, every `spacing` metres, more where that were too many samples. Repeats, whatever `threads` is.
-  BodyField(const BodySurface& surface, const Eigen::AlignedBox3f& box, float spacing, const Threads& threads);
+  BodyField(const BodySurface& surface, const Eigen::AlignedBox3f& box, float spacing,
+            const platform::Threads& threads);
 
   /// Metres from the surface, negative inside; beyond the box that of the nearest place in it and the way there.
   [[nodiscard]] float distance(const Eigen::Vector3f& point) const;

@@ -77,7 +77,7 @@ void BodySurface::build(std::uint32_t node) {
 
 float BodySurface::squared_distance_to(const Vector3f& point, std::size_t triangle) const {
   const auto at = [&](std::size_t k) -> Eigen::Vector3d { return corner(triangle, k).cast<double>(); };
-  return float(squared_distance(point.cast<double>(), at(0), at(1), at(2)));
+  return float(cook::squared_distance(point.cast<double>(), at(0), at(1), at(2)));
 }
 
 std::uint32_t BodySurface::search(const Vector3f& point, float& least) const {

@@ -23,7 +23,7 @@ Vector3f along(const Vector3f& way, const Vector3f& normal) { return way - way.d
 
 }  // namespace
 
-Flow::Flow(const HairStyle& style, const HeadFrame& head)
+Flow::Flow(const cook::HairStyle& style, const HeadFrame& head)
     : style_(style), head_(head), crown_(direction_at(180, 90 - float(style.grow_crown))) {
   const auto azimuth = float(style.grow_parting.value_or(0));
   const Vector3f front = direction_at(azimuth, float(style.grow_hairline_front));

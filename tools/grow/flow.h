@@ -12,7 +12,7 @@ namespace coif::grow {
 /// Which way hair is combed where it lies on the head.
 class Flow {
  public:
-  Flow(const HairStyle& style, const HeadFrame& head);
+  Flow(const cook::HairStyle& style, const HeadFrame& head);
 
   /// Which side of the parting root `number` is on, 1 at the model's left, -1 at its right, 0 without a parting. It
   /// never changes along a strand: hair that crosses the parting lies over it and does not turn back.
@@ -32,7 +32,7 @@ class Flow {
   [[nodiscard]] Eigen::Vector3f from_crown(const Eigen::Vector3f& direction) const;
   [[nodiscard]] float parted(const Eigen::Vector3f& direction) const;
 
-  const HairStyle& style_;
+  const cook::HairStyle& style_;
   const HeadFrame& head_;
   Eigen::Vector3f crown_,
       parting_;  ///< Unit; the parting's plane goes through the middle, at right angles to `parting_`.

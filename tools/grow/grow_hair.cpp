@@ -16,7 +16,7 @@
 #include <cmath>
 #include <utility>
 
-namespace coif {
+namespace coif::grow {
 
 using Eigen::Vector3f;
 
@@ -28,11 +28,11 @@ constexpr float kPointsOfTurn = 9;
 constexpr std::size_t kFewestPoints = 12, kMostPoints = 160;
 
 /// All of the body that is not hair, turned so that it looks along +Z.
-grow::BodySurface surface_of(const SourceModel& body, float turn) {
+grow::BodySurface surface_of(const importer::SourceModel& body, float turn) {
   std::vector<Vector3f> positions;
   std::vector<std::uint32_t> triangles;
-  for (const SourceMesh& mesh : body.meshes) {
-    if (is_called_hair(mesh.name) || is_called_hair(material_name(body, mesh))) continue;
+  for (const importer::SourceMesh& mesh : body.meshes) {
+    if (cook::is_called_hair(mesh.name) || cook::is_called_hair(importer::material_name(body, mesh))) continue;
     const auto first = std::uint32_t(positions.size());
     for (const Vector3f& p : mesh.positions) positions.emplace_back(turn * p.x(), p.y(), turn * p.z());
     for (const std::uint32_t v : mesh.triangles) triangles.push_back(first + v);
@@ -53,14 +53,14 @@ std::optional<grow::HeadFrame> head_of(const GrowGround& ground, const grow::Bod
 }
 
 /// On a head of usual size.
-float longest_of(const HairStyle& style) {
+float longest_of(const cook::HairStyle& style) {
   const double fringe = style.grow_fringe_width > 0 ? style.grow_fringe_length : 0;
   return float(std::max(
       {style.grow_length_top, style.grow_length_front, style.grow_length_sides, style.grow_length_back, fringe}));
 }
 
 /// Points of each strand.
-std::size_t stations_for(const HairStyle& style) {
+std::size_t stations_for(const cook::HairStyle& style) {
   const float longest = longest_of(style);
   float spacing = std::min(kPointSpacing, longest / float(kFewestPoints - 1));
   if (style.grow_curl_radius > 0) spacing = std::min(spacing, float(style.grow_curl_pitch) / kPointsOfTurn);
@@ -71,9 +71,9 @@ std::size_t stations_for(const HairStyle& style) {
 /// What strands are beside their places.
 class Looks {
  public:
-  Looks(const HairStyle& style, const grow::HeadFrame& head, std::size_t strands)
+  Looks(const cook::HairStyle& style, const grow::HeadFrame& head, std::size_t strands)
       : style_(style), dice_(style.grow_seed, grow::Purpose::kColor), width_(head.scale() * float(style.grow_width)) {
-    if (width_ == 0) width_ = usual_strand_width(head.mean_radius(), strands);
+    if (width_ == 0) width_ = groom::usual_strand_width(head.mean_radius(), strands);
   }
 
   [[nodiscard]] float width(float t) const { return width_ * (1 - t * t * (1 - float(style_.grow_taper))); }
@@ -85,13 +85,13 @@ class Looks {
   }
 
  private:
-  const HairStyle& style_;
+  const cook::HairStyle& style_;
   grow::Dice dice_;
   float width_;
 };
 
-void add_strands(const HairStyle& style, const grow::HeadFrame& head, float turn, const grow::StrandPaths& paths,
-                 std::span<const std::uint32_t> sizes, GroomBuilder& builder) {
+void add_strands(const cook::HairStyle& style, const grow::HeadFrame& head, float turn, const grow::StrandPaths& paths,
+                 std::span<const std::uint32_t> sizes, groom::GroomBuilder& builder) {
   const Looks looks(style, head, paths.count());
   std::vector<Vector3f> points, colors;
   std::vector<float> widths;
@@ -110,13 +110,13 @@ void add_strands(const HairStyle& style, const grow::HeadFrame& head, float turn
 
 }  // namespace
 
-SourceModel sample_body() {
+importer::SourceModel sample_body() {
   const sample::SurfaceMesh bust = sample::make_bust();
-  SourceModel body;
+  importer::SourceModel body;
   body.path = "the sample's bust";
-  body.facing = Facing::kForwards;
-  body.nodes.push_back({"bust", kNoIndex, Eigen::Affine3d::Identity()});
-  SourceMesh mesh;
+  body.facing = importer::Facing::kForwards;
+  body.nodes.push_back({"bust", importer::kNoIndex, Eigen::Affine3d::Identity()});
+  importer::SourceMesh mesh;
   mesh.name = "bust";
   for (const Eigen::Vector3d& p : bust.positions) mesh.positions.push_back(p.cast<float>());
   for (const Eigen::Vector3d& n : bust.normals) mesh.normals.push_back(n.cast<float>());
@@ -125,10 +125,10 @@ SourceModel sample_body() {
   return body;
 }
 
-tl::expected<Groom, ToolError> grow_hair(const HairStyle& style, const GrowGround& ground, const std::string& name,
-                                         const Threads& threads) {
+tl::expected<groom::Groom, ToolError> grow_hair(const cook::HairStyle& style, const GrowGround& ground,
+                                                const std::string& name, const platform::Threads& threads) {
   using Kind = ToolError::Kind;
-  const float turn = ground.body.facing == Facing::kBackwards ? -1.0f : 1.0f;
+  const float turn = ground.body.facing == importer::Facing::kBackwards ? -1.0f : 1.0f;
   const grow::BodySurface surface = surface_of(ground.body, turn);
   const auto head = head_of(ground, surface, turn);
   if (!head) {
@@ -138,11 +138,11 @@ tl::expected<Groom, ToolError> grow_hair(const HairStyle& style, const GrowGroun
   }
   const float scale = head->scale();
   const std::size_t stations = stations_for(style);
-  if (style.grow_strands * stations > kMostStrandPoints) {
+  if (style.grow_strands * stations > groom::kMostStrandPoints) {
     return file_failure(
         Kind::kOverBudget, name,
         "{} strands of {} points are more than the {} that hair may have; grow fewer strands, or larger curls",
-        style.grow_strands, stations, kMostStrandPoints);
+        style.grow_strands, stations, groom::kMostStrandPoints);
   }
   const float reach = longest_of(style);
   Eigen::AlignedBox3f room(head->center - 1.8f * head->radii, head->center + 1.8f * head->radii);
@@ -163,23 +163,25 @@ tl::expected<Groom, ToolError> grow_hair(const HairStyle& style, const GrowGroun
   shape_strands(place, paths, threads);
   const std::vector<std::uint32_t> sizes = cut_level(place, paths);
 
-  Groom groom;
+  groom::Groom groom;
   groom.path = name;
   groom.format = "grown";
   groom.root_first = true;
-  GroomBuilder builder(groom);
+  groom::GroomBuilder builder(groom);
   add_strands(style, *head, turn, paths, sizes, builder);
   if (std::string fault = builder.finish(); !fault.empty()) return file_failure(Kind::kBadInput, name, "{}", fault);
   return groom;
 }
 
-tl::expected<SourceModel, ToolError> read_body(const std::filesystem::path& path, const ImportSettings& settings) {
-  return path.empty() ? tl::expected<SourceModel, ToolError>(sample_body()) : import_model(path, settings);
+tl::expected<importer::SourceModel, ToolError> read_body(const std::filesystem::path& path,
+                                                         const importer::ImportSettings& settings) {
+  return path.empty() ? tl::expected<importer::SourceModel, ToolError>(sample_body())
+                      : importer::import_model(path, settings);
 }
 
-tl::expected<Groom, ToolError> grow_from(const Recipe& recipe, const SourceModel& body, const std::string& name,
-                                         const Threads& threads) {
+tl::expected<groom::Groom, ToolError> grow_from(const cook::Recipe& recipe, const importer::SourceModel& body,
+                                                const std::string& name, const platform::Threads& threads) {
   return grow_hair(recipe, {body, recipe.head_center, recipe.head_radii}, name, threads);
 }
 
-}  // namespace coif
+}  // namespace coif::grow

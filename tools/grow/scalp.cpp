@@ -54,7 +54,8 @@ Vector3f skin_in(const Vector3f& direction, const HeadFrame& head, const BodyFie
   return head.center + at * ray;
 }
 
-bool grows_at(const Vector3f& direction, std::size_t i, const HairStyle& style, const Flow& flow, const Dice& dice) {
+bool grows_at(const Vector3f& direction, std::size_t i, const cook::HairStyle& style, const Flow& flow,
+              const Dice& dice) {
   constexpr float kElsewhere = 0.4f;  // of how dense roots are where nothing lies over them
   const float above = elevation_of(direction) - hairline(style, azimuth_of(direction));
   const auto fade = float(style.grow_hairline_fade);
@@ -64,7 +65,7 @@ bool grows_at(const Vector3f& direction, std::size_t i, const HairStyle& style, 
 }
 
 /// Of `count` directions all around those in which hair grows.
-std::vector<std::uint32_t> hairy(std::size_t count, const HairStyle& style, const Flow& flow) {
+std::vector<std::uint32_t> hairy(std::size_t count, const cook::HairStyle& style, const Flow& flow) {
   const Dice roots(style.grow_seed, Purpose::kRoot), fade(style.grow_seed, Purpose::kFade);
   std::vector<std::uint32_t> found;
   for (std::size_t i = 0; i < count; ++i) {
@@ -73,7 +74,7 @@ std::vector<std::uint32_t> hairy(std::size_t count, const HairStyle& style, cons
   return found;
 }
 
-void settle(const HairStyle& style, const HeadFrame& head, std::size_t i, Root& root) {
+void settle(const cook::HairStyle& style, const HeadFrame& head, std::size_t i, Root& root) {
   const float azimuth = azimuth_of(root.direction), elevation = elevation_of(root.direction);
   const float above = elevation - hairline(style, azimuth), room = 90 - hairline(style, azimuth);
   root.height = std::clamp(above / std::max(room, 1.0f), 0.0f, 1.0f);
@@ -94,7 +95,7 @@ void settle(const HairStyle& style, const HeadFrame& head, std::size_t i, Root& 
 
 }  // namespace
 
-float hairline(const HairStyle& style, float azimuth) {
+float hairline(const cook::HairStyle& style, float azimuth) {
   return between({{{0, float(style.grow_hairline_front)},
                    {55, float(style.grow_hairline_temples)},
                    {95, float(style.grow_hairline_sides)},
@@ -102,8 +103,8 @@ float hairline(const HairStyle& style, float azimuth) {
                  std::abs(azimuth));
 }
 
-std::vector<Root> spread_roots(const HairStyle& style, const HeadFrame& head, const BodyField& body,
-                               const Threads& threads) {
+std::vector<Root> spread_roots(const cook::HairStyle& style, const HeadFrame& head, const BodyField& body,
+                               const platform::Threads& threads) {
   constexpr std::size_t kTrial = 16384;
   const Flow flow(style, head);
   const std::size_t wanted = style.grow_strands, sample = hairy(kTrial, style, flow).size();

@@ -12,7 +12,7 @@
 namespace coif::grow {
 
 /// The lowest elevation of hair at an azimuth, degrees.
-[[nodiscard]] float hairline(const HairStyle& style, float azimuth);
+[[nodiscard]] float hairline(const cook::HairStyle& style, float azimuth);
 
 /// Where a strand begins, and what it is like.
 struct Root {
@@ -25,7 +25,7 @@ struct Root {
 
 /// As many as the style asks for, evenly over the scalp but for where it thins out towards the hairline. Fewer, or
 /// none, where the hairline leaves no room.
-[[nodiscard]] std::vector<Root> spread_roots(const HairStyle& style, const HeadFrame& head, const BodyField& body,
-                                             const Threads& threads);
+[[nodiscard]] std::vector<Root> spread_roots(const cook::HairStyle& style, const HeadFrame& head, const BodyField& body,
+                                             const platform::Threads& threads);
 
 }  // namespace coif::grow

@@ -62,7 +62,7 @@ class UntwistedFrames {
 
 class Shaper {
  public:
-  Shaper(const Ground& ground, StrandPaths& paths, const Threads& threads)
+  Shaper(const Ground& ground, StrandPaths& paths, const platform::Threads& threads)
       : ground_(ground), style_(ground.style), paths_(paths), threads_(threads), scale_(ground.head.scale()) {
     for (std::size_t i = 0; i < paths.count(); ++i) {
       float length = 0;
@@ -191,16 +191,16 @@ class Shaper {
   }
 
   const Ground& ground_;
-  const HairStyle& style_;
+  const cook::HairStyle& style_;
   StrandPaths& paths_;
-  Threads threads_;
+  platform::Threads threads_;
   float scale_;
   std::vector<float> lengths_;
 };
 
 }  // namespace
 
-void shape_strands(const Ground& ground, StrandPaths& paths, const Threads& threads) {
+void shape_strands(const Ground& ground, StrandPaths& paths, const platform::Threads& threads) {
   Shaper(ground, paths, threads).run();
 }
 

@@ -14,7 +14,7 @@ namespace coif::grow {
 /// what that pushed into the skin out of it. What each of these is, as grooming tools have it: Yuksel, Schaefer and
 /// Keyser 2009, "Hair meshes"; clumps whose strands curl together as in Choe and Ko 2005, "A statistical wisp model and
 /// pseudophysical approaches".
-void shape_strands(const Ground& ground, StrandPaths& paths, const Threads& threads);
+void shape_strands(const Ground& ground, StrandPaths& paths, const platform::Threads& threads);
 
 /// How many points of each strand are left below a level cut; all where the style has none. A strand's last point is
 /// moved to where it is cut.

@@ -49,7 +49,7 @@ class OpenStrand {
 
  private:
   void step(float length) {
-    const HairStyle& style = ground_.style;
+    const cook::HairStyle& style = ground_.style;
     const float wanted = clearance(ground_, root_, lift_, tip_);
     const float away = ground_.body.distance(tip_.place);
     const float bends = 1 - float(style.grow_stiffness), radius = ground_.head.mean_radius();
@@ -86,7 +86,7 @@ class OpenStrand {
 
   /// Outwards from the head's axis, near the tip or the line of the cut.
   [[nodiscard]] Vector3f swing() const {
-    const HairStyle& style = ground_.style;
+    const cook::HairStyle& style = ground_.style;
     if (style.grow_swing == 0) return Vector3f::Zero();
     float near = ramp(0.6f, 0.9f, tip_.grown / root_.length);
     if (style.grow_cut) {
@@ -108,7 +108,7 @@ class OpenStrand {
 }  // namespace
 
 float clearance(const Ground& ground, const Root& root, float lift, const Tip& tip) {
-  const HairStyle& style = ground.style;
+  const cook::HairStyle& style = ground.style;
   const float scale = ground.head.scale();
   const float below = (ground.head.center.y() - tip.place.y()) / ground.head.radii.y();
   const float on_head = 1 - 0.85f * ramp(0.7f, 1.7f, below);
@@ -136,7 +136,8 @@ void advance(const Ground& ground, const Vector3f& turn, float length, float wan
   tip.place = place;
 }
 
-StrandPaths grow_open(const Ground& ground, std::span<const Root> roots, std::size_t stations, const Threads& threads) {
+StrandPaths grow_open(const Ground& ground, std::span<const Root> roots, std::size_t stations,
+                      const platform::Threads& threads) {
   const Flow flow(ground.style, ground.head);
   StrandPaths paths{stations, std::vector<Vector3f>(roots.size() * stations)};
   parallel_for(roots.size(), threads,

@@ -30,7 +30,7 @@ struct StrandPaths {
 
 /// What hair grows on.
 struct Ground {
-  const HairStyle& style;
+  const cook::HairStyle& style;
   const HeadFrame& head;
   const BodyField& body;
 };
@@ -40,11 +40,11 @@ inline constexpr float kLeastClearance = 0.002f;  ///< Metres from the skin on a
 /// How hair falls that nothing shapes but comb and weight: step by step, turned towards the comb's way near the skin,
 /// downwards by its weight, kept off the skin and above the hair below it.
 [[nodiscard]] StrandPaths grow_open(const Ground& ground, std::span<const Root> roots, std::size_t stations,
-                                    const Threads& threads);
+                                    const platform::Threads& threads);
 
 /// The same drawn to a tie along the skin, from where it falls as one tail.
 [[nodiscard]] StrandPaths grow_tied(const Ground& ground, std::span<const Root> roots, std::size_t stations,
-                                    const Threads& threads);
+                                    const platform::Threads& threads);
 
 // What both have in common.
 

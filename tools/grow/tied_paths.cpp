@@ -82,7 +82,7 @@ class Tail {
     }
   }
 
-  const HairStyle& style_;
+  const cook::HairStyle& style_;
   float scale_, step_ = 1, length_ = 0;
   Vector3f tie_, out_;
   std::vector<Vector3f> middle_;
@@ -123,7 +123,8 @@ float length_of(std::span<const Vector3f> line) {
 
 }  // namespace
 
-StrandPaths grow_tied(const Ground& ground, std::span<const Root> roots, std::size_t stations, const Threads& threads) {
+StrandPaths grow_tied(const Ground& ground, std::span<const Root> roots, std::size_t stations,
+                      const platform::Threads& threads) {
   float longest = 0;
   for (const Root& root : roots) longest = std::max(longest, root.length);
   const Tail tail(ground, longest);

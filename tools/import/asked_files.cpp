@@ -10,7 +10,7 @@
 #include <fstream>
 #include <string_view>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 namespace fs = std::filesystem;
@@ -86,4 +86,4 @@ Assimp::IOStream* AskedFiles::open_library(const std::string& name) {
   return stream_of(text);
 }
 
-}  // namespace coif
+}  // namespace coif::importer

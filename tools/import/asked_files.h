@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 
 /// What assimp asked for beside the model, by name.
 struct Asked {
@@ -79,4 +79,4 @@ struct ObjLibraries {
 /// The file's bytes; none where it cannot be read.
 [[nodiscard]] std::vector<char> bytes_of(const std::filesystem::path& path);
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -28,7 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 // JoinIdenticalVertices is left out on purpose: in 5.2 it leaves bone weights of vertices that it has removed.
@@ -226,4 +226,4 @@ std::string importer_name() {
   return fmt::format("assimp {}.{}.{}", aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch());
 }
 
-}  // namespace coif
+}  // namespace coif::importer

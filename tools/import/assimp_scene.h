@@ -24,7 +24,7 @@ struct aiNode;
 struct aiScene;
 struct aiMesh;
 
-namespace coif {
+namespace coif::importer {
 
 class FbxObjects;
 struct FbxObject;
@@ -119,4 +119,4 @@ void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& m
 /// SourceModel::named_images.
 [[nodiscard]] std::vector<std::string> named_images(const aiScene& scene);
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 constexpr std::uint64_t kMostClipBytes = std::uint64_t{1} << 30;
@@ -23,10 +23,10 @@ tl::expected<nlohmann::json, ToolError> read_clip_document(const std::filesystem
     return file_failure(Kind::kUnsupported, path,
                         "clips are read from .glb, .gltf and .vrm only; convert it to glTF in a modelling tool");
   }
-  auto document = read_gltf_json(path);
+  auto document = gltf::read_gltf_json(path);
   if (!document)
     return file_failure(Kind::kBadInput, path, "cannot be read as glTF 2.0: {}; {}", document.error(), kExportAgain);
   return std::move(*document);
 }
 
-}  // namespace coif
+}  // namespace coif::importer

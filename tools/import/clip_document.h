@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <filesystem>
 
-namespace coif {
+namespace coif::importer {
 
 /// Of all tracks, so that one buffer named often fills no memory.
 inline constexpr std::size_t kMostClipNumbers = 16'000'000;
@@ -17,4 +17,4 @@ inline constexpr const char* kExportAgain =
 /// What animations need of the document. Errors: those of check_readable(), kUnsupported for another format, kBadInput.
 [[nodiscard]] tl::expected<nlohmann::json, ToolError> read_clip_document(const std::filesystem::path& path);
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -18,7 +18,7 @@
 #include <set>
 #include <utility>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,26 +88,27 @@ class ClipReader {
 
   [[nodiscard]] Expected<std::uint32_t> find(std::string_view name) const {
     const std::set<std::uint32_t> animated = animated_nodes();
-    if (animated.empty()) return fault("no animation moves a node; {} with its animation", kExportAgain);
+    if (animated.empty()) return gltf::fault("no animation moves a node; {} with its animation", kExportAgain);
     if (name.empty()) {
       if (animated.size() == 1) return *animated.begin();
-      return fault("{} nodes are animated: {}; name the head's, as in CLIP:NODE", animated.size(),
-                   list_of_labels(animated));
+      return gltf::fault("{} nodes are animated: {}; name the head's, as in CLIP:NODE", animated.size(),
+                         list_of_labels(animated));
     }
     const std::vector<std::uint32_t> named = tree_.named(name);
     if (named.size() == 1) return named.front();
     const std::string shown = printable_text(name, 100);
     if (named.empty()) {
-      return fault("no node '{}'; animated are {}", shown, list_of_labels(animated));
+      return gltf::fault("no node '{}'; animated are {}", shown, list_of_labels(animated));
     }
-    return fault("{} nodes are called '{}'; rename all but the head's", named.size(), shown);
+    return gltf::fault("{} nodes are called '{}'; rename all but the head's", named.size(), shown);
   }
 
   Expected<void> read_nodes() {
     for (const std::uint32_t index : chain_) {
       auto node = ClipNode::from(tree_.node(index));
       if (!node) {
-        return fault("node '{}' has a place that is not made of finite numbers; {}", tree_.label(index), kExportAgain);
+        return gltf::fault("node '{}' has a place that is not made of finite numbers; {}", tree_.label(index),
+                           kExportAgain);
       }
       nodes_.push_back(std::move(*node));
     }
@@ -141,7 +142,7 @@ class ClipReader {
     }
     for (const Respelled& name : buffers_.respelled()) clip_.notes.push_back(told_of(name));
     if (used) return {};
-    return fault("node '{}' does not move; animated are {}", clip_.node, list_of_labels(animated_nodes()));
+    return gltf::fault("node '{}' does not move; animated are {}", clip_.node, list_of_labels(animated_nodes()));
   }
 
   Expected<void> read_channel(std::size_t animation, const json& channel) {
@@ -150,19 +151,19 @@ class ClipReader {
                                           tree_.label(target.node));
     const json& samplers = list_of(member(animations_[animation], "samplers"));
     const auto sampler = index_of(member(channel, "sampler"), samplers.size());
-    if (!sampler) return fault("{}: no such sampler among {}; {}", where, samplers.size(), kExportAgain);
+    if (!sampler) return gltf::fault("{}: no such sampler among {}; {}", where, samplers.size(), kExportAgain);
     auto track = read_track(document_, buffers_, samplers[*sampler], target.property);
-    if (!track) return fault("{}: {}; {}", where, track.error(), kExportAgain);
+    if (!track) return gltf::fault("{}: {}; {}", where, track.error(), kExportAgain);
     numbers_ += track->seconds.size() + track->values.size();
     if (numbers_ > kMostClipNumbers)
-      return fault("more than {} numbers of animation; export a shorter clip", kMostClipNumbers);
+      return gltf::fault("more than {} numbers of animation; export a shorter clip", kMostClipNumbers);
     if (!track->was_linear) {
       clip_.notes.push_back(
           where + ": steps or splines are read as straight lines between their values; bake the clip for other curves");
     }
     const auto place = std::size_t(std::ranges::find(chain_, target.node) - chain_.begin());
     if (nodes_[place].animate(target.property, std::move(*track))) return {};
-    return fault("{}: animated twice, or given as a matrix; {}", where, kExportAgain);
+    return gltf::fault("{}: animated twice, or given as a matrix; {}", where, kExportAgain);
   }
 
   /// Keys of one track differ from another's by rounding, and so near ones are one.
@@ -198,15 +199,16 @@ class ClipReader {
   Expected<void> sample() {
     const std::vector<double> times = key_times();
     if (times.size() > kMostClipKeys) {
-      return fault("{} keys, and the limit is {}; export a shorter clip", times.size(), kMostClipKeys);
+      return gltf::fault("{} keys, and the limit is {}; export a shorter clip", times.size(), kMostClipKeys);
     }
     const auto rest = rotation_of(world([](const ClipNode& node) { return node.at_rest(); }));
     for (const double time : times) {
       const Affine3d place = world([time](const ClipNode& node) { return node.at(time); });
       const auto rotation = rotation_of(place);
       if (!rest || !rotation) {
-        return fault("node '{}' is mirrored, or scaled to nothing, at {} s; apply the scale in the modelling tool",
-                     clip_.node, time);
+        return gltf::fault(
+            "node '{}' is mirrored, or scaled to nothing, at {} s; apply the scale in the modelling tool", clip_.node,
+            time);
       }
       clip_.keys.push_back({time, place.translation(), (*rotation * rest->conjugate()).normalized()});
     }
@@ -215,8 +217,8 @@ class ClipReader {
 
   const json& document_;
   const json& animations_;
-  GltfTree tree_;
-  GltfBuffers buffers_;
+  gltf::GltfTree tree_;
+  gltf::GltfBuffers buffers_;
   std::vector<std::uint32_t> chain_;
   std::vector<ClipNode> nodes_;  ///< Of chain_.
   std::size_t numbers_ = 0;
@@ -236,4 +238,4 @@ tl::expected<ClipFile, ToolError> read_clip(const fs::path& path, std::string_vi
   return file_failure(ToolError::Kind::kBadInput, path, "not enough memory for this clip");
 }
 
-}  // namespace coif
+}  // namespace coif::importer

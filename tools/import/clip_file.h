@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 
 /// A node at one time of an animation. World axes of the file: metres, Y up.
 struct NodeKey {
@@ -34,4 +34,4 @@ struct ClipFile {
 /// unreadable), kBadInput (damaged, no animation, no such node, more than 100,000 keys), kUnsupported (another format).
 [[nodiscard]] tl::expected<ClipFile, ToolError> read_clip(const std::filesystem::path& path, std::string_view node);
 
-}  // namespace coif
+}  // namespace coif::importer

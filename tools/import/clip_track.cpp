@@ -10,7 +10,7 @@
 #include <cstring>
 #include <utility>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 using Eigen::Quaterniond;
@@ -83,23 +83,23 @@ Quaterniond ClipTrack::rotation_at(double time) const {
   return key(place.before).slerp(place.share, key(place.after)).normalized();
 }
 
-tl::expected<ClipTrack, std::string> read_track(const json& document, GltfBuffers& buffers, const json& sampler,
+tl::expected<ClipTrack, std::string> read_track(const json& document, gltf::GltfBuffers& buffers, const json& sampler,
                                                 NodeProperty property) {
   const json& interpolation = member(sampler, "interpolation");
   const bool is_spline = interpolation == "CUBICSPLINE";
   ClipTrack track;
   track.was_linear = interpolation.is_null() || interpolation == "LINEAR";
-  auto seconds = read_gltf_numbers(document, buffers, member(sampler, "input"), {"SCALAR", 1, kMostClipKeys});
+  auto seconds = gltf::read_gltf_numbers(document, buffers, member(sampler, "input"), {"SCALAR", 1, kMostClipKeys});
   if (!seconds) return tl::unexpected("key times: " + seconds.error());
   if (const std::string bad = fault_of_times(*seconds); !bad.empty()) return tl::unexpected("key times: " + bad);
 
   const bool turns = property == NodeProperty::kRotation;
   const std::size_t width = turns ? 4 : 3;
-  auto values = read_gltf_numbers(document, buffers, member(sampler, "output"),
-                                  {turns ? "VEC4" : "VEC3", width, 3 * kMostClipKeys});
+  auto values = gltf::read_gltf_numbers(document, buffers, member(sampler, "output"),
+                                        {turns ? "VEC4" : "VEC3", width, 3 * kMostClipKeys});
   if (!values) return tl::unexpected("values: " + values.error());
   if (values->size() != seconds->size() * width * (is_spline ? 3 : 1)) {
-    return fault("{} values for {} key times", values->size() / width, seconds->size());
+    return gltf::fault("{} values for {} key times", values->size() / width, seconds->size());
   }
   track.seconds = std::move(*seconds);
   track.values = is_spline ? values_of_spline(*values, width) : std::move(*values);
@@ -110,7 +110,7 @@ tl::expected<ClipTrack, std::string> read_track(const json& document, GltfBuffer
 using Eigen::Affine3d;
 
 std::optional<ClipNode> ClipNode::from(const json& node) {
-  const auto place = gltf_place(node);
+  const auto place = gltf::gltf_place(node);
   if (!place) return std::nullopt;
   ClipNode out;
   out.rest_ = *place;
@@ -130,9 +130,9 @@ Affine3d ClipNode::at(double seconds) const {
   const auto &moves = track(NodeProperty::kTranslation), &turns = track(NodeProperty::kRotation),
              &grows = track(NodeProperty::kScale);
   if (!moves && !turns && !grows) return rest_.parent_from_node;
-  return gltf_placed(moves ? moves->vector_at(seconds) : rest_.translation,
-                     turns ? turns->rotation_at(seconds) : rest_.rotation,
-                     grows ? grows->vector_at(seconds) : rest_.scale);
+  return gltf::gltf_placed(moves ? moves->vector_at(seconds) : rest_.translation,
+                           turns ? turns->rotation_at(seconds) : rest_.rotation,
+                           grows ? grows->vector_at(seconds) : rest_.scale);
 }
 
-}  // namespace coif
+}  // namespace coif::importer

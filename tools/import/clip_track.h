@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 
 enum class NodeProperty : std::uint8_t { kTranslation, kRotation, kScale };
 
@@ -37,8 +37,9 @@ struct ClipTrack {
 };
 
 /// The error is a sentence without the file's name.
-[[nodiscard]] tl::expected<ClipTrack, std::string> read_track(const nlohmann::json& document, GltfBuffers& buffers,
-                                                              const nlohmann::json& sampler, NodeProperty property);
+[[nodiscard]] tl::expected<ClipTrack, std::string> read_track(const nlohmann::json& document,
+                                                              gltf::GltfBuffers& buffers, const nlohmann::json& sampler,
+                                                              NodeProperty property);
 
 /// A node's place in its parent, at rest and while it is animated.
 class ClipNode {
@@ -54,8 +55,8 @@ class ClipNode {
   [[nodiscard]] Eigen::Affine3d at(double seconds) const;
 
  private:
-  GltfPlace rest_;
+  gltf::GltfPlace rest_;
   std::array<std::optional<ClipTrack>, 3> tracks_;
 };
 
-}  // namespace coif
+}  // namespace coif::importer

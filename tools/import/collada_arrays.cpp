@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 constexpr std::uint64_t kMostArrayNumbers = std::uint64_t{1} << 32;  // more are in no file that is read
@@ -96,4 +96,4 @@ void warn_of_weights(const pugi::xml_document& document, std::vector<Warning>& w
   }
 }
 
-}  // namespace coif
+}  // namespace coif::importer

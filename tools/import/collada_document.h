@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 
 struct SceneNodes;
 
@@ -60,4 +60,4 @@ struct ColladaNames {
 /// Warns of each skin that has weights below zero or that are no numbers, which assimp 5.2 drops.
 void warn_of_weights(const pugi::xml_document& document, std::vector<Warning>& warnings);
 
-}  // namespace coif
+}  // namespace coif::importer

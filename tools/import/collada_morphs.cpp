@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 using Numbers = std::vector<double>;
@@ -128,4 +128,4 @@ bool apply_collada_morphs(pugi::xml_document& document, std::vector<Warning>& wa
   return Morphs(document, warnings).apply();
 }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 /// Images and samplers of COLLADA 1.5 as 1.4 has them, and the version: assimp 5.2 refuses every texture of 1.5.
@@ -79,4 +79,4 @@ void mark_hidden_by_collada(const pugi::xml_document& document, SceneNodes& node
   }
 }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 std::string id_in(const pugi::xml_attribute& reference) { return std::string(collada_id(reference)); }
@@ -185,4 +185,4 @@ void ColladaTextures::apply(std::span<SourceMaterial> materials) const {
   }
 }
 
-}  // namespace coif
+}  // namespace coif::importer

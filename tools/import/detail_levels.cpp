@@ -17,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 /// "hair" and 1 of "Hair_LOD1", or of "Hair_L1".
@@ -268,4 +268,4 @@ void keep_finest_levels(std::span<const std::string> meshes, SourceModel& model)
   std::erase_if(model.meshes, [&](const SourceMesh&) { return is_dropped[m++]; });
 }
 
-}  // namespace coif
+}  // namespace coif::importer

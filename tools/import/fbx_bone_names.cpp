@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 /// Models that a cluster binds a mesh to, by name, each once.
@@ -70,4 +70,4 @@ std::optional<UniqueFbxBones> with_unique_bones(const FbxObjects& objects, std::
   return out.names.empty() ? std::nullopt : std::optional(std::move(out));
 }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 // What programs call the properties of their materials: the last part, without "file", in small letters and without
@@ -114,4 +114,4 @@ void connect_fbx_textures(const FbxObjects& objects, const aiScene& scene, std::
   }
 }
 
-}  // namespace coif
+}  // namespace coif::importer

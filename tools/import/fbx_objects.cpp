@@ -9,7 +9,7 @@
 #include <functional>
 #include <utility>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 constexpr std::string_view kNameEnd("\0\1", 2);  // "Hair\0\1Model" of a binary file is "Model::Hair" of a text.
@@ -293,4 +293,4 @@ std::vector<const FbxObject*> textures_of(const FbxObjects& objects, std::int64_
   return out;
 }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 
 enum class FbxKind : std::uint8_t {
   kModel,
@@ -114,4 +114,4 @@ struct UniqueFbxBones {
 /// The texture of this id, or those of a layered one's layers; empty where it is neither.
 [[nodiscard]] std::vector<const FbxObject*> textures_of(const FbxObjects& objects, std::int64_t id);
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 constexpr std::string_view kBinaryStart = "Kaydara FBX Binary";
@@ -165,4 +165,4 @@ bool walk_fbx(std::string_view file, const FbxVisit& visit) {
   return file.size() >= kVersionAt && BinaryFbx(file, visit).walk();
 }
 
-}  // namespace coif
+}  // namespace coif::importer

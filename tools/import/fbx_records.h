@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-namespace coif {
+namespace coif::importer {
 
 /// One value of a record. Texts point into the file.
 struct FbxValue {
@@ -35,4 +35,4 @@ struct FbxRecord {
 /// 64 deep.
 [[nodiscard]] bool walk_fbx(std::string_view file, const std::function<bool(const FbxRecord&)>& visit);
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -12,7 +12,7 @@
 #include <span>
 #include <string_view>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 constexpr std::size_t kMostSearchedModels = 4096;  // Bounds the time that a file takes whose nodes are not found.
@@ -124,4 +124,4 @@ void FbxShapeKeys::apply(const aiMesh& mesh, std::uint32_t node, RawMesh& out, s
        out.name);
 }
 
-}  // namespace coif
+}  // namespace coif::importer

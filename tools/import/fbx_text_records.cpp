@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cstdint>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 /// An FBX as text: `Name: value, value {` records `}`. A record is complete where the next name or a brace begins.
@@ -130,4 +130,4 @@ class TextFbx {
 
 bool walk_text_fbx(std::string_view file, const FbxVisit& visit) { return TextFbx(file, visit).walk(); }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 std::string file_name(std::string_view path) {
@@ -56,4 +56,4 @@ const FbxTexturePlace* FbxTexturePlaces::find(const std::string& material, const
   return found == places_.end() ? nullptr : &found->second;
 }
 
-}  // namespace coif
+}  // namespace coif::importer

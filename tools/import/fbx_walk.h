@@ -12,7 +12,7 @@
 #include <string_view>
 #include <type_traits>
 
-namespace coif {
+namespace coif::importer {
 
 using FbxVisit = std::function<bool(const FbxRecord&)>;
 
@@ -46,4 +46,4 @@ FbxValue fbx_number(Number number) {
 /// walk_fbx() of a text.
 [[nodiscard]] bool walk_text_fbx(std::string_view file, const FbxVisit& visit);
 
-}  // namespace coif
+}  // namespace coif::importer

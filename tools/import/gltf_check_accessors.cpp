@@ -6,7 +6,7 @@
 
 // Bytes of buffers, and numbers in them.
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 using nlohmann::json;
@@ -75,8 +75,9 @@ class AccessorChecks {
 
   void check_accessor(std::size_t a) {
     const json& entry = file_.list("accessors")[a];
-    const std::size_t component = gltf_component(index_of(member(entry, "componentType"), 10000).value_or(0)).size;
-    const std::size_t width = gltf_type_width(member(entry, "type"));
+    const std::size_t component =
+        gltf::gltf_component(index_of(member(entry, "componentType"), 10000).value_or(0)).size;
+    const std::size_t width = gltf::gltf_type_width(member(entry, "type"));
     const auto count = index_of(member(entry, "count"), kAnySize);
     if (component == 0 || width == 0 || !count || *count == 0)
       return wrong(gltf_code::kRules,
@@ -161,4 +162,4 @@ class AccessorChecks {
 
 void check_gltf_accessors(CheckedGltf& file) { AccessorChecks(file).run(); }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -4,7 +4,7 @@
 
 // Key times and the values at them.
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 using nlohmann::json;
@@ -90,4 +90,4 @@ class AnimationChecks {
 
 void check_gltf_animations(CheckedGltf& file) { AnimationChecks(file).run(); }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -6,7 +6,7 @@
 
 // What primitives of meshes are made of.
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 using nlohmann::json;
@@ -204,4 +204,4 @@ class MeshChecks {
 
 void check_gltf_meshes(CheckedGltf& file) { MeshChecks(file).run(); }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -8,7 +8,7 @@
 
 // Containers, and what JSON objects say of each other.
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 using nlohmann::json;
@@ -163,7 +163,7 @@ class ObjectChecks {
   }
 
   void check_loops() {
-    const GltfTree tree(file_.document);
+    const gltf::GltfTree tree(file_.document);
     for (std::uint32_t i = 0; i < tree.size(); ++i) {
       if (const auto above = tree.with_parents(i); !above) return wrong("'nodes'", above.error());
     }
@@ -225,4 +225,4 @@ void check_gltf_container(const std::filesystem::path& path, GltfFaults& faults)
   }
 }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 
 // Codes of the table of issues; tools/validate says what each means.
 namespace gltf_code {
@@ -57,7 +57,7 @@ class GltfFaults {
 
 /// The numbers of an accessor as they are stored.
 struct StoredNumbers {
-  GltfComponent component;
+  gltf::GltfComponent component;
   bool normalized = false;
   std::size_t width = 1;  ///< Numbers of an element.
   std::vector<double> numbers;
@@ -65,13 +65,13 @@ struct StoredNumbers {
   [[nodiscard]] std::size_t count() const { return numbers.size() / width; }
   [[nodiscard]] bool is_float() const { return component.largest == 0; }
   /// The value that the stored number stands for.
-  [[nodiscard]] double value(std::size_t i) const { return gltf_value(component, normalized, numbers[i]); }
+  [[nodiscard]] double value(std::size_t i) const { return gltf::gltf_value(component, normalized, numbers[i]); }
 };
 
 /// A glTF document whose parts are looked at.
 class CheckedGltf {
  public:
-  CheckedGltf(const nlohmann::json& parsed, GltfBuffers& buffers) : document(parsed), buffers_(buffers) {}
+  CheckedGltf(const nlohmann::json& parsed, gltf::GltfBuffers& buffers) : document(parsed), buffers_(buffers) {}
 
   const nlohmann::json& document;
   GltfFaults faults;
@@ -83,7 +83,7 @@ class CheckedGltf {
   [[nodiscard]] std::optional<std::size_t> buffer_size(std::size_t buffer, std::string& why);
 
  private:
-  GltfBuffers& buffers_;
+  gltf::GltfBuffers& buffers_;
 };
 
 /// "mesh 'hair', primitive 2"
@@ -97,4 +97,4 @@ void check_gltf_meshes(CheckedGltf& file);  ///< Attributes and indices of primi
 void check_gltf_skins(CheckedGltf& file);   ///< Joints and weights of primitives, bind matrices.
 void check_gltf_animations(CheckedGltf& file);  ///< Key times, values.
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -7,7 +7,7 @@
 
 // Joints and weights.
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 using nlohmann::json;
@@ -157,4 +157,4 @@ class SkinChecks {
 
 void check_gltf_skins(CheckedGltf& file) { SkinChecks(file).run(); }
 
-}  // namespace coif
+}  // namespace coif::importer

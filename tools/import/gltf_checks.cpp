@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 namespace fs = std::filesystem;
@@ -69,7 +69,7 @@ std::optional<StoredNumbers> CheckedGltf::read(const json& accessor) {
   const auto index = index_of(accessor, accessors.size());
   if (!index) return std::nullopt;
   const json &entry = accessors[*index], &views = list("bufferViews");
-  const std::size_t width = gltf_type_width(member(entry, "type"));
+  const std::size_t width = gltf::gltf_type_width(member(entry, "type"));
   const bool is_float = member(entry, "componentType") == 5126;
   // Columns of matrices of small numbers are padded; no such matrix means anything to anyone.
   if (width == 0 || ((width > 4 || member(entry, "type") == "MAT2") && !is_float)) return std::nullopt;
@@ -78,7 +78,7 @@ std::optional<StoredNumbers> CheckedGltf::read(const json& accessor) {
   if (view.is_null() && !member(entry, "sparse").is_object()) return std::nullopt;
   const auto in_view = index_of(view, views.size());
   if (in_view && member(views[*in_view], "extensions").is_object()) return std::nullopt;
-  const auto elements = read_gltf_elements(buffers_, entry, kMostCheckedNumbers / width);
+  const auto elements = gltf::read_gltf_elements(buffers_, entry, kMostCheckedNumbers / width);
   if (!elements) return std::nullopt;
   StoredNumbers out{elements->component, elements->normalized, elements->width, std::vector<double>(elements->count())};
   for (std::size_t i = 0; i < out.numbers.size(); ++i) out.numbers[i] = elements->stored(i);
@@ -86,18 +86,18 @@ std::optional<StoredNumbers> CheckedGltf::read(const json& accessor) {
 }
 
 std::vector<Warning> check_gltf(const fs::path& path) {
-  const auto document = read_gltf_json(path);
+  const auto document = gltf::read_gltf_json(path);
   if (!document) {
     GltfFaults of_container;
     check_gltf_container(path, of_container);
     of_container.add(gltf_code::kRules, "its JSON breaks JSON's rules: {}; export it again", document.error());
     return std::move(of_container).finish();
   }
-  GltfBuffers buffers(path, *document);
+  gltf::GltfBuffers buffers(path, *document);
   return check_gltf(path, *document, buffers);
 }
 
-std::vector<Warning> check_gltf(const fs::path& path, const json& document, GltfBuffers& buffers) {
+std::vector<Warning> check_gltf(const fs::path& path, const json& document, gltf::GltfBuffers& buffers) {
   CheckedGltf file(document, buffers);
   check_gltf_container(path, file.faults);
   check_gltf_objects(file);
@@ -108,4 +108,4 @@ std::vector<Warning> check_gltf(const fs::path& path, const json& document, Gltf
   return std::move(file.faults).finish();
 }
 
-}  // namespace coif
+}  // namespace coif::importer

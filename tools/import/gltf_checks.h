@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 
 /// What in a glTF, GLB or VRM file breaks the format's own rules of containers, references, meshes, skins and
 /// animations: what the Khronos validator calls an error there. One sentence for each kind and place, however many
@@ -17,6 +17,6 @@ namespace coif {
 [[nodiscard]] std::vector<Warning> check_gltf(const std::filesystem::path& path);
 /// The same of a file whose document is read; `buffers` are its.
 [[nodiscard]] std::vector<Warning> check_gltf(const std::filesystem::path& path, const nlohmann::json& document,
-                                              GltfBuffers& buffers);
+                                              gltf::GltfBuffers& buffers);
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 using nlohmann::json;
@@ -113,4 +113,4 @@ GltfExtensions check_gltf_extensions(const json& document) {
   return out;
 }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -11,7 +11,7 @@
 #include <map>
 #include <string_view>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 using nlohmann::json;
@@ -28,7 +28,7 @@ float number_or(const json& value, double otherwise, double most) {
 
 class MaterialReader {
  public:
-  MaterialReader(const json& document, GltfBuffers& buffers, SourceModel& model)
+  MaterialReader(const json& document, gltf::GltfBuffers& buffers, SourceModel& model)
       : document_(document),
         buffers_(buffers),
         model_(model),
@@ -39,7 +39,7 @@ class MaterialReader {
     for (const json& entry : list_of(member(document_, "materials"))) {
       SourceMaterial material;
       material.name = printable_text_of(member(entry, "name"));
-      const json& specular = extension(entry, "KHR_materials_pbrSpecularGlossiness");
+      const json& specular = gltf::extension(entry, "KHR_materials_pbrSpecularGlossiness");
       const json& metallic = member(entry, "pbrMetallicRoughness");
       const json& base = member(specular, "diffuseTexture").is_null() ? member(metallic, "baseColorTexture")
                                                                       : member(specular, "diffuseTexture");
@@ -124,15 +124,15 @@ class MaterialReader {
   /// The image that a texture shows: one that every reader knows, or the WebP in its place.
   const json* image_of(const json& texture, const std::string& material) {
     for (const json* const source :
-         {&member(texture, "source"), &member(extension(texture, "EXT_texture_webp"), "source")}) {
+         {&member(texture, "source"), &member(gltf::extension(texture, "EXT_texture_webp"), "source")}) {
       if (const auto image = index_of(*source, images_.size())) return &images_[*image];
     }
-    if (!member(extension(texture, "KHR_texture_basisu"), "source").is_null()) {
+    if (!member(gltf::extension(texture, "KHR_texture_basisu"), "source").is_null()) {
       warn(model_.warnings, source_code::kImages,
            "material '{}': its image is in KTX2 alone, which is not read; npx @gltf-transform/cli "
            "ktxdecompress OLD.glb NEW.glb makes it a PNG",
            material);
-    } else if (!member(extension(texture, "EXT_texture_avif"), "source").is_null()) {
+    } else if (!member(gltf::extension(texture, "EXT_texture_avif"), "source").is_null()) {
       warn(model_.warnings, source_code::kImages,
            "material '{}': its image is in AVIF alone, which is not read; npx @gltf-transform/cli png OLD.glb NEW.glb "
            "makes "
@@ -182,7 +182,7 @@ class MaterialReader {
   std::uint32_t embed(const json& image, const json& uri, bool is_data, const std::string& name) {
     std::vector<std::uint8_t> bytes;
     if (is_data) {
-      const auto decoded = bytes_of_data_uri(uri.get_ref<const std::string&>());
+      const auto decoded = gltf::bytes_of_data_uri(uri.get_ref<const std::string&>());
       if (!decoded) return reject(name, "its data: URI is damaged");
       const auto* const first = reinterpret_cast<const std::uint8_t*>(decoded->data());
       bytes.assign(first, first + decoded->size());
@@ -208,7 +208,7 @@ class MaterialReader {
   /// KHR_texture_transform: the UVs are scaled, turned against the clock as seen in the image, and moved.
   GltfUvs uvs_of(const json& info, const std::string& material) {
     GltfUvs out;
-    const json& transform = extension(info, "KHR_texture_transform");
+    const json& transform = gltf::extension(info, "KHR_texture_transform");
     const json& set =
         member(transform, "texCoord").is_null() ? member(info, "texCoord") : member(transform, "texCoord");
     out.set = index_of(set, 16).value_or(0);
@@ -270,7 +270,7 @@ class MaterialReader {
   }
 
   const json& document_;
-  GltfBuffers& buffers_;
+  gltf::GltfBuffers& buffers_;
   SourceModel& model_;
   const json& textures_;
   const json& images_;
@@ -280,7 +280,7 @@ class MaterialReader {
 
 }  // namespace
 
-tl::expected<std::vector<GltfUvs>, std::string> read_gltf_materials(const json& document, GltfBuffers& buffers,
+tl::expected<std::vector<GltfUvs>, std::string> read_gltf_materials(const json& document, gltf::GltfBuffers& buffers,
                                                                     SourceModel& model) {
   std::vector<GltfUvs> uvs;
   std::string bad = MaterialReader(document, buffers, model).read(uvs);
@@ -288,4 +288,4 @@ tl::expected<std::vector<GltfUvs>, std::string> read_gltf_materials(const json& 
   return uvs;
 }
 
-}  // namespace coif
+}  // namespace coif::importer

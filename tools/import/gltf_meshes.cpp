@@ -16,7 +16,7 @@
 #include <map>
 #include <utility>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 using Eigen::Affine3d;
@@ -27,7 +27,7 @@ constexpr std::size_t kMostPlacedVertices = std::size_t{1} << 26;  // of all mes
 
 class MeshReader {
  public:
-  MeshReader(const json& document, GltfBuffers& buffers, const GltfNodes& nodes, const std::vector<GltfUvs>& uvs,
+  MeshReader(const json& document, gltf::GltfBuffers& buffers, const GltfNodes& nodes, const std::vector<GltfUvs>& uvs,
              SourceModel& model)
       : document_(document),
         buffers_(buffers),
@@ -57,7 +57,7 @@ class MeshReader {
   std::string choose_variant(const std::string& wanted) {
     if (wanted.empty()) return {};
     std::vector<std::string> names;
-    for (const json& entry : list_of(member(extension(document_, "KHR_materials_variants"), "variants"))) {
+    for (const json& entry : list_of(member(gltf::extension(document_, "KHR_materials_variants"), "variants"))) {
       names.push_back(printable_text_of(member(entry, "name")));
     }
     const auto found = std::ranges::find(names, wanted);
@@ -76,7 +76,7 @@ class MeshReader {
       warn(model_.warnings, source_code::kRepaired, "node '{}': refers to an absent mesh", model_.nodes[n].name);
       return {};
     }
-    auto instances = read_gltf_instances(document_, buffers_, node);
+    auto instances = gltf::read_gltf_instances(document_, buffers_, node);
     if (!instances) return fmt::format("node '{}': {}", model_.nodes[n].name, instances.error());
     const auto [carrier, carrier_from_node] = carrier_of(n);
     for (Affine3d& instance : *instances) instance = carrier_from_node * instance;
@@ -103,7 +103,7 @@ class MeshReader {
     const json& node = in_file[nodes_.in_file[n]];
     const bool is_of_packing = !is_named(n) && list_of(member(node, "children")).empty() && parent != kNoIndex &&
                                nodes_.in_file[parent] != kNoIndex && is_named(parent);
-    const auto place = is_of_packing ? gltf_place(node) : std::nullopt;
+    const auto place = is_of_packing ? gltf::gltf_place(node) : std::nullopt;
     return place ? std::pair(parent, place->parent_from_node) : std::pair(n, Affine3d::Identity());
   }
 
@@ -138,32 +138,32 @@ class MeshReader {
   }
 
   /// As far as the file says; one where it does not.
-  [[nodiscard]] std::size_t count_of_lines(const json& primitive, GltfMode mode) const {
+  [[nodiscard]] std::size_t count_of_lines(const json& primitive, gltf::GltfMode mode) const {
     const json& accessors = list_of(member(document_, "accessors"));
     const json& indices = member(primitive, "indices");
     const auto index =
         index_of(indices.is_null() ? member(member(primitive, "attributes"), "POSITION") : indices, accessors.size());
     const std::size_t count =
         index ? index_of(member(accessors[*index], "count"), std::size_t{1} << 31).value_or(0) : 0;
-    return std::max<std::size_t>(mode == GltfMode::kLines                    ? count / 2
-                                 : mode == GltfMode::kLineStrip && count > 0 ? count - 1
-                                                                             : count,
+    return std::max<std::size_t>(mode == gltf::GltfMode::kLines                    ? count / 2
+                                 : mode == gltf::GltfMode::kLineStrip && count > 0 ? count - 1
+                                                                                   : count,
                                  1);
   }
 
   std::string read_primitive(const json& mesh, const json& primitive, const json& node, RawMesh& raw) {
-    const auto mode = gltf_mode(primitive);
+    const auto mode = gltf::gltf_mode(primitive);
     if (!mode)
       return fmt::format("primitive of mode {}, which there is not; export again",
                          excerpt(member(primitive, "mode").dump(-1, ' ', true, json::error_handler_t::replace), 20));
-    if (*mode < GltfMode::kTriangles) {
+    if (*mode < gltf::GltfMode::kTriangles) {
       raw.points_and_lines = count_of_lines(primitive, *mode);
       return {};
     }
     raw.material = material_of(primitive);
     const GltfUvs uvs = raw.material < uvs_.size() ? uvs_[raw.material] : GltfUvs{};
     const std::vector<double> weights = morph_weights(mesh, node);
-    auto read = read_gltf_primitive(document_, buffers_, primitive, uvs.set, weights);
+    auto read = gltf::read_gltf_primitive(document_, buffers_, primitive, uvs.set, weights);
     if (!read) return read.error();
     if (!list_of(member(primitive, "targets")).empty()) tell_of_morphs(mesh, raw.name, weights);
     warn_of_lost_uvs(*read, uvs, raw);
@@ -178,7 +178,7 @@ class MeshReader {
     return read_skin(node, *read, raw);
   }
 
-  void warn_of_lost_uvs(const GltfPrimitive& read, const GltfUvs& uvs, const RawMesh& raw) {
+  void warn_of_lost_uvs(const gltf::GltfPrimitive& read, const GltfUvs& uvs, const RawMesh& raw) {
     if (uvs.set == 0 || !read.uvs.empty()) return;
     warn(model_.warnings, source_code::kUvs,
          "mesh '{}': its texture lies in UV set {}, which the mesh lacks; export that UV map too", raw.name, uvs.set);
@@ -187,7 +187,7 @@ class MeshReader {
   /// The variant's, where one is chosen and the primitive has one for it.
   std::uint32_t material_of(const json& primitive) {
     const json* chosen = &member(primitive, "material");
-    for (const json& mapping : list_of(member(extension(primitive, "KHR_materials_variants"), "mappings"))) {
+    for (const json& mapping : list_of(member(gltf::extension(primitive, "KHR_materials_variants"), "mappings"))) {
       for (const json& entry : list_of(member(mapping, "variants"))) {
         if (variant_ && index_of(entry, 1 << 20) == *variant_) chosen = &member(mapping, "material");
       }
@@ -204,7 +204,7 @@ class MeshReader {
     return *plain_;
   }
 
-  std::string read_skin(const json& node, const GltfPrimitive& read, RawMesh& raw) {
+  std::string read_skin(const json& node, const gltf::GltfPrimitive& read, RawMesh& raw) {
     const json& skins = list_of(member(document_, "skins"));
     const json& named = member(node, "skin");
     if (named.is_null() || read.influences == 0) return {};
@@ -230,7 +230,7 @@ class MeshReader {
     const json& inverse = member(skin, "inverseBindMatrices");
     std::vector<float> matrices;
     if (!inverse.is_null()) {
-      auto read = read_gltf_numbers(document_, buffers_, inverse, {"MAT4", 16, kMostJoints, false, true});
+      auto read = gltf::read_gltf_numbers(document_, buffers_, inverse, {"MAT4", 16, kMostJoints, false, true});
       if (!read) return read.error();
       matrices = std::move(*read);
     }
@@ -273,7 +273,7 @@ class MeshReader {
   }
 
   const json& document_;
-  GltfBuffers& buffers_;
+  gltf::GltfBuffers& buffers_;
   const GltfNodes& nodes_;
   const std::vector<GltfUvs>& uvs_;
   SourceModel& model_;
@@ -288,9 +288,9 @@ class MeshReader {
 
 }  // namespace
 
-std::string read_gltf_meshes(const json& document, GltfBuffers& buffers, const GltfNodes& nodes,
+std::string read_gltf_meshes(const json& document, gltf::GltfBuffers& buffers, const GltfNodes& nodes,
                              const std::vector<GltfUvs>& uvs, const std::string& variant, SourceModel& model) {
   return MeshReader(document, buffers, nodes, uvs, model).read(variant);
 }
 
-}  // namespace coif
+}  // namespace coif::importer

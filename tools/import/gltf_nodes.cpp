@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 using nlohmann::json;
@@ -43,8 +43,8 @@ bool undoes_quantization(const json& document, const json& node) {
 
 GltfNodes read_gltf_nodes(const json& document, const Eigen::Affine3d& model_from_file, SourceModel& model) {
   const json& in_file = list_of(member(document, "nodes"));
-  const std::vector<GltfSceneNode> scene = gltf_scene_nodes(document, model_from_file);
-  const auto roots = std::ranges::count_if(scene, [](const GltfSceneNode& node) { return !node.parent; });
+  const std::vector<gltf::GltfSceneNode> scene = gltf::gltf_scene_nodes(document, model_from_file);
+  const auto roots = std::ranges::count_if(scene, [](const gltf::GltfSceneNode& node) { return !node.parent; });
   const std::uint32_t first = roots == 1 ? 0 : 1;
   GltfNodes out;
   out.of_file.assign(in_file.size(), kNoIndex);
@@ -53,7 +53,7 @@ GltfNodes read_gltf_nodes(const json& document, const Eigen::Affine3d& model_fro
     out.in_file.push_back(kNoIndex);
     out.is_hidden.push_back(false);
   }
-  for (const GltfSceneNode& entry : scene) {
+  for (const gltf::GltfSceneNode& entry : scene) {
     const std::uint32_t parent = entry.parent ? *entry.parent + first : first == 1 ? 0 : kNoIndex;
     SourceNode node{node_name(in_file[entry.in_file], entry.in_file), parent, entry.model_from_node,
                     undoes_quantization(document, in_file[entry.in_file])};
@@ -67,4 +67,4 @@ GltfNodes read_gltf_nodes(const json& document, const Eigen::Affine3d& model_fro
   return out;
 }
 
-}  // namespace coif
+}  // namespace coif::importer

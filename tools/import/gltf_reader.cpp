@@ -8,7 +8,7 @@
 
 #include <iterator>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 using nlohmann::json;
@@ -58,7 +58,7 @@ bool hides_all_meshes(const json& document, const GltfNodes& nodes) {
 
 tl::expected<SourceModel, ToolError> read_gltf_model(const std::filesystem::path& path,
                                                      const ImportSettings& settings) {
-  const auto document = read_gltf_json(path);
+  const auto document = gltf::read_gltf_json(path);
   if (!document) return unreadable(path, fmt::format("{}; {}", document.error(), kReexport));
   const GltfExtensions extensions = check_gltf_extensions(*document);
   if (!extensions.refusal.empty()) return unreadable(path, extensions.refusal, ToolError::Kind::kUnsupported);
@@ -67,7 +67,7 @@ tl::expected<SourceModel, ToolError> read_gltf_model(const std::filesystem::path
   set_importer(model);
   model.warnings = extensions.warnings;
   const Eigen::Affine3d to_model = model_from_gltf(*document, settings, model.space);
-  GltfBuffers buffers(path, *document, settings.roots);
+  gltf::GltfBuffers buffers(path, *document, settings.roots);
   const GltfNodes nodes = read_gltf_nodes(*document, to_model, model);
   const auto uvs = read_gltf_materials(*document, buffers, model);
   std::string bad = uvs ? read_gltf_meshes(*document, buffers, nodes, *uvs, settings.variant, model) : uvs.error();
@@ -84,4 +84,4 @@ tl::expected<SourceModel, ToolError> read_gltf_model(const std::filesystem::path
   return model;
 }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 
 /// Reads a .gltf, .glb or .vrm in this process. Meant for a child process, since the file may ask for much memory.
 /// Throws std::bad_alloc where there is not that much.
@@ -50,14 +50,14 @@ struct GltfUvs {
 /// Fills `materials`, one per material of the document, and `images` with the embedded images that they use. Returns
 /// how each material's base texture lies. The error is a sentence.
 [[nodiscard]] tl::expected<std::vector<GltfUvs>, std::string> read_gltf_materials(const nlohmann::json& document,
-                                                                                  GltfBuffers& buffers,
+                                                                                  gltf::GltfBuffers& buffers,
                                                                                   SourceModel& model);
 
 /// Fills `meshes`: each primitive of triangles, once for each node and instance that shows it. The model has its nodes
 /// and materials; a material is added where a primitive names none. `variant` is the name of one of
 /// KHR_materials_variants, or empty. The error is a sentence.
-[[nodiscard]] std::string read_gltf_meshes(const nlohmann::json& document, GltfBuffers& buffers, const GltfNodes& nodes,
-                                           const std::vector<GltfUvs>& uvs, const std::string& variant,
-                                           SourceModel& model);
+[[nodiscard]] std::string read_gltf_meshes(const nlohmann::json& document, gltf::GltfBuffers& buffers,
+                                           const GltfNodes& nodes, const std::vector<GltfUvs>& uvs,
+                                           const std::string& variant, SourceModel& model);
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -14,19 +14,20 @@
 #include <new>
 #include <string>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// The suffix is one that is known.
-Bytes read_here(const fs::path& path, const ImportSettings& settings) {
+platform::Bytes read_here(const fs::path& path, const ImportSettings& settings) {
   const SourceSuffix suffix = find_suffix(path).value();
   return encode_outcome(suffix.format == SourceFormat::kGltf ? read_gltf_model(path, settings)
                                                              : read_with_assimp(path, suffix, settings));
 }
 
-const Job kReadModel("read model", [](const JobCall& call) { return answer_read(call, read_here); });
+const platform::Job kReadModel("read model",
+                               [](const platform::JobCall& call) { return answer_read(call, read_here); });
 
 tl::expected<SourceModel, ToolError> import_checked(const fs::path& path, const ImportSettings& settings) {
   if (auto checked = check_readable(path, settings.max_file_bytes); !checked) return tl::unexpected(checked.error());
@@ -53,10 +54,10 @@ tl::expected<SourceModel, ToolError> import_model(const fs::path& path, const Im
   return import_checked(path, settings);
 } catch (const std::bad_alloc&) {
   return file_failure(ToolError::Kind::kBadInput, path, "not enough memory for this model");
-} catch (const Stopped&) {
+} catch (const platform::Stopped&) {
   throw;
 } catch (const std::exception& thrown) {
   return file_failure(ToolError::Kind::kInternal, path, "{}", thrown.what());
 }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 
 enum class UpAxis { kX, kY, kZ };
 
@@ -81,4 +81,4 @@ inline constexpr const char* kReduce = "export only the hair and the head, best 
 /// Source: Khronos, "COLLADA 1.4.1 Specification", chapter 5, <accessor>.
 [[nodiscard]] std::optional<std::string> overrun_array(std::string_view document);
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -3,7 +3,7 @@
 #include "import/source_model.h"
 #include "import/stream_parts.h"
 
-namespace coif {
+namespace coif::importer {
 
 namespace {
 
@@ -130,4 +130,4 @@ bool decode_model(std::span<const std::uint8_t> bytes, ImportOutcome& outcome) {
   return decode_framed(kWholeMagic, bytes, outcome, transfer_whole_model, find_model_fault);
 }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 
 using ImportOutcome = tl::expected<SourceModel, ToolError>;
 
@@ -27,4 +27,4 @@ using ImportOutcome = tl::expected<SourceModel, ToolError>;
 [[nodiscard]] std::vector<std::uint8_t> encode_model(const ImportOutcome& outcome);
 [[nodiscard]] bool decode_model(std::span<const std::uint8_t> bytes, ImportOutcome& outcome);
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 namespace fs = std::filesystem;
@@ -131,4 +131,4 @@ ObjLibraries find_libraries(const fs::path& folder, std::string_view written) {
   return out;
 }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -17,7 +17,7 @@
 #include <string_view>
 #include <utility>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 constexpr std::size_t kLongestLine = 4096;
@@ -258,4 +258,4 @@ void apply_obj_options(std::span<const std::string> libraries, SourceModel& mode
   }
 }
 
-}  // namespace coif
+}  // namespace coif::importer

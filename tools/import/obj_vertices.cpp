@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 constexpr std::size_t kPlace = 3, kWithColor = 6;
@@ -100,4 +100,4 @@ std::optional<std::string> text_with_even_colors(std::string_view text) {
   return out;
 }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -10,7 +10,7 @@
 #include <span>
 #include <utility>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 // Metres. What lies farther out is damage (assimp reads past short arrays of a COLLADA file), not a model; an asset
@@ -208,4 +208,4 @@ void keep_mesh(const RawMesh& raw, SourceMesh placed, std::vector<SourceMesh>& m
     warn(warnings, source_code::kRepaired, "mesh '{}' left out: it has no triangles", placed.name);
 }
 
-}  // namespace coif
+}  // namespace coif::importer

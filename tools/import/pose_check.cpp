@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 // Exporters write bind matrices as floats of their own making, and some move whole rigs a little.
@@ -57,4 +57,4 @@ void measure_pose(const RawMesh& mesh, std::span<const SourceNode> nodes, Source
   }
 }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -17,7 +17,7 @@
 #include <optional>
 #include <utility>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 namespace fs = std::filesystem;
@@ -64,7 +64,7 @@ class PoseReader {
       if (auto found = find(bone); !found) return tl::unexpected(found.error());
     }
     if (clip_->found() == 0) {
-      return fault(
+      return gltf::fault(
           "no node has the name of one of the hair's {}; name the clip's nodes as 'coif info -v' names the bones",
           counted(bones.size(), "bone", "bones"));
     }
@@ -101,8 +101,8 @@ class PoseReader {
       if (is_new) {
         auto moves = ClipNode::from(tree_.node(index));
         if (!moves) {
-          return fault("node '{}' has a place that is not made of finite numbers; {}", tree_.label(index),
-                       kExportAgain);
+          return gltf::fault("node '{}' has a place that is not made of finite numbers; {}", tree_.label(index),
+                             kExportAgain);
         }
         clip_->nodes_.push_back({parent, std::move(*moves)});
       }
@@ -139,7 +139,7 @@ class PoseReader {
   tl::expected<void, std::string> read_animation() {
     const json& animations = list_of(member(document_, "animations"));
     const auto used = std::ranges::find_if(animations, [this](const json& one) { return turns_bones(one); });
-    if (used == animations.end()) return fault("no animation turns a bone of the hair; {}", kExportAgain);
+    if (used == animations.end()) return gltf::fault("no animation turns a bone of the hair; {}", kExportAgain);
     for (const json& channel : list_of(member(*used, "channels"))) {
       const auto node = turned_by(channel);
       if (!node) continue;
@@ -151,20 +151,20 @@ class PoseReader {
   tl::expected<void, std::string> read_channel(const json& animation, const json& channel, PoseClip::Node& node) {
     const json& samplers = list_of(member(animation, "samplers"));
     const auto sampler = index_of(member(channel, "sampler"), samplers.size());
-    if (!sampler) return fault("no such sampler among {}; {}", samplers.size(), kExportAgain);
+    if (!sampler) return gltf::fault("no such sampler among {}; {}", samplers.size(), kExportAgain);
     auto track = read_track(document_, buffers_, samplers[*sampler], NodeProperty::kRotation);
-    if (!track) return fault("a bone's rotation: {}; {}", track.error(), kExportAgain);
+    if (!track) return gltf::fault("a bone's rotation: {}; {}", track.error(), kExportAgain);
     numbers_ += track->seconds.size() + track->values.size();
     if (numbers_ > kMostClipNumbers) {
-      return fault("more than {} numbers of animation; export a shorter clip", kMostClipNumbers);
+      return gltf::fault("more than {} numbers of animation; export a shorter clip", kMostClipNumbers);
     }
     if (node.moves.animate(NodeProperty::kRotation, std::move(*track))) return {};
-    return fault("a bone is animated twice, or given as a matrix; {}", kExportAgain);
+    return gltf::fault("a bone is animated twice, or given as a matrix; {}", kExportAgain);
   }
 
   const json& document_;
-  GltfTree tree_;
-  GltfBuffers buffers_;
+  gltf::GltfTree tree_;
+  gltf::GltfBuffers buffers_;
   std::shared_ptr<PoseClip> clip_;
   std::map<std::uint32_t, std::uint32_t> places_;  ///< Of the document's nodes among the clip's.
   std::size_t numbers_ = 0;
@@ -181,4 +181,4 @@ tl::expected<std::shared_ptr<const PoseClip>, ToolError> read_pose_clip(const fs
   return file_failure(ToolError::Kind::kBadInput, path, "not enough memory for this clip");
 }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 
 /// A bone to be found in a clip by its name.
 struct PosedBone {
@@ -59,4 +59,4 @@ class PoseClip {
 [[nodiscard]] tl::expected<std::shared_ptr<const PoseClip>, ToolError> read_pose_clip(const std::filesystem::path& path,
                                                                                       std::span<const PosedBone> bones);
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 
 struct RawBone {
   std::uint32_t node = 0;                                        ///< Into the model's nodes.
@@ -90,4 +90,4 @@ void keep_mesh(const RawMesh& raw, SourceMesh placed, std::vector<SourceMesh>& m
 /// Fills `posed_node` and `posed_degrees` of what became of the mesh.
 void measure_pose(const RawMesh& mesh, std::span<const SourceNode> nodes, SourceMesh& out);
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -10,22 +10,23 @@
 #include <cerrno>
 #include <cstring>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-tl::unexpected<ToolError> explain(const ChildResult& result, const fs::path& path, const ImportSettings& settings) {
+tl::unexpected<ToolError> explain(const platform::ChildResult& result, const fs::path& path,
+                                  const ImportSettings& settings) {
   using Kind = ToolError::Kind;
   switch (result.end) {
-    case ChildResult::End::kTooSlow:
+    case platform::ChildResult::End::kTooSlow:
       return file_failure(Kind::kBadInput, path, "the importer exceeded {} s; {}", settings.max_seconds, kReduce);
-    case ChildResult::End::kOutOfMemory:
-    case ChildResult::End::kTooMuchOutput:
+    case platform::ChildResult::End::kOutOfMemory:
+    case platform::ChildResult::End::kTooMuchOutput:
       return file_failure(Kind::kBadInput, path, "the importer exceeded {} MiB of memory; {}",
                           settings.max_memory_bytes >> 20, kReduce);
-    case ChildResult::End::kNotStarted:
+    case platform::ChildResult::End::kNotStarted:
       if (result.code == EMFILE || result.code == ENFILE) {
         return file_failure(
             Kind::kFileAccess, path,
@@ -33,8 +34,8 @@ tl::unexpected<ToolError> explain(const ChildResult& result, const fs::path& pat
             std::strerror(result.code));
       }
       return file_failure(Kind::kInternal, path, "cannot start the import process: {}", std::strerror(result.code));
-    case ChildResult::End::kCrashed:
-    case ChildResult::End::kFinished: break;
+    case platform::ChildResult::End::kCrashed:
+    case platform::ChildResult::End::kFinished: break;
   }
   return file_failure(Kind::kBadInput, path, "the importer crashed ({} {}); {}",
                       result.by_signal ? "signal" : "exit status", result.code, kReexport);
@@ -42,14 +43,16 @@ tl::unexpected<ToolError> explain(const ChildResult& result, const fs::path& pat
 
 }  // namespace
 
-tl::expected<Bytes, ToolError> read_in_child(const Job& job, const fs::path& path, const ImportSettings& settings) {
-  const Bytes request = json::to_msgpack({{"path", path.string()}, {"settings", import_document(settings)}});
-  const ChildSettings child{
-      ChildKind::kReader, {settings.max_memory_bytes, settings.max_seconds, settings.max_memory_bytes}, settings.stop};
-  ChildResult result = run_in_child(job, request, child);
-  const bool is_finished = result.end == ChildResult::End::kFinished;
+tl::expected<platform::Bytes, ToolError> read_in_child(const platform::Job& job, const fs::path& path,
+                                                       const ImportSettings& settings) {
+  const platform::Bytes request = json::to_msgpack({{"path", path.string()}, {"settings", import_document(settings)}});
+  const platform::ChildSettings child{platform::ChildKind::kReader,
+                                      {settings.max_memory_bytes, settings.max_seconds, settings.max_memory_bytes},
+                                      settings.stop};
+  platform::ChildResult result = platform::run_in_child(job, request, child);
+  const bool is_finished = result.end == platform::ChildResult::End::kFinished;
   if (is_finished && result.output.empty() && settings.requires_sandbox) {
-    const std::string missing = missing_sandbox();
+    const std::string missing = platform::missing_sandbox();
     return file_failure(
         ToolError::Kind::kUnsupported, path,
         "was not read: {}, and --require-sandbox asks for a locked-up reader; use Linux 5.13 or later with Landlock "
@@ -60,11 +63,12 @@ tl::expected<Bytes, ToolError> read_in_child(const Job& job, const fs::path& pat
   return explain(result, path, settings);
 }
 
-Bytes answer_read(const JobCall& call, Bytes (*read)(const fs::path& path, const ImportSettings& settings)) {
+platform::Bytes answer_read(const platform::JobCall& call,
+                            platform::Bytes (*read)(const fs::path& path, const ImportSettings& settings)) {
   const json request = json::from_msgpack(call.request());
   const fs::path path = request.at("path").get<std::string>();
   const ImportSettings settings = import_settings_from(request.at("settings"));
-  const bool is_locked_up = lock_up(folders_of_source(path, settings.roots), path);
+  const bool is_locked_up = platform::lock_up(folders_of_source(path, settings.roots), path);
   if (!is_locked_up && settings.requires_sandbox) return {};
   return read(path, settings);
 }
@@ -102,4 +106,4 @@ tl::unexpected<ToolError> senseless_answer(const fs::path& path) {
                       kReexport);
 }
 
-}  // namespace coif
+}  // namespace coif::importer

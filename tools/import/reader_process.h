@@ -9,7 +9,7 @@
 
 #include <filesystem>
 
-namespace coif {
+namespace coif::importer {
 
 // How files of strangers are read: by a child process under the limits of ImportSettings that is locked up where the
 // kernel can do that (platform/sandbox.h). It may open nothing but the source, its folder and the roots, and make no
@@ -19,12 +19,14 @@ namespace coif {
 /// as the source. Errors: kBadInput where the child crashed or exceeded a limit, with a cure, kInternal where it could
 /// not be started, kUnsupported where settings.requires_sandbox and it cannot be locked up. Throws Stopped, the child
 /// gone, where settings.stop is requested. Blocks.
-[[nodiscard]] tl::expected<Bytes, ToolError> read_in_child(const Job& job, const std::filesystem::path& path,
-                                                           const ImportSettings& settings);
+[[nodiscard]] tl::expected<platform::Bytes, ToolError> read_in_child(const platform::Job& job,
+                                                                     const std::filesystem::path& path,
+                                                                     const ImportSettings& settings);
 
 /// ... the other reads: locks this process up as the call asks, and returns what `read` does.
-[[nodiscard]] Bytes answer_read(const JobCall& call,
-                                Bytes (*read)(const std::filesystem::path& path, const ImportSettings& settings));
+[[nodiscard]] platform::Bytes answer_read(const platform::JobCall& call,
+                                          platform::Bytes (*read)(const std::filesystem::path& path,
+                                                                  const ImportSettings& settings));
 
 /// Of an answer that is none.
 [[nodiscard]] tl::unexpected<ToolError> senseless_answer(const std::filesystem::path& path);
@@ -34,4 +36,4 @@ namespace coif {
 /// Throws a std::exception for any other document.
 [[nodiscard]] ImportSettings import_settings_from(const nlohmann::json& document);
 
-}  // namespace coif
+}  // namespace coif::importer

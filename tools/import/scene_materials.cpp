@@ -14,7 +14,7 @@
 #include <map>
 #include <set>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 // What assimp fills in where an OBJ gives no Kd, or its material file is missing.
@@ -204,4 +204,4 @@ void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& m
   }
 }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -14,7 +14,7 @@
 #include <span>
 #include <utility>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 Eigen::Vector3f vector(const aiVector3D& v) { return {v.x, v.y, v.z}; }
@@ -152,4 +152,4 @@ std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& n
   return meshes;
 }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <unordered_set>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 struct Pending {
@@ -137,4 +137,4 @@ SceneNodes flatten_nodes(const aiScene& scene, const Eigen::Affine3d& model_from
   return out;
 }
 
-}  // namespace coif
+}  // namespace coif::importer

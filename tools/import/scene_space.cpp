@@ -10,7 +10,7 @@
 #include <cmath>
 #include <optional>
 
-namespace coif {
+namespace coif::importer {
 
 Eigen::Matrix3d y_up_from(UpAxis up) {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
@@ -144,4 +144,4 @@ Eigen::Affine3d model_from_scene(const aiScene& scene, SourceFormat format, cons
   return model_from_scene;
 }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -13,7 +13,7 @@
 #include <numbers>
 #include <optional>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 std::optional<aiTextureType> first_type(const aiMaterial& material, std::span<const aiTextureType> types) {
@@ -161,4 +161,4 @@ std::vector<Eigen::Vector4f> vertex_colors(const aiMesh& mesh) {
   return colors;
 }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -26,7 +26,7 @@ struct aiMaterial;
 struct aiMesh;
 struct aiScene;
 
-namespace coif {
+namespace coif::importer {
 
 struct ColladaNames;
 
@@ -113,4 +113,4 @@ void read_wrap(const aiMaterial& material, unsigned type, SourceTexture& texture
 /// opened.
 void apply_obj_options(std::span<const std::string> libraries, SourceModel& model);
 
-}  // namespace coif
+}  // namespace coif::importer

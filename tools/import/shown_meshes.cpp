@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 constexpr std::size_t kShownNames = 6;
@@ -59,4 +59,4 @@ tl::expected<void, ToolError> keep_shown_meshes(const std::filesystem::path& pat
   return {};
 }
 
-}  // namespace coif
+}  // namespace coif::importer

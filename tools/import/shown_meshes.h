@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 
 /// Where the file hides meshes, by the names of their nodes: a warning that they are left out.
 void warn_of_hidden(std::span<const std::string> nodes, std::vector<Warning>& warnings);
@@ -37,4 +37,4 @@ void keep_finest_levels(std::span<const std::string> meshes, SourceModel& model)
 [[nodiscard]] tl::expected<void, ToolError> keep_shown_meshes(const std::filesystem::path& path, bool hides_all,
                                                               std::span<const std::string> meshes, SourceModel& model);
 
-}  // namespace coif
+}  // namespace coif::importer

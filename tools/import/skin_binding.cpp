@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 constexpr float kRounding = 1e-4f;  // what exporters leave of a weight of 0 may be as far below
@@ -110,4 +110,4 @@ Eigen::Affine3d SkinBinding::model_from_mesh(std::size_t vertex) const {
   return blended;
 }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace coif {
+namespace coif::importer {
 
 namespace fs = std::filesystem;
 
@@ -81,4 +81,4 @@ std::string supported_suffixes() {
   return list;
 }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 constexpr float kWeightSumTolerance = 1e-3f;
@@ -193,4 +193,4 @@ std::string find_model_fault(const SourceModel& model) {
   return springs_fault(model);
 }
 
-}  // namespace coif
+}  // namespace coif::importer

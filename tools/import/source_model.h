@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 
 inline constexpr std::uint32_t kNoIndex = 0xFFFFFFFFu;
 inline constexpr std::size_t kMaxSourceSprings = 4096;  ///< A whole avatar with skirt and tail has some dozens.
@@ -204,4 +204,4 @@ struct SourceModel {
 /// influences that add up to one. Empty when they hold, else the first that does not.
 [[nodiscard]] std::string find_model_fault(const SourceModel& model);
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 
 /// Codes; the table of issues (tools/validate) says what each means and what mends it.
 namespace source_code {
@@ -58,4 +58,4 @@ inline void warn_count(std::vector<Warning>& warnings, const char* code, std::si
   if (count != 0) warn(warnings, code, "{}: {} {}", label, count, what);
 }
 
-}  // namespace coif
+}  // namespace coif::importer

@@ -15,16 +15,16 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+template <>
+inline constexpr bool coif::kIsPlain<coif::importer::SourceInfluence> = true;
+template <>
+inline constexpr bool coif::kIsPlain<Eigen::Vector3f> = true;
+template <>
+inline constexpr bool coif::kIsPlain<Eigen::Vector2f> = true;
+template <>
+inline constexpr bool coif::kIsPlain<Eigen::Vector4f> = true;
 
-template <>
-inline constexpr bool kIsPlain<SourceInfluence> = true;
-template <>
-inline constexpr bool kIsPlain<Eigen::Vector3f> = true;
-template <>
-inline constexpr bool kIsPlain<Eigen::Vector2f> = true;
-template <>
-inline constexpr bool kIsPlain<Eigen::Vector4f> = true;
+namespace coif::importer {
 
 static_assert(sizeof(Eigen::Vector4f) == 16);
 static_assert(sizeof(Eigen::Vector3f) == 12 && sizeof(Eigen::Vector2f) == 8 && sizeof(SourceInfluence) == 8);
@@ -110,4 +110,4 @@ template <class Value, class Transfer>
   return true;
 }
 
-}  // namespace coif
+}  // namespace coif::importer

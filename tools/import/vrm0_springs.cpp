@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 using nlohmann::json;
@@ -12,7 +12,7 @@ using nlohmann::json;
 constexpr double kLeafTail = 0.07;  // metres
 
 std::optional<Eigen::Vector3d> from_unity(const json& value) {
-  auto vector = vector_of(value);
+  auto vector = gltf::vector_of(value);
   if (vector) vector->z() = -vector->z();
   return vector;
 }
@@ -112,4 +112,4 @@ void read_vrm0_springs(const json& secondary_animation, SpringSink& sink) {
   }
 }
 
-}  // namespace coif
+}  // namespace coif::importer

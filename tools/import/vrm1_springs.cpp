@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 using nlohmann::json;
@@ -18,10 +18,11 @@ bool read_shape(const json& shape, SourceCollider& out) {
     if (!values.is_object()) continue;
     const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
     out.shape = kind;
-    out.center = vector_of(member(values, "offset")).value_or(zero);
-    out.tail = kind == Shape::kCapsule ? vector_of(member(values, "tail")).value_or(zero) : zero;
+    out.center = gltf::vector_of(member(values, "offset")).value_or(zero);
+    out.tail = kind == Shape::kCapsule ? gltf::vector_of(member(values, "tail")).value_or(zero) : zero;
     out.radius = kind == Shape::kPlane ? 0 : number_of(member(values, "radius")).value_or(0);
-    if (kind == Shape::kPlane) out.normal = vector_of(member(values, "normal")).value_or(Eigen::Vector3d::UnitZ());
+    if (kind == Shape::kPlane)
+      out.normal = gltf::vector_of(member(values, "normal")).value_or(Eigen::Vector3d::UnitZ());
     out.keeps_inside = member(values, "inside") == json(true);
     return true;
   }
@@ -84,7 +85,7 @@ void read_joints(const json& list, SourceSpring& spring, SpringSink& sink) {
       continue;
     }
     if (!spring.joints.empty()) end_joint(spring.joints.back(), *node, sink);
-    spring.joints.push_back(read_settings(value, "stiffness", 0.5, vector_of(member(value, "gravityDir"))));
+    spring.joints.push_back(read_settings(value, "stiffness", 0.5, gltf::vector_of(member(value, "gravityDir"))));
     spring.joints.back().node = *node;
     spring.joints.back().limit = read_limit(value, fmt::format("spring '{}'", spring.name), sink);
   }
@@ -130,4 +131,4 @@ void read_vrm1_springs(const json& spring_bone, SpringSink& sink) {
   }
 }
 
-}  // namespace coif
+}  // namespace coif::importer

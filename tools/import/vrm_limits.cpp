@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 using nlohmann::json;
@@ -89,4 +89,4 @@ Eigen::Quaterniond limit_axes(const SourceModel& model, std::uint32_t joint, std
   return (axes * turn.normalized()).normalized();
 }
 
-}  // namespace coif
+}  // namespace coif::importer

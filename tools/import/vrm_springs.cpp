@@ -10,7 +10,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 using nlohmann::json;
@@ -180,4 +180,4 @@ void SpringSink::ignore(std::string sentence) {
   if (++ignored_ <= kSpelledOut) warn(model_.warnings, source_code::kSprings, "{}", sentence);
 }
 
-}  // namespace coif
+}  // namespace coif::importer

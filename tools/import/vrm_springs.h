@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::importer {
 
 /// Colliders of a model, by their number there.
 using ColliderSet = std::bitset<kMaxSourceColliders>;
@@ -99,4 +99,4 @@ void read_vrm0_springs(const nlohmann::json& secondary_animation, SpringSink& si
 /// them. The last joint of a spring is only the end of the one before it, and has no limit.
 void read_vrm1_springs(const nlohmann::json& spring_bone, SpringSink& sink);
 
-}  // namespace coif
+}  // namespace coif::importer

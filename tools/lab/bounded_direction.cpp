@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::lab {
 namespace {
 
 using Eigen::Vector3d;
@@ -66,4 +66,4 @@ Vector3d stopped(const BoundedDirection& at, Vector3d turning) {
   return turning;
 }
 
-}  // namespace coif
+}  // namespace coif::lab

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-namespace coif {
+namespace coif::lab {
 
 /// A bone's direction and where its limit has it. All in the limit's own axes.
 struct BoundedDirection {
@@ -23,4 +23,4 @@ struct BoundedDirection {
 /// The rate `turning` of a direction that a limit stopped, without what leads further; seen from the limit's axes, 1/s.
 [[nodiscard]] Eigen::Vector3d stopped(const BoundedDirection& at, Eigen::Vector3d turning);
 
-}  // namespace coif
+}  // namespace coif::lab

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace coif {
+namespace coif::lab {
 namespace {
 
 using Eigen::Vector3d;
@@ -54,4 +54,4 @@ HairPlace place_of(const Rig& rig) {
   return place;
 }
 
-}  // namespace coif
+}  // namespace coif::lab

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-namespace coif {
+namespace coif::lab {
 
 /// Where hair is at rest, for colliders that are to meet it. Head space, metres.
 struct HairPlace {
@@ -19,4 +19,4 @@ struct HairPlace {
 /// Of a rig with bones.
 [[nodiscard]] HairPlace place_of(const Rig& rig);
 
-}  // namespace coif
+}  // namespace coif::lab

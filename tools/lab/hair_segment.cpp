@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace coif {
+namespace coif::lab {
 namespace {
 
 using Eigen::Map;
@@ -224,4 +224,4 @@ void ConstraintMeter::look_at_colliders(const RigBone& bone, const HairSegment& 
   }
 }
 
-}  // namespace coif
+}  // namespace coif::lab

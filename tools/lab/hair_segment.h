@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::lab {
 
 /// A bone as a collider meets it: a straight piece with a thickness. Head space, metres.
 struct HairSegment {
@@ -87,4 +87,4 @@ class ConstraintMeter {
   ConstraintErrors worst_;
 };
 
-}  // namespace coif
+}  // namespace coif::lab

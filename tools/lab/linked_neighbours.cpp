@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace coif {
+namespace coif::lab {
 namespace {
 
 using Eigen::Vector3f;
@@ -64,4 +64,4 @@ AssetContents with_neighbours_linked(const Asset& asset) {
   return contents;
 }
 
-}  // namespace coif
+}  // namespace coif::lab

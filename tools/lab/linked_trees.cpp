@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace coif {
+namespace coif::lab {
 namespace {
 
 /// Which root each bone hangs from in the end, linked ones from the first of theirs.
@@ -62,4 +62,4 @@ void ReferenceTree::find_links(const Rig& rig, std::span<const int> place) {
   links_ = std::make_unique<ReferenceLinks>(std::move(links), bones_);
 }
 
-}  // namespace coif
+}  // namespace coif::lab

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace coif {
+namespace coif::lab {
 namespace {
 
 constexpr double kSameTime = 1e-9;  ///< Seconds: the same moment as two fractions differs by rounding.
@@ -57,7 +57,7 @@ double worst_second(std::span<const double> mean_squares, double frames_per_seco
 RuntimeError measure_runtime(const Asset& asset, const Rig& rig, const KnownMotion& motion, std::uint32_t rate,
                              std::uint32_t substeps, const std::stop_token& stop) {
   const ReferenceRun& reference = motion.reference;
-  const auto path = path_of(motion.motion);
+  const auto path = motion::path_of(motion.motion);
   RuntimeSolver solver(asset, {}, kCoifSolver, int(substeps));
   solver.reset(path->pose(0));
   ConstraintMeter meter(rig);
@@ -65,7 +65,7 @@ RuntimeError measure_runtime(const Asset& asset, const Rig& rig, const KnownMoti
   std::vector<double> squares;  // of each frame, a mean over the tips
   std::size_t sample = 0;
   for (std::uint32_t frame = 1;; ++frame) {
-    throw_if_stopped(stop);
+    platform::throw_if_stopped(stop);
     const double time = double(frame) / rate;
     while (sample < reference.times.size() && reference.times[sample] < time - kSameTime) ++sample;
     if (sample == reference.times.size()) break;
@@ -82,4 +82,4 @@ RuntimeError measure_runtime(const Asset& asset, const Rig& rig, const KnownMoti
   return error;
 }
 
-}  // namespace coif
+}  // namespace coif::lab

@@ -11,11 +11,11 @@
 #include <stop_token>
 #include <vector>
 
-namespace coif {
+namespace coif::lab {
 
 /// The converged solution of one motion, to compare the runtime with at several frame rates.
 struct KnownMotion {
-  Motion motion = Motion::kStill;
+  motion::Motion motion = motion::Motion::kStill;
   ReferenceRun reference;
 };
 
@@ -41,4 +41,4 @@ struct RuntimeError {
                                            std::uint32_t rate, std::uint32_t substeps,
                                            const std::stop_token& stop = {});
 
-}  // namespace coif
+}  // namespace coif::lab

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace coif {
+namespace coif::lab {
 namespace {
 
 using Eigen::Matrix3d;
@@ -43,7 +43,7 @@ constexpr double kSoftness = 1.0e-9;
 
 double mass_of(const RigBone& bone) { return bone.length; }
 
-const BoneMotion& carrier(std::span<const RigBone> bones, std::size_t i, const HeadState& head,
+const BoneMotion& carrier(std::span<const RigBone> bones, std::size_t i, const motion::HeadState& head,
                           std::span<const BoneMotion> motions, BoneMotion& joint) {
   if (bones[i].parent >= 0) return motions[std::size_t(bones[i].parent)];
   joint = motion_of_joint(bones[i].joint, head);
@@ -91,7 +91,8 @@ const Matrix3d& PassiveModel::turn_above(std::size_t i) const {
 }
 
 /// What acts at the joint of a bone whose direction and arc are known.
-void PassiveModel::load(std::size_t i, const HeadState& head, const BoneMotion& parent, const BoneMotion& motion) {
+void PassiveModel::load(std::size_t i, const motion::HeadState& head, const BoneMotion& parent,
+                        const BoneMotion& motion) {
   const RigBone& bone = bones_[i];
   Bend& bend = bends_[i];
   const double share = bone.parent_share;
@@ -125,7 +126,7 @@ Vector3d PassiveModel::release(std::size_t i, const Vector3d& of_start) const {
   return links.push - (links.pull - bends_[i].direction.dot(of_start) * links.yields) * links.by_pull;
 }
 
-void PassiveModel::rates(const SolverScene& scene, const HeadState& head, std::span<const BoneState> states,
+void PassiveModel::rates(const SolverScene& scene, const motion::HeadState& head, std::span<const BoneState> states,
                          std::span<BoneMotion> motions, std::span<BoneRates> rates) {
   const Vector3d air = scene.wind + head.velocity * bones_.front().air_follow;
   BoneMotion joint;
@@ -220,7 +221,7 @@ void PassiveModel::lift(std::span<const BoneContact> contacts, std::span<const d
   for (std::size_t i = 0; i < bones_.size(); ++i) ways[i] = changes.segment<3>(3 * Eigen::Index(i));
 }
 
-void PassiveModel::keep_links(const HeadState& head, std::span<const BoneContact> contacts,
+void PassiveModel::keep_links(const motion::HeadState& head, std::span<const BoneContact> contacts,
                               std::span<BoneMotion> motions, std::span<BoneState> states) {
   BoneMotion joint;
   Eigen::VectorXd opening(bones_.size());
@@ -242,7 +243,8 @@ void PassiveModel::keep_links(const HeadState& head, std::span<const BoneContact
   }
 }
 
-double PassiveModel::energy(const SolverScene& scene, const HeadState& head, std::span<const BoneState> states) const {
+double PassiveModel::energy(const SolverScene& scene, const motion::HeadState& head,
+                            std::span<const BoneState> states) const {
   std::vector<BoneMotion> motions(bones_.size());
   double sum = 0;
   BoneMotion joint;
@@ -263,4 +265,4 @@ double PassiveModel::energy(const SolverScene& scene, const HeadState& head, std
   return sum;
 }
 
-}  // namespace coif
+}  // namespace coif::lab

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::lab {
 
 /// All that hangs from a bone's start, about that, where bones weigh a kilogram a metre, each at its tail.
 struct Carried {
@@ -30,12 +30,12 @@ class PassiveModel {
   explicit PassiveModel(std::span<const RigBone> bones);
 
   /// As free_rates(): of bones that never twist, without contacts. `motions` and `rates` are as long as the bones.
-  void rates(const SolverScene& scene, const HeadState& head, std::span<const BoneState> states,
+  void rates(const SolverScene& scene, const motion::HeadState& head, std::span<const BoneState> states,
              std::span<BoneMotion> motions, std::span<BoneRates> rates);
 
   /// The velocities nearest to those of `motions`, by mass, that stretch no bone and lead into no collider; `states`
   /// turn with them.
-  void keep_links(const HeadState& head, std::span<const BoneContact> contacts, std::span<BoneMotion> motions,
+  void keep_links(const motion::HeadState& head, std::span<const BoneContact> contacts, std::span<BoneMotion> motions,
                   std::span<BoneState> states);
 
   /// The ways of the particles that lift each contact by its depth and stretch no bone, the shortest by mass.
@@ -43,7 +43,8 @@ class PassiveModel {
             std::span<const Eigen::Vector3d> directions, std::vector<Eigen::Vector3d>& ways);
 
   /// Kinetic energy, and that of weight and bending, joules; against the head's rotation and gravity of `scene`.
-  [[nodiscard]] double energy(const SolverScene& scene, const HeadState& head, std::span<const BoneState> states) const;
+  [[nodiscard]] double energy(const SolverScene& scene, const motion::HeadState& head,
+                              std::span<const BoneState> states) const;
 
  private:
   /// What all below a bone makes of its particle: `mass` times its acceleration is `push`, less the bone's own pull.
@@ -66,7 +67,7 @@ class PassiveModel {
   [[nodiscard]] Eigen::VectorXd nearest(std::span<const BoneContact> contacts, const Eigen::VectorXd& opening,
                                         std::span<const double> entering) const;
   const Eigen::Matrix3d& turn_above(std::size_t i) const;
-  void load(std::size_t i, const HeadState& head, const BoneMotion& parent, const BoneMotion& motion);
+  void load(std::size_t i, const motion::HeadState& head, const BoneMotion& parent, const BoneMotion& motion);
   void gather(std::size_t i, double opening);
   Eigen::Vector3d release(std::size_t i, const Eigen::Vector3d& of_start) const;
 
@@ -79,4 +80,4 @@ class PassiveModel {
   std::vector<Eigen::Vector3d> forces_, torques_;
 };
 
-}  // namespace coif
+}  // namespace coif::lab

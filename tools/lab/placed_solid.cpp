@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace coif {
+namespace coif::lab {
 namespace {
 
 using Eigen::Quaterniond;
@@ -73,7 +73,7 @@ PlacedSolid::PlacedSolid(const ColliderRecord& record, const Eigen::Isometry3d& 
       end_radius(record.radii[1]),
       half_extents(record.radii[0], record.radii[1], record.radii[2]) {
   // The axis of a record is in head space already.
-  const Quaterniond own = rotation_of(record.rotation);
+  const Quaterniond own = coif::rotation_of(record.rotation);
   to_own_axes = (Quaterniond(moved.rotation()) * own).conjugate();
   axis = turned(own.conjugate(), axis);
   size = size_of(*this);
@@ -149,4 +149,4 @@ void MovingMeter::look(std::span<const Vector3d> ends, std::span<const PlacedSol
   ++looks_;
 }
 
-}  // namespace coif
+}  // namespace coif::lab

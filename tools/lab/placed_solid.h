@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::lab {
 
 /// In double precision. Head space, the hair's own metres.
 struct PlacedSolid {
@@ -72,4 +72,4 @@ class MovingMeter {
   std::size_t looks_ = 0;
 };
 
-}  // namespace coif
+}  // namespace coif::lab

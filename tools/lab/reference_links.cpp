@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::lab {
 namespace {
 
 using Eigen::Vector3d;
@@ -106,4 +106,4 @@ void ReferenceLinks::hold(const Level& level) const {
   repeat(kSlowest, [&](const RigLink& link) { return slow(link, level); });
 }
 
-}  // namespace coif
+}  // namespace coif::lab

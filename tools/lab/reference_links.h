@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::lab {
 
 /// What holds linked bones together in the reference (runtime/docs/MODEL.md, "Links"): by many small turns until all
 /// links have their lengths to rounding. Not the runtime's way, which is measured against it.
@@ -46,4 +46,4 @@ class ReferenceLinks {
   std::vector<BoneMotion> starts_;  ///< Of the bones at hand: what they hang from.
 };
 
-}  // namespace coif
+}  // namespace coif::lab

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::lab {
 namespace {
 
 using Eigen::Quaterniond;
@@ -48,7 +48,7 @@ double spin_of_twist(const RigBone& bone, const BoneMotion& parent, const Quater
 }
 
 /// m/s^2 on the mass at the bone's tail, but for what keeps its length.
-Vector3d load_on(const RigBone& bone, const SolverScene& scene, const HeadState& head, const BoneTarget& target,
+Vector3d load_on(const RigBone& bone, const SolverScene& scene, const motion::HeadState& head, const BoneTarget& target,
                  const Vector3d& direction, const Vector3d& turning, const Vector3d& parent_velocity) {
   const Vector3d air = scene.wind + head.velocity * bone.air_follow;
   return scene.gravity * bone.gravity_scale - bone.friction * (parent_velocity + bone.length * turning - air) -
@@ -65,7 +65,7 @@ Vector3d angular_velocity(const RigBone& bone, const BoneMotion& parent, const B
 
 /// target_of() a bone that its parent pulls along `with_parent`.
 BoneTarget target_from(const RigBone& bone, const Vector3d& unbent, const Vector3d& with_parent,
-                       const BoneMotion& parent, const HeadState& head) {
+                       const BoneMotion& parent, const motion::HeadState& head) {
   BoneTarget target{with_parent, parent.angular_velocity.cross(with_parent)};
   if (const double share = bone.parent_share; share != 1) {
     const Vector3d with_head = turned(head.rotation, unbent);
@@ -75,7 +75,7 @@ BoneTarget target_from(const RigBone& bone, const Vector3d& unbent, const Vector
   return target;
 }
 
-BoneRates rates_of(const RigBone& bone, const SolverScene& scene, const HeadState& head, const BoneState& state,
+BoneRates rates_of(const RigBone& bone, const SolverScene& scene, const motion::HeadState& head, const BoneState& state,
                    const BoneMotion& parent, BoneMotion& motion) {
   motion.frame = state.frame.normalized();
   const Vector3d direction = turned(motion.frame, bone.rest_direction);
@@ -99,7 +99,7 @@ BoneRates rates_of(const RigBone& bone, const SolverScene& scene, const HeadStat
 
 Quaterniond shortest_arc(const Vector3d& from, const Vector3d& to) { return arc_between(from, to).normalized(); }
 
-BoneMotion motion_of_joint(const Vector3d& joint, const HeadState& head) {
+BoneMotion motion_of_joint(const Vector3d& joint, const motion::HeadState& head) {
   const Vector3d arm = turned(head.rotation, joint);
   const Vector3d swing = head.angular_velocity.cross(arm);
   return {arm, head.velocity + swing,
@@ -107,11 +107,12 @@ BoneMotion motion_of_joint(const Vector3d& joint, const HeadState& head) {
           head.angular_velocity, head.rotation};
 }
 
-BoneTarget target_of(const RigBone& bone, const BoneMotion& parent, const HeadState& head) {
+BoneTarget target_of(const RigBone& bone, const BoneMotion& parent, const motion::HeadState& head) {
   return target_of(bone, bone.pull_direction(), parent, head);
 }
 
-BoneTarget target_of(const RigBone& bone, const Vector3d& unbent, const BoneMotion& parent, const HeadState& head) {
+BoneTarget target_of(const RigBone& bone, const Vector3d& unbent, const BoneMotion& parent,
+                     const motion::HeadState& head) {
   return target_from(bone, unbent, turned(parent.frame, unbent), parent, head);
 }
 
@@ -124,7 +125,7 @@ Quaterniond frame_of_arc(const RigBone& bone, const Quaterniond& parent_frame, c
   return shortest_arc(turned(parent_frame, bone.rest_direction), direction) * parent_frame;
 }
 
-void free_rates(std::span<const RigBone> bones, const SolverScene& scene, const HeadState& head,
+void free_rates(std::span<const RigBone> bones, const SolverScene& scene, const motion::HeadState& head,
                 std::span<const BoneState> states, std::span<BoneMotion> motions, std::span<BoneRates> rates) {
   for (std::size_t i = 0; i < bones.size(); ++i) {
     const RigBone& bone = bones[i];
@@ -145,4 +146,4 @@ BoundedBone bounded(const RigBone& bone, const Eigen::Quaterniond& parent_frame,
   return out;
 }
 
-}  // namespace coif
+}  // namespace coif::lab

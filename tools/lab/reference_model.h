@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::lab {
 
 /// What the model remembers of a bone. World axes.
 struct BoneState {
@@ -50,12 +50,12 @@ struct BoneTarget {
 };
 
 /// Of a joint that moves rigidly with the head.
-[[nodiscard]] BoneMotion motion_of_joint(const Eigen::Vector3d& joint, const HeadState& head);
+[[nodiscard]] BoneMotion motion_of_joint(const Eigen::Vector3d& joint, const motion::HeadState& head);
 
-[[nodiscard]] BoneTarget target_of(const RigBone& bone, const BoneMotion& parent, const HeadState& head);
+[[nodiscard]] BoneTarget target_of(const RigBone& bone, const BoneMotion& parent, const motion::HeadState& head);
 /// The same of a direction that is `unbent` in the parent's frame.
 [[nodiscard]] BoneTarget target_of(const RigBone& bone, const Eigen::Vector3d& unbent, const BoneMotion& parent,
-                                   const HeadState& head);
+                                   const motion::HeadState& head);
 
 /// Angular velocity of a bone with this state: as its direction turns, and about it as the parent does, less the rate
 /// at which a twist between them goes back. Without twist (kShortestArc) as the shortest arc from the parent's frame
@@ -81,7 +81,7 @@ struct BoundedBone {
 
 /// Equations of motion of bones whose parents come first, without contacts. `motions` is scratch; all spans are as long
 /// as `bones`.
-void free_rates(std::span<const RigBone> bones, const SolverScene& scene, const HeadState& head,
+void free_rates(std::span<const RigBone> bones, const SolverScene& scene, const motion::HeadState& head,
                 std::span<const BoneState> states, std::span<BoneMotion> motions, std::span<BoneRates> rates);
 
 /// Turns the unit vector `from` to the unit vector `to`; about some axis where they are opposite.
@@ -90,7 +90,7 @@ void free_rates(std::span<const RigBone> bones, const SolverScene& scene, const 
 /// What the head does during one step of the reference, which lies within one smooth piece of its path.
 struct HeadStep {
   double dt = 0;
-  HeadState start, middle, end;
+  motion::HeadState start, middle, end;
 };
 
 /// Where a bone of the passive model touches a collider.
@@ -116,7 +116,7 @@ class ReferenceTree {
   ~ReferenceTree();
 
   /// The rest pose, moving rigidly with the head.
-  void reset(const HeadState& head);
+  void reset(const motion::HeadState& head);
 
   /// Free movement. Then chains of the passive model leave colliders as a whole, by the shortest way by mass. Then,
   /// from root to tip, whatever left its limits or entered a collider is turned back the shortest way and loses the
@@ -144,17 +144,17 @@ class ReferenceTree {
  private:
   void find_links(const Rig& rig, std::span<const int> place);
   void integrate(const HeadStep& step);
-  void find_rates(const HeadState& head, const std::vector<BoneState>& states, std::vector<BoneRates>& rates);
+  void find_rates(const motion::HeadState& head, const std::vector<BoneState>& states, std::vector<BoneRates>& rates);
   void untwist_all(const Eigen::Quaterniond& head_rotation);
-  void hold(const HeadState& head);
-  void lift(const HeadState& head);
-  void hold_bone(std::size_t i, const HeadState& head);
-  void hold_links(std::size_t begin, std::size_t end, const HeadState& head);
-  bool hold_limit(const RigBone& bone, const BoneMotion& parent, const HeadState& head, BoneState& state) const;
+  void hold(const motion::HeadState& head);
+  void lift(const motion::HeadState& head);
+  void hold_bone(std::size_t i, const motion::HeadState& head);
+  void hold_links(std::size_t begin, std::size_t end, const motion::HeadState& head);
+  bool hold_limit(const RigBone& bone, const BoneMotion& parent, const motion::HeadState& head, BoneState& state) const;
   bool hold_bounds(const RigBone& bone, const BoneMotion& parent, BoneState& state) const;
   /// Turns the bone out of its colliders. The cascade's bone also loses the velocity that leads into them; of the
   /// passive model's the contacts are added to contacts_, for keep_links().
-  bool hold_colliders(std::size_t i, const BoneMotion& parent, const HeadState& head);
+  bool hold_colliders(std::size_t i, const BoneMotion& parent, const motion::HeadState& head);
 
   std::vector<std::uint32_t> members_;
   std::vector<RigBone> bones_;             ///< Parents are indices into bones_.
@@ -182,4 +182,4 @@ class ReferenceTree {
 /// the rig's order, or by depth where some are linked.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> trees_of(const Rig& rig);
 
-}  // namespace coif
+}  // namespace coif::lab

@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-namespace coif {
+namespace coif::lab {
 namespace {
 
 using Eigen::Vector3d;
@@ -29,11 +29,11 @@ struct Stop {
 };
 
 /// Samples and the path's breaks, merged.
-std::vector<Stop> stops_of(const HeadPath& path, std::span<const double> samples) {
+std::vector<Stop> stops_of(const motion::HeadPath& path, std::span<const double> samples) {
   std::vector<Stop> stops;
   for (const double seconds : samples) stops.push_back({seconds, true, false});
   const double until = samples.empty() ? 0.0 : samples.back();
-  for (const PathBreak& end : path.breaks(until)) {
+  for (const motion::PathBreak& end : path.breaks(until)) {
     const double same = end.jumps ? 0.0 : 1.0e-9;  // Seconds: a step of rounding errors is none.
     const auto at = std::ranges::lower_bound(stops, end.seconds - same, {}, &Stop::seconds);
     if (at != stops.end() && at->seconds <= end.seconds + same) {
@@ -58,7 +58,7 @@ using TipPaths = std::vector<Vector3d>;
 /// Follows one tree through all stops.
 class TreeRun {
  public:
-  TreeRun(ReferenceTree& tree, const HeadPath& path, std::span<const Stop> stops, const std::stop_token& stop)
+  TreeRun(ReferenceTree& tree, const motion::HeadPath& path, std::span<const Stop> stops, const std::stop_token& stop)
       : tree_(tree), path_(path), stops_(stops), stop_(stop), ends_(tree.members().size()) {}
 
   /// `fineness`: how many times shorter the steps are than those of the first run, cut ones included; else two runs
@@ -73,7 +73,7 @@ class TreeRun {
     double now = 0;
     std::size_t sample = 0;
     for (const Stop& stop : stops_) {
-      throw_if_stopped(stop_);
+      platform::throw_if_stopped(stop_);
       go(now, stop, coarse_rate);
       if (is_over()) return {};
       now = stop.seconds;
@@ -117,7 +117,7 @@ class TreeRun {
   }
 
   ReferenceTree& tree_;
-  const HeadPath& path_;
+  const motion::HeadPath& path_;
   double fineness_ = 1;
   std::uint64_t steps_ = 0, most_steps_ = 0;
   std::span<const Stop> stops_;
@@ -175,8 +175,8 @@ void write_tree(const TreeTips& tips, std::span<const TipAgreement> agreement, c
 
 /// Solves one tree with shorter and shorter steps until two runs agree, and writes its part of `result`. Returns how
 /// many steps that took.
-std::uint64_t solve_tree(ReferenceTree tree, const TreeTips& tips, const HeadPath& path, std::span<const Stop> stops,
-                         const ReferenceSettings& settings, ReferenceRun& result) {
+std::uint64_t solve_tree(ReferenceTree tree, const TreeTips& tips, const motion::HeadPath& path,
+                         std::span<const Stop> stops, const ReferenceSettings& settings, ReferenceRun& result) {
   const std::size_t samples = result.times.size();
   TreeRun runner(tree, path, stops, settings.threads.stop);
   const double coarse_rate = first_rate(tree, settings);
@@ -249,7 +249,7 @@ double first_run_work(const Rig& rig, const SolverScene& scene, const ReferenceS
   return work;
 }
 
-ReferenceRun solve_reference(const Rig& rig, const SolverScene& scene, const HeadPath& path,
+ReferenceRun solve_reference(const Rig& rig, const SolverScene& scene, const motion::HeadPath& path,
                              const ReferenceSettings& settings) {
   const std::vector<std::vector<std::uint32_t>> trees = trees_of(rig);
   const std::vector<Stop> stops = stops_of(path, settings.sample_times);
@@ -268,4 +268,4 @@ ReferenceRun solve_reference(const Rig& rig, const SolverScene& scene, const Hea
   return result;
 }
 
-}  // namespace coif
+}  // namespace coif::lab

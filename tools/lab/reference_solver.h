@@ -9,14 +9,14 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::lab {
 
 struct ReferenceSettings {
   std::vector<double> sample_times;          ///< Seconds, ascending, >= 0. Steps end there: nothing is interpolated.
   double steps_per_second = 720;             ///< At least; bones that are too stiff for it get more.
   double most_steps_per_second = 11520;      ///< Of the finer of the two runs that are compared, if not more is needed.
   double wanted_self_difference_pct = 0.05;  ///< RMS over a tree of bones; finer steps are taken until it is met.
-  Threads threads = 1;                       ///< solve_reference() throws Stopped where its token is requested.
+  platform::Threads threads = 1;             ///< solve_reference() throws Stopped where its token is requested.
   /// So many times the steps of its first run (first_run_work()) may one tree of bones take, over all its runs: a bound
   /// of the work that is the same on every machine. Finer steps that would need more are not taken; a tree whose first
   /// two runs need more is not solved. The second has twice as many steps as the first, and hair that whips round needs
@@ -56,7 +56,7 @@ struct ReferenceRun {
 
 /// Solves the continuous model along `path` from the rest pose at time 0. Never fails: where the model is chaotic or
 /// stiff beyond the steps allowed, the agreement says so.
-[[nodiscard]] ReferenceRun solve_reference(const Rig& rig, const SolverScene& scene, const HeadPath& path,
+[[nodiscard]] ReferenceRun solve_reference(const Rig& rig, const SolverScene& scene, const motion::HeadPath& path,
                                            const ReferenceSettings& settings);
 
 /// Where hair hangs under a head that stands still: the equilibrium of the model's forces.
@@ -72,4 +72,4 @@ struct StaticPose {
 [[nodiscard]] StaticPose static_pose(const Rig& rig, const SolverScene& scene,
                                      const Eigen::Quaterniond& head_rotation = Eigen::Quaterniond::Identity());
 
-}  // namespace coif
+}  // namespace coif::lab

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace coif {
+namespace coif::lab {
 namespace {
 
 using Eigen::Quaterniond;
@@ -46,8 +46,8 @@ BoneMotion motion_of(const RigBone& bone, const BoneMotion& parent, const BoneSt
 /// The state of a bone whose parent was held: as if the parent's tail had been pushed evenly throughout the step. The
 /// bone's own tail goes where it freely went, but for its length and, in a cascade, for the damping, which works
 /// against the way that the default position went indeed.
-void follow_parent(const RigBone& bone, const BoneMotion& parent, const BoneMotion& free_parent, const HeadState& head,
-                   const Vector3d& direction_before, bool is_cascade, BoneState& state) {
+void follow_parent(const RigBone& bone, const BoneMotion& parent, const BoneMotion& free_parent,
+                   const motion::HeadState& head, const Vector3d& direction_before, bool is_cascade, BoneState& state) {
   const Vector3d shift = (parent.end - free_parent.end) / bone.length;
   const Vector3d way = turned(state.frame, bone.rest_direction) - shift;
   if (!(way.norm() > kSameDirection)) return;
@@ -65,7 +65,7 @@ void follow_parent(const RigBone& bone, const BoneMotion& parent, const BoneMoti
 /// with the head. It stops a bone and never throws it: where the start itself sinks towards the collider the bone is
 /// turned out of the way, but does not gain the speed of that. Over a short lever it would be any speed, since bones do
 /// not hold back their parents.
-void stop_inwards(const Vector3d& normal, double along, const BoneMotion& parent, const HeadState& head,
+void stop_inwards(const Vector3d& normal, double along, const BoneMotion& parent, const motion::HeadState& head,
                   const RigBone& bone, BoneState& state) {
   const Vector3d direction = turned(state.frame, bone.rest_direction);
   const Vector3d side = across(normal, direction);
@@ -110,7 +110,7 @@ ReferenceTree::ReferenceTree(const Rig& rig, std::vector<std::uint32_t> members,
 ReferenceTree::ReferenceTree(ReferenceTree&&) noexcept = default;
 ReferenceTree::~ReferenceTree() = default;
 
-void ReferenceTree::reset(const HeadState& head) {
+void ReferenceTree::reset(const motion::HeadState& head) {
   for (std::size_t i = 0; i < bones_.size(); ++i) {
     const Vector3d direction = turned(head.rotation, bones_[i].rest_direction);
     states_[i] = {head.rotation, head.angular_velocity.cross(direction)};
@@ -126,7 +126,7 @@ void ReferenceTree::step(const HeadStep& step) {
   if (!is_free_) hold(step.end);
 }
 
-void ReferenceTree::find_rates(const HeadState& head, const std::vector<BoneState>& states,
+void ReferenceTree::find_rates(const motion::HeadState& head, const std::vector<BoneState>& states,
                                std::vector<BoneRates>& rates) {
   if (passive_) {
     passive_->rates(scene_, head, states, motions_, rates);
@@ -172,7 +172,7 @@ void ReferenceTree::untwist_all(const Quaterniond& head_rotation) {
 
 /// Passive bones leave colliders together, by the shortest way for all of their chain. A turn about its start alone
 /// would also undo what a bone turns that comes to lie on a collider from its start on.
-void ReferenceTree::lift(const HeadState& head) {
+void ReferenceTree::lift(const motion::HeadState& head) {
   constexpr int kRounds = 4;
   const Quaterniond to_head = head.rotation.conjugate();
   std::vector<Vector3d> directions(bones_.size()), ends(bones_.size()), ways;
@@ -214,7 +214,7 @@ void ReferenceTree::lift(const HeadState& head) {
   }
 }
 
-void ReferenceTree::hold(const HeadState& head) {
+void ReferenceTree::hold(const motion::HeadState& head) {
   contacts_.clear();
   if (passive_) lift(head);
   std::size_t begin = 0, level = 0;
@@ -229,7 +229,7 @@ void ReferenceTree::hold(const HeadState& head) {
   }
 }
 
-void ReferenceTree::hold_bone(std::size_t i, const HeadState& head) {
+void ReferenceTree::hold_bone(std::size_t i, const motion::HeadState& head) {
   const RigBone& bone = bones_[i];
   const bool is_root = bone.parent < 0;
   const BoneMotion joint = is_root ? motion_of_joint(bone.joint, head) : BoneMotion{};
@@ -249,7 +249,7 @@ void ReferenceTree::hold_bone(std::size_t i, const HeadState& head) {
   if (passive_ && !held) motions_[i].velocity = velocities_[i];
 }
 
-void ReferenceTree::hold_links(std::size_t begin, std::size_t end, const HeadState& head) {
+void ReferenceTree::hold_links(std::size_t begin, std::size_t end, const motion::HeadState& head) {
   const auto start_of = [&](std::size_t i) {
     const int up = bones_[i].parent;
     return up < 0 ? motion_of_joint(bones_[i].joint, head) : motions_[std::size_t(up)];
@@ -267,7 +267,7 @@ void ReferenceTree::hold_links(std::size_t begin, std::size_t end, const HeadSta
   }
 }
 
-bool ReferenceTree::hold_limit(const RigBone& bone, const BoneMotion& parent, const HeadState& head,
+bool ReferenceTree::hold_limit(const RigBone& bone, const BoneMotion& parent, const motion::HeadState& head,
                                BoneState& state) const {
   if (bone.angle_limit >= double(kNoAngleLimit)) return false;
   const BoneTarget target = target_of(bone, bone.rest_direction, parent, head);
@@ -303,7 +303,7 @@ bool ReferenceTree::hold_bounds(const RigBone& bone, const BoneMotion& parent, B
   return true;
 }
 
-bool ReferenceTree::hold_colliders(std::size_t i, const BoneMotion& parent, const HeadState& head) {
+bool ReferenceTree::hold_colliders(std::size_t i, const BoneMotion& parent, const motion::HeadState& head) {
   constexpr int kRounds = 8;  // Where colliders overlap, leaving one may enter another.
   const RigBone& bone = bones_[i];
   BoneState& state = states_[i];
@@ -357,4 +357,4 @@ double ReferenceTree::least_steps_per_second() const {
   return fastest;
 }
 
-}  // namespace coif
+}  // namespace coif::lab

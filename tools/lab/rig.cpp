@@ -7,7 +7,7 @@
 #include <cstring>
 #include <new>
 
-namespace coif {
+namespace coif::lab {
 namespace {
 
 RigBone bone_of(const BoneRecord& bone, const DynamicsRecord& dynamics, std::uint32_t rigid_count) {
@@ -190,4 +190,4 @@ OpenedAsset::OpenedAsset(std::span<const std::byte> file, const OpenOptions& opt
 
 void OpenedAsset::FreeMemory::operator()(std::byte* bytes) const { std::free(bytes); }
 
-}  // namespace coif
+}  // namespace coif::lab

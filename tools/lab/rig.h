@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::lab {
 
 /// One simulated bone in double precision. Head space, metres, seconds.
 struct RigBone {
@@ -119,4 +119,4 @@ class OpenedAsset {
   LoadStatus status_;
 };
 
-}  // namespace coif
+}  // namespace coif::lab

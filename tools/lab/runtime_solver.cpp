@@ -4,7 +4,7 @@
 
 #include <new>
 
-namespace coif {
+namespace coif::lab {
 
 RuntimeSolver::RuntimeSolver(const Asset& asset, const SolverScene& scene, const Solver& solver, int effort)
     : rigid_count_(asset.skeleton().bone_count - asset.skeleton().simulated_count) {
@@ -58,4 +58,4 @@ std::span<const Eigen::Vector3d> RuntimeSolver::bone_ends() const {
   return ends_;
 }
 
-}  // namespace coif
+}  // namespace coif::lab

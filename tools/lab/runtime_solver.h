@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::lab {
 
 /// What acts on the hair besides the head. Defaults are the runtime's (coif/hair.h).
 struct SolverScene {
@@ -82,4 +82,4 @@ class RuntimeSolver final : public ChainSolver {
   mutable std::vector<Eigen::Vector3d> ends_;
 };
 
-}  // namespace coif
+}  // namespace coif::lab

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::lab {
 namespace {
 
 using Eigen::Quaterniond;
@@ -31,7 +31,7 @@ bool is_within_limit(const RigBone& bone, const Vector3d& target, const Vector3d
 StaticPose static_pose(const Rig& rig, const SolverScene& scene, const Quaterniond& head_rotation) {
   const std::vector<SolidShape> solids = solid_shapes(rig.colliders);
   const Quaterniond to_head = head_rotation.conjugate();
-  const HeadState head{.rotation = Quaterniond::Identity()};
+  const motion::HeadState head{.rotation = Quaterniond::Identity()};
   StaticPose pose;
   std::vector<BoneMotion> motions;
   std::vector<bool> is_linked(rig.bones.size());
@@ -61,4 +61,4 @@ StaticPose static_pose(const Rig& rig, const SolverScene& scene, const Quaternio
   return pose;
 }
 
-}  // namespace coif
+}  // namespace coif::lab

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstring>
 
-namespace coif {
+namespace coif::motion {
 namespace {
 
 static_assert(std::endian::native == std::endian::little);
@@ -37,4 +37,4 @@ std::vector<ClipKey> clip_keys(std::span<const std::byte> bytes) {
   return keys;
 }
 
-}  // namespace coif
+}  // namespace coif::motion

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::motion {
 
 /// A clip to be carried into another program: for each key eight doubles, little-endian, seconds, position x, y, z and
 /// rotation x, y, z, w.
@@ -15,4 +15,4 @@ namespace coif {
 /// Of what clip_bytes() gave, bit for bit; empty for what is no clip that path_of() takes.
 [[nodiscard]] std::vector<ClipKey> clip_keys(std::span<const std::byte> bytes);
 
-}  // namespace coif
+}  // namespace coif::motion

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace coif {
+namespace coif::motion {
 namespace {
 
 using Eigen::Quaterniond;
@@ -175,4 +175,4 @@ Vector3d rate_of(const Vector3d& vector, const Vector3d& velocity) {
   return velocity + 0.5 * across + share * vector.cross(across);
 }
 
-}  // namespace coif
+}  // namespace coif::motion

@@ -2,7 +2,7 @@
 
 #include "base/hair_runtime.h"
 
-namespace coif {
+namespace coif::motion {
 
 HairDesc HairCompany::description(const Asset& asset, const Solver* usual) const {
   HairDesc desc;
@@ -29,4 +29,4 @@ Status HairCompany::tell(Hair& hair, double seconds) const {
   return hair.set_pose(0, pose(seconds), {&pose_weight, 1});
 }
 
-}  // namespace coif
+}  // namespace coif::motion

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::motion {
 
 struct HairCompany {
   std::function<std::vector<MovingCollider>(double seconds)> colliders{};  ///< World. Empty: none.
@@ -24,4 +24,4 @@ struct HairCompany {
   [[nodiscard]] Status tell(Hair& hair, double seconds) const;
 };
 
-}  // namespace coif
+}  // namespace coif::motion

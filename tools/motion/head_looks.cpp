@@ -2,7 +2,7 @@
 
 #include "base/geometry.h"
 
-namespace coif {
+namespace coif::motion {
 
 std::span<const HeadLook> head_looks() {
   static const HeadLook kLooks[] = {{"look-down", "looking down", Eigen::Vector3d::UnitX(), 55, 0.4},
@@ -15,4 +15,4 @@ std::unique_ptr<HeadPath> path_of(const HeadLook& look) {
   return held_turn(look.axis, look.degrees * kDegree, look.seconds);
 }
 
-}  // namespace coif
+}  // namespace coif::motion

@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-namespace coif {
+namespace coif::motion {
 
 /// A turn of the head that stays where it ends, unlike the built-in motions: what the thesis's gallery of motion shows.
 struct HeadLook {
@@ -19,4 +19,4 @@ struct HeadLook {
 [[nodiscard]] std::span<const HeadLook> head_looks();
 [[nodiscard]] std::unique_ptr<HeadPath> path_of(const HeadLook& look);
 
-}  // namespace coif
+}  // namespace coif::motion

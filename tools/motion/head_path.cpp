@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace coif {
+namespace coif::motion {
 namespace {
 
 HeadState state_of(const HeadMovement& moved) {
@@ -217,4 +217,4 @@ tl::expected<HairPose, ToolError> simulate_pose(const Asset& asset, const HeadPa
   return std::move(poses->front());
 }
 
-}  // namespace coif
+}  // namespace coif::motion

@@ -17,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coif {
+namespace coif::motion {
 
 /// A head's built-in movement, defined for every time; starts at rest at the origin (y = 0) at t = 0.
 enum class Motion { kStill, kNod, kTurn, kCharge, kRun, kJump, kTumble, kTeleport, kBow, kLie, kJog };
@@ -134,4 +134,4 @@ tl::expected<std::vector<HairPose>, ToolError> simulate_poses(const Asset& asset
                                                               const Solver* solver = &kCoifSolver,
                                                               const HairCompany* company = nullptr);
 
-}  // namespace coif
+}  // namespace coif::motion

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <numbers>
 
-namespace coif {
+namespace coif::motion {
 namespace {
 
 using Eigen::Vector3d;
@@ -192,4 +192,4 @@ std::vector<PathBreak> breaks_of(Motion motion, double until) {
   return breaks;
 }
 
-}  // namespace coif
+}  // namespace coif::motion

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace coif {
+namespace coif::motion {
 
 /// A number that changes with time, with its first two derivatives: arithmetic on it differentiates exactly.
 struct Jet {
@@ -86,4 +86,4 @@ struct HeadMovement {
 /// As HeadPath::breaks().
 [[nodiscard]] std::vector<PathBreak> breaks_of(Motion motion, double until);
 
-}  // namespace coif
+}  // namespace coif::motion

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace coif {
+namespace coif::platform {
 namespace {
 
 // What a program may ask the kernel for by this filter, as the headers of the oldest system that builds this need not
@@ -204,4 +204,4 @@ bool filter_calls() {
   return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter, 0, 0) == 0;
 }
 
-}  // namespace coif
+}  // namespace coif::platform

@@ -16,7 +16,7 @@
 #include <thread>
 #include <utility>
 
-namespace coif {
+namespace coif::platform {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -280,4 +280,4 @@ std::vector<std::optional<Bytes>> run_in_processes(const Job& job, const std::ve
   return answers;
 }
 
-}  // namespace coif
+}  // namespace coif::platform

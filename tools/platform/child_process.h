@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coif {
+namespace coif::platform {
 
 /// What a child process is for, which decides what it may do.
 enum class ChildKind : std::uint32_t {
@@ -70,4 +70,4 @@ inline constexpr bool kMemoryIsLimited = false;
 inline constexpr bool kMemoryIsLimited = true;
 #endif
 
-}  // namespace coif
+}  // namespace coif::platform

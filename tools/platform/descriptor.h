@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-namespace coif {
+namespace coif::platform {
 
 /// Closes its descriptor when it goes.
 class Descriptor {
@@ -49,4 +49,4 @@ class Descriptor {
   return {};
 }
 
-}  // namespace coif
+}  // namespace coif::platform

@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace coif {
+namespace coif::platform {
 namespace {
 
 // Rights by the version of Landlock that knows them; asking a kernel for one that it does not know is an error. Written
@@ -77,4 +77,4 @@ bool fence_files(const std::vector<std::filesystem::path>& folders, const std::f
          syscall(SYS_landlock_restrict_self, ruleset.get(), 0) == 0;
 }
 
-}  // namespace coif
+}  // namespace coif::platform

@@ -7,7 +7,7 @@
 #include <time.h>
 #include <unistd.h>
 
-namespace coif {
+namespace coif::platform {
 namespace {
 
 namespace fs = std::filesystem;
@@ -85,4 +85,4 @@ std::error_code sync_folder(const fs::path& folder) {
   return is_done ? std::error_code{} : last_error();
 }
 
-}  // namespace coif
+}  // namespace coif::platform

@@ -8,7 +8,7 @@
 #include <string>
 #include <system_error>
 
-namespace coif {
+namespace coif::platform {
 
 /// When what was written is on the disk.
 enum class Durability {
@@ -37,4 +37,4 @@ enum class Durability {
 /// Brings the names that were changed in a folder to the disk. Returns why it could not, else nothing.
 [[nodiscard]] std::error_code sync_folder(const std::filesystem::path& folder);
 
-}  // namespace coif
+}  // namespace coif::platform

@@ -13,7 +13,7 @@
 #include <new>
 #include <thread>
 
-namespace coif {
+namespace coif::platform {
 namespace {
 
 /// The last that was defined; each knows the one before.
@@ -155,4 +155,4 @@ void run_named_job(int argc, const char* const* argv) {
   }
 }
 
-}  // namespace coif
+}  // namespace coif::platform

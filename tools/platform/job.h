@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coif {
+namespace coif::platform {
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -60,4 +60,4 @@ class Job {
 /// asks for jobs calls it first in main().
 void run_named_job(int argc, const char* const* argv);
 
-}  // namespace coif
+}  // namespace coif::platform

@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <system_error>
 
-namespace coif {
+namespace coif::platform {
 
 std::filesystem::path program_path() {
   std::error_code error;
@@ -65,4 +65,4 @@ void own_port_alone(std::uintptr_t socket) {
   setsockopt(static_cast<int>(socket), SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
 }
 
-}  // namespace coif
+}  // namespace coif::platform

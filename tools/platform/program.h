@@ -7,7 +7,7 @@
 #include <memory>
 #include <span>
 
-namespace coif {
+namespace coif::platform {
 
 /// The file of the program that runs; empty where the system does not say.
 [[nodiscard]] std::filesystem::path program_path();
@@ -49,4 +49,4 @@ void fill_with_random_bytes(std::span<unsigned char> bytes);
 /// yet.
 void own_port_alone(std::uintptr_t socket);
 
-}  // namespace coif
+}  // namespace coif::platform

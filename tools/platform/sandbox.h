@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::platform {
 
 /// From now on this thread and what it starts may read files in these folders and below, and this one file (empty:
 /// none) wherever a link leads for it; it may open, make, change, remove or run nothing else, nor reach the network by
@@ -25,4 +25,4 @@ bool lock_up(const std::vector<std::filesystem::path>& folders, const std::files
 /// What this machine lacks for lock_up(), as the end of a sentence: "this kernel has no Landlock". Empty: nothing.
 [[nodiscard]] std::string missing_sandbox();
 
-}  // namespace coif
+}  // namespace coif::platform

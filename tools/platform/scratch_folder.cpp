@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <string>
 
-namespace coif {
+namespace coif::platform {
 namespace {
 
 namespace fs = std::filesystem;
@@ -84,4 +84,4 @@ tl::expected<ScratchFolder, FolderFault> ScratchFolder::create() {
   return ScratchFolder(name, std::move(keeper));
 }
 
-}  // namespace coif
+}  // namespace coif::platform

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-namespace coif {
+namespace coif::platform {
 
 /// Why there is no folder in a place.
 struct FolderFault {
@@ -35,4 +35,4 @@ class ScratchFolder {
   std::unique_ptr<Keeper> keeper_;
 };
 
-}  // namespace coif
+}  // namespace coif::platform

@@ -11,7 +11,7 @@
 
 extern char** environ;
 
-namespace coif {
+namespace coif::platform {
 namespace {
 
 /// What a new process does before the program begins in it.
@@ -80,4 +80,4 @@ Spawned spawn(const Job& job, bool is_silent) {
   return child;
 }
 
-}  // namespace coif
+}  // namespace coif::platform

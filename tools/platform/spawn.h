@@ -10,7 +10,7 @@
 
 #include <cstdint>
 
-namespace coif {
+namespace coif::platform {
 
 inline constexpr int kLineDescriptor = 3;  ///< Of the child, behind its standard streams.
 inline constexpr const char* kJobWord = "--run-job";
@@ -45,4 +45,4 @@ struct Spawned {
 /// Runs the program again for that job, with its standard streams closed up (a reader) or as they are here.
 [[nodiscard]] Spawned spawn(const Job& job, bool is_silent);
 
-}  // namespace coif
+}  // namespace coif::platform

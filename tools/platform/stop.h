@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-namespace coif {
+namespace coif::platform {
 
 /// Thrown where work ends before it is done, because its stop token says so. Work that takes a std::stop_token throws
 /// it and nothing else for that, and leaves its inputs as they were.
@@ -37,4 +37,4 @@ struct Threads {
 /// As many as the processor runs at once, at least 1.
 [[nodiscard]] inline unsigned all_threads() { return std::max(1u, std::thread::hardware_concurrency()); }
 
-}  // namespace coif
+}  // namespace coif::platform

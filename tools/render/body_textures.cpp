@@ -4,23 +4,23 @@
 
 #include <map>
 
-namespace coif {
+namespace coif::render {
 
-BodyTextures read_body_textures(const SourceModel& model, Findings& findings) {
+BodyTextures read_body_textures(const importer::SourceModel& model, cook::Findings& findings) {
   constexpr std::uint32_t kLargest = 2048;
   std::vector<bool> is_shown(model.materials.size());
-  for (const SourceMesh& mesh : model.meshes) {
+  for (const importer::SourceMesh& mesh : model.meshes) {
     if (mesh.material < is_shown.size() && !mesh.uvs.empty()) is_shown[mesh.material] = true;
   }
-  SourceImages images(model);
-  std::map<const Image*, std::shared_ptr<const SolidTexture>> known;  // looked up only
+  cook::SourceImages images(model);
+  std::map<const cook::Image*, std::shared_ptr<const SolidTexture>> known;  // looked up only
   BodyTextures textures(model.materials.size());
   for (std::size_t m = 0; m < textures.size(); ++m) {
-    const Image* const image = is_shown[m] ? images.of(model.materials[m]) : nullptr;
+    const cook::Image* const image = is_shown[m] ? images.of(model.materials[m]) : nullptr;
     if (image == nullptr) continue;
     std::shared_ptr<const SolidTexture>& texture = known[image];
     if (texture == nullptr) {
-      Image small = reduce(*image, kLargest, TexelMeaning::kSrgbColorAlpha);
+      cook::Image small = cook::reduce(*image, kLargest, cook::TexelMeaning::kSrgbColorAlpha);
       texture = std::make_shared<SolidTexture>(small.width, small.height, std::move(small.texels));
     }
     textures[m] = texture;
@@ -29,4 +29,4 @@ BodyTextures read_body_textures(const SourceModel& model, Findings& findings) {
   return textures;
 }
 
-}  // namespace coif
+}  // namespace coif::render

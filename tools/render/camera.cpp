@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 constexpr double kSpacing = 1.12;  // between heads of a grid, of their own size
@@ -130,4 +130,4 @@ std::array<Light, 3> camera_lights(std::span<const StudioLight, 3> own, const Ca
 
 std::array<Light, 3> studio_lights(const Camera& camera) { return camera_lights(kStudioLights, camera); }
 
-}  // namespace coif
+}  // namespace coif::render

@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::render {
 
 struct Camera {
   Eigen::Matrix4f clip_from_world;  ///< Column-major, OpenGL clip space.
@@ -60,4 +60,4 @@ struct CrowdView {
 /// kBadInput, with the cure, where there is nothing to draw.
 [[nodiscard]] tl::expected<void, ToolError> check_drawable(const Asset& asset);
 
-}  // namespace coif
+}  // namespace coif::render

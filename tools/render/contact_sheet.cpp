@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 constexpr std::uint8_t kPaper = 24;
@@ -97,4 +97,4 @@ Picture contact_sheet(std::span<const SheetSection> sections, std::uint32_t colu
   return sheet;
 }
 
-}  // namespace coif
+}  // namespace coif::render

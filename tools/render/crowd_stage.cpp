@@ -13,7 +13,7 @@
 #include <limits>
 #include <utility>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 constexpr double kYawDegrees = 30, kPitchDegrees = 5;
@@ -198,4 +198,4 @@ tl::expected<std::optional<std::uint32_t>, ToolError> AffordableCrowds::add(cons
   return number;
 }
 
-}  // namespace coif
+}  // namespace coif::render

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::render {
 
 /// A crowd to draw; whoever measures says how it is simulated.
 struct DrawnCrowd {
@@ -146,4 +146,4 @@ class AffordableCrowds {
   std::vector<DrawCostLeftOut> left_out_;
 };
 
-}  // namespace coif
+}  // namespace coif::render

@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 constexpr char kLineVertex[] = R"glsl(#version 300 es
@@ -141,4 +141,4 @@ tl::expected<void, ToolError> draw_over(const Camera& camera, std::span<const De
   return {};
 }
 
-}  // namespace coif
+}  // namespace coif::render

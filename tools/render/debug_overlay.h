@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::render {
 
 /// What a picture shows of what the simulation knows, over the hair.
 struct DebugView {
@@ -53,4 +53,4 @@ class LineOverlay {
 tl::expected<void, ToolError> draw_over(const Camera& camera, std::span<const DebugLine> lines, std::uint32_t width,
                                         std::uint32_t height, float thickness);
 
-}  // namespace coif
+}  // namespace coif::render

@@ -14,7 +14,7 @@
 #include <set>
 #include <utility>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 constexpr double kDistanceShare = 0.35;  // of the time
@@ -213,4 +213,4 @@ tl::expected<ThesisCrowds, ToolError> measure_thesis_crowds(const Asset& asset, 
   return found;
 }
 
-}  // namespace coif
+}  // namespace coif::render

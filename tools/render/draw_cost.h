@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::render {
 
 /// A crowd and how far away it is.
 struct CrowdDistance {
@@ -110,4 +110,4 @@ struct ThesisCrowds {
 tl::expected<ThesisCrowds, ToolError> measure_thesis_crowds(const Asset& asset, const ThesisCrowdSettings& settings,
                                                             const MakeCrowd& make_crowd);
 
-}  // namespace coif
+}  // namespace coif::render

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 EGLConfig choose_config(EGLDisplay display) {
@@ -208,4 +208,4 @@ std::vector<float> OffscreenTarget::read_radiance() const {
   return top_down(std::move(pixels), row);
 }
 
-}  // namespace coif
+}  // namespace coif::render

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::render {
 
 /// An OpenGL ES 3.0 context without a window, current on the thread that made it, freed with this object. All objects
 /// made in it die with it. One at a time.
@@ -132,4 +132,4 @@ class GpuTimer {
   bool is_waiting_ = false;
 };
 
-}  // namespace coif
+}  // namespace coif::render

@@ -22,7 +22,7 @@
 #include <string_view>
 #include <utility>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 PictureSettings of_size(const GallerySettings& settings) {
@@ -98,7 +98,7 @@ Gallery colors(const Asset& asset, PictureSettings picture) {
 struct Movement {
   std::string title;
   std::string motion;  ///< Its name.
-  std::shared_ptr<const HeadPath> path;
+  std::shared_ptr<const motion::HeadPath> path;
   double yaw_degrees;                           ///< From where it is seen best.
   std::array<double, kGalleryColumns> moments;  ///< Seconds.
 };
@@ -107,15 +107,20 @@ constexpr const char* kCharge = "charge";
 
 /// One of head_looks().
 Movement looking(const char* name, double yaw_degrees, const std::array<double, kGalleryColumns>& moments) {
-  const HeadLook& look = *std::ranges::find(head_looks(), std::string_view(name), &HeadLook::name);
-  return {std::string("Gallery 5: ") + look.caption, name, path_of(look), yaw_degrees, moments};
+  const motion::HeadLook& look =
+      *std::ranges::find(motion::head_looks(), std::string_view(name), &motion::HeadLook::name);
+  return {std::string("Gallery 5: ") + look.caption, name, motion::path_of(look), yaw_degrees, moments};
 }
 
 std::vector<Movement> movements() {
   return {looking("look-down", 60, {0, 0.2, 0.3, 0.4, 0.5, 1.5}),
           looking("look-aside", 150, {0, 0.1, 0.15, 0.2, 0.3, 0.6}),
           looking("look-up", 90, {0, 0.2, 0.3, 0.4, 0.5, 1.5}),
-          {"Gallery 5: charging forward", kCharge, path_of(Motion::kCharge), 75, {0, 0.08, 0.16, 0.3, 0.4, 1.5}}};
+          {"Gallery 5: charging forward",
+           kCharge,
+           motion::path_of(motion::Motion::kCharge),
+           75,
+           {0, 0.08, 0.16, 0.3, 0.4, 1.5}}};
 }
 
 void add_motion(PictureSettings picture, std::vector<Gallery>& galleries) {
@@ -135,7 +140,7 @@ void add_motion(PictureSettings picture, std::vector<Gallery>& galleries) {
 void add_swings(PictureSettings picture, std::vector<Gallery>& galleries) {
   constexpr int kMoments = 2 * int(kGalleryColumns);
   constexpr double kFirst = 0.15, kStep = 0.15;  // seconds; the head goes on steadily from 0.3 on
-  picture.clip = path_of(Motion::kCharge);
+  picture.clip = motion::path_of(motion::Motion::kCharge);
   picture.yaw_degrees = 75;
   for (const Solver* const solver : {&kCoifSolver, &kThesisSolver}) {
     Gallery gallery{
@@ -263,4 +268,4 @@ MaterialRecord dyed_material(const Asset& asset, const Eigen::Vector3d& color) {
   return material;
 }
 
-}  // namespace coif
+}  // namespace coif::render

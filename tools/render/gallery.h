@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::render {
 
 /// The asset's own, or where it has none that of the thesis's first gallery; shaded by the thesis's model, whatever its
 /// own is.
@@ -98,4 +98,4 @@ tl::expected<void, ToolError> check_tile_size(std::uint32_t width, std::uint32_t
 tl::expected<GallerySheet, ToolError> render_gallery(const Asset& asset, const GallerySettings& settings,
                                                      const std::function<void(const std::string&)>& progress);
 
-}  // namespace coif
+}  // namespace coif::render

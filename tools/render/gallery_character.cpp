@@ -18,7 +18,7 @@
 #include <numbers>
 #include <utility>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 /// Where hair hangs behind and below the head: the mean of what is drawn lower than the head's joint, model axes.
@@ -56,10 +56,10 @@ MovingCollider arm_at(const Eigen::Vector3d& hair, double seconds) {
 Gallery hand_through_hair(const Asset& asset, PictureSettings picture) {
   constexpr double kMoments[] = {0, 0.3, 0.5, 0.7, 1.0, 1.5};
   Gallery gallery{7, "On a character: a hand through hair", {}, "still"};
-  HairCompany company;
+  motion::HairCompany company;
   company.colliders = [hair = hanging_hair(asset)](double seconds) { return std::vector{arm_at(hair, seconds)}; };
-  picture.company = std::make_shared<HairCompany>(company);
-  picture.clip = path_of(Motion::kStill);
+  picture.company = std::make_shared<motion::HairCompany>(company);
+  picture.clip = motion::path_of(motion::Motion::kStill);
   picture.yaw_degrees = 150;
   for (const double moment : kMoments) {
     picture.time = moment;
@@ -71,13 +71,13 @@ Gallery hand_through_hair(const Asset& asset, PictureSettings picture) {
 /// A run moves hair of a large head less: its way is shorter in the hair's own metres.
 Gallery sizes(PictureSettings picture) {
   Gallery gallery{7, "On a character: sizes in the same run", {}};
-  picture.clip = path_of(Motion::kRun);
+  picture.clip = motion::path_of(motion::Motion::kRun);
   for (const double moment : {0.9, 1.3}) {
     picture.time = moment;
     for (const float scale : {0.5f, 1.0f, 2.0f}) {
-      HairCompany company;
+      motion::HairCompany company;
       company.scale = scale;
-      picture.company = std::make_shared<HairCompany>(company);
+      picture.company = std::make_shared<motion::HairCompany>(company);
       gallery.pictures.push_back({fmt::format("scale {:g}, {:.1f} s", scale, moment), picture});
     }
   }
@@ -97,15 +97,15 @@ std::vector<Quat> swaying(const Asset& asset, double seconds) {
 
 Gallery pose_blend(const Asset& asset, PictureSettings picture) {
   Gallery gallery{7, "On a character: hair that follows an animation", {}};
-  picture.clip = path_of(Motion::kStill);
+  picture.clip = motion::path_of(motion::Motion::kStill);
   picture.yaw_degrees = 180;
   for (const double moment : {0.25, 0.75}) {
     picture.time = moment;
     for (const float weight : {1.0f, 0.5f, 0.0f}) {
-      HairCompany company;
+      motion::HairCompany company;
       company.pose = [&asset](double seconds) { return swaying(asset, seconds); };
       company.pose_weight = weight;
-      picture.company = std::make_shared<HairCompany>(company);
+      picture.company = std::make_shared<motion::HairCompany>(company);
       gallery.pictures.push_back({fmt::format("weight {:g}, {:.2f} s", weight, moment), picture});
     }
   }
@@ -116,12 +116,12 @@ Gallery pose_blend(const Asset& asset, PictureSettings picture) {
 Gallery gusts(PictureSettings picture) {
   constexpr double kMoments[] = {0.4, 0.8, 1.2, 1.6, 2.0, 2.4};
   Gallery gallery{7, "On a character: gusts of up to 6 m/s in a wind of 3", {}, "still"};
-  HairCompany company;
+  motion::HairCompany company;
   company.gusts.amplitude = 6;
   company.gusts.direction = {1, 0, 0};
-  picture.company = std::make_shared<HairCompany>(company);
+  picture.company = std::make_shared<motion::HairCompany>(company);
   picture.step.environment.wind = {3, 0, 0};
-  picture.clip = path_of(Motion::kStill);
+  picture.clip = motion::path_of(motion::Motion::kStill);
   picture.yaw_degrees = 150;
   for (const double moment : kMoments) {
     picture.time = moment;
@@ -140,4 +140,4 @@ void add_character_galleries(const Asset& asset, PictureSettings picture, std::v
   galleries.push_back(pose_blend(asset, picture));
 }
 
-}  // namespace coif
+}  // namespace coif::render

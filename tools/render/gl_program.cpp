@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 GLuint compile_shader(GLenum stage, std::span<const char* const> source, std::string& log) {
@@ -36,4 +36,4 @@ tl::expected<std::uint32_t, ToolError> build_gl_program(const char* vertex_sourc
   return failure(ToolError::Kind::kUnsupported, "the driver refuses the shaders of a picture: " + log);
 }
 
-}  // namespace coif
+}  // namespace coif::render

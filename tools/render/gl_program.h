@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <span>
 
-namespace coif {
+namespace coif::render {
 
 /// A program of whole shaders, the fragment shader's in pieces, freed with the current OpenGL context. kUnsupported
 /// with the driver's log where it refuses.
 tl::expected<std::uint32_t, ToolError> build_gl_program(const char* vertex, std::span<const char* const> fragment);
 
-}  // namespace coif
+}  // namespace coif::render

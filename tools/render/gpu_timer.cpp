@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 constexpr std::string_view kExtension = "GL_EXT_disjoint_timer_query";
@@ -82,4 +82,4 @@ std::optional<double> GpuTimer::poll() {
   return kSecondsPerTick * double(ticks);
 }
 
-}  // namespace coif
+}  // namespace coif::render

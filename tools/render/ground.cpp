@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 using Eigen::Vector3f;
@@ -168,4 +168,4 @@ void GroundRenderer::draw(const Camera& camera, const Eigen::Vector3d& place) co
   glUseProgram(0);
 }
 
-}  // namespace coif
+}  // namespace coif::render

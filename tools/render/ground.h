@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::render {
 
 /// When a picture has a ground.
 enum class GroundChoice {
@@ -53,4 +53,4 @@ class GroundRenderer {
   std::uint32_t program_ = 0, vertex_array_ = 0, texture_ = 0;
 };
 
-}  // namespace coif
+}  // namespace coif::render

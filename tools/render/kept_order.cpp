@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace coif {
+namespace coif::render {
 
 tl::expected<std::unique_ptr<KeptBoneOrder>, ToolError> KeptBoneOrder::create(const Asset& asset) {
   std::unique_ptr<KeptBoneOrder> kept(new KeptBoneOrder(BoneOrder::memory_bytes(asset)));
@@ -22,4 +22,4 @@ std::uint32_t stream_bytes_for(const Asset& asset) {
   return std::uint32_t(std::clamp<std::uint64_t>(kParts * head, RendererDesc{}.stream_bytes, kMost));
 }
 
-}  // namespace coif
+}  // namespace coif::render

@@ -12,7 +12,7 @@
 #include <memory>
 #include <vector>
 
-namespace coif {
+namespace coif::render {
 
 /// Orders of triangles that tools offer: the command line's words.
 enum class OrderChoice : std::uint8_t {
@@ -45,4 +45,4 @@ class KeptBoneOrder {
 /// one.
 [[nodiscard]] std::uint32_t stream_bytes_for(const Asset& asset);
 
-}  // namespace coif
+}  // namespace coif::render

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cstdint>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 using RigLights = std::array<StudioLight, 3>;
@@ -69,4 +69,4 @@ std::optional<Backdrop> find_backdrop(std::string_view word) {
   return Backdrop{.bottom = *color, .top = *color};
 }
 
-}  // namespace coif
+}  // namespace coif::render

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-namespace coif {
+namespace coif::render {
 
 /// Three lights that move with the camera, the first of which casts shadows.
 enum class LightRig {
@@ -27,4 +27,4 @@ enum class LightRig {
 /// a colour as #rrggbb. None for other words.
 [[nodiscard]] std::optional<Backdrop> find_backdrop(std::string_view word);
 
-}  // namespace coif
+}  // namespace coif::render

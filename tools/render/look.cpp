@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 constexpr std::uint32_t kColumns = 5;
@@ -34,15 +34,15 @@ Gallery from_all_sides(const std::string& title, const PictureSettings& picture)
 
 struct Moment {
   const char* caption;
-  Motion motion;
+  motion::Motion motion;
   double time, yaw_degrees;
 };
 
-constexpr Moment kMoments[] = {{"turn, 0.4 s", Motion::kTurn, 0.4, 30},
-                               {"nod, 0.4 s", Motion::kNod, 0.4, 75},
-                               {"nod, 0.9 s", Motion::kNod, 0.9, 75},
-                               {"charge, 0.2 s", Motion::kCharge, 0.2, 75},
-                               {"charge, 0.5 s", Motion::kCharge, 0.5, 75}};
+constexpr Moment kMoments[] = {{"turn, 0.4 s", motion::Motion::kTurn, 0.4, 30},
+                               {"nod, 0.4 s", motion::Motion::kNod, 0.4, 75},
+                               {"nod, 0.9 s", motion::Motion::kNod, 0.9, 75},
+                               {"charge, 0.2 s", motion::Motion::kCharge, 0.2, 75},
+                               {"charge, 0.5 s", motion::Motion::kCharge, 0.5, 75}};
 
 Gallery in_motion(PictureSettings picture) {
   Gallery gallery{0, "In motion", {}};
@@ -110,4 +110,4 @@ tl::expected<GallerySheet, ToolError> render_look(const Asset& asset, const Look
   return draw_sheet(asset, what_to_look_at(asset, settings), kColumns, std::move(last), progress);
 }
 
-}  // namespace coif
+}  // namespace coif::render

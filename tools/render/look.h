@@ -2,7 +2,7 @@
 
 #include "render/gallery.h"
 
-namespace coif {
+namespace coif::render {
 
 struct LookSettings {
   std::uint32_t width = 280;  ///< Of one picture, pixels, 64..1024.
@@ -18,4 +18,4 @@ struct LookSettings {
 tl::expected<GallerySheet, ToolError> render_look(const Asset& asset, const LookSettings& settings,
                                                   const std::function<void(const std::string&)>& progress);
 
-}  // namespace coif
+}  // namespace coif::render

@@ -11,7 +11,7 @@
 #include <iterator>
 #include <numbers>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 constexpr float kLargestHead = 0.5f;  // metres
@@ -97,4 +97,4 @@ std::vector<SolidMesh> moving_meshes(std::span<const MovingCollider> colliders, 
   return meshes;
 }
 
-}  // namespace coif
+}  // namespace coif::render

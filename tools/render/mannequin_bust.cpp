@@ -8,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 struct HeadBall {
@@ -112,4 +112,4 @@ std::vector<Eigen::Vector3d> bust_outline(std::span<const ColliderRecord> collid
   return points;
 }
 
-}  // namespace coif
+}  // namespace coif::render

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::render {
 
 /// A head with a face in place of the collider that stands for one, as large as that is: hair that comes without a body
 /// is seen on somebody. Empty where there is no such collider. Made anew by each call, in a quarter of a second.
@@ -15,4 +15,4 @@ namespace coif {
 [[nodiscard]] std::vector<Eigen::Vector3d> bust_outline(std::span<const ColliderRecord> colliders,
                                                         bool faces_backwards);
 
-}  // namespace coif
+}  // namespace coif::render

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <numbers>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 constexpr float kFull = 0.01f;  ///< Parts of the picture in a frame, from which on a colour is full.
@@ -73,4 +73,4 @@ void MotionTarget::color(std::span<float> radiance) const {
   }
 }
 
-}  // namespace coif
+}  // namespace coif::render

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::render {
 
 /// Vectors of motion as colours, for a picture: the hue is the way (red to the right, green to the upper left, blue to
 /// the lower left), and it is full from a hundredth of the picture in a frame on. Grey stands still.
@@ -38,4 +38,4 @@ class MotionTarget {
 /// Linear RGB of a vector, parts of the picture.
 void motion_color(float x, float y, std::span<float, 3> rgb);
 
-}  // namespace coif
+}  // namespace coif::render

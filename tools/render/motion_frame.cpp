@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 constexpr double kFramedSeconds = 3;
@@ -26,18 +26,18 @@ std::vector<double> moments_until(double time) {
 
 }  // namespace
 
-tl::expected<std::vector<Eigen::Vector3d>, ToolError> points_in_motion(const Asset& asset, const HeadPath* path,
+tl::expected<std::vector<Eigen::Vector3d>, ToolError> points_in_motion(const Asset& asset, const motion::HeadPath* path,
                                                                        double time, const StepSettings& step,
                                                                        const Solver* solver,
-                                                                       const HairCompany* company) {
+                                                                       const motion::HairCompany* company) {
   const std::vector<double> moments = path != nullptr ? moments_until(time) : std::vector<double>{0};
-  const auto poses = simulate_poses(asset, path, moments, step, solver, company);
+  const auto poses = motion::simulate_poses(asset, path, moments, step, solver, company);
   if (!poses) return tl::unexpected(poses.error());
   const std::vector<SolidMesh> head = mannequin_meshes(asset.colliders());
   const std::size_t stride = 1 + asset.vertices().size() * poses->size() / kMostPoints;
   std::vector<SkinnedVertex> skinned(asset.vertices().size());
   std::vector<Eigen::Vector3d> points;
-  for (const HairPose& pose : *poses) {
+  for (const motion::HairPose& pose : *poses) {
     const Quat& q = pose.head.rotation;
     const auto scale = double(pose.head.scale);
     const Eigen::Quaterniond turn = Eigen::Quaternionf(q.w, q.x, q.y, q.z).cast<double>().normalized();
@@ -52,4 +52,4 @@ tl::expected<std::vector<Eigen::Vector3d>, ToolError> points_in_motion(const Ass
   return points;
 }
 
-}  // namespace coif
+}  // namespace coif::render

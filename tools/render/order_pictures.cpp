@@ -8,7 +8,7 @@
 
 #include <utility>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 CrowdView view_of(std::span<const Eigen::Vector3d> points, const HairShot& shot) {
@@ -117,4 +117,4 @@ const MaterialRecord& OrderPictures::material(std::size_t model) const { return 
 
 std::string OrderPictures::device() const { return device_->drawing->context.device(); }
 
-}  // namespace coif
+}  // namespace coif::render

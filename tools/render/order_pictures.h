@@ -19,7 +19,7 @@
 #include <tuple>
 #include <vector>
 
-namespace coif {
+namespace coif::render {
 
 /// One picture: which of the models, from where and how. The head stands at the origin, unturned, so views are in head
 /// space.
@@ -73,4 +73,4 @@ class OrderPictures {
   std::unique_ptr<Device> device_;
 };
 
-}  // namespace coif
+}  // namespace coif::render

@@ -12,7 +12,7 @@
 #include <numeric>
 #include <utility>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 constexpr std::uint32_t kChartColumns = 3;
@@ -124,7 +124,7 @@ tl::expected<GallerySheet, ToolError> render_patch_chart(const Asset& asset, std
   if (auto checked = check_tile_size(settings.width, settings.height); !checked) return tl::unexpected(checked.error());
   auto maker = PictureMaker::create(asset);
   if (!maker) return tl::unexpected(maker.error());
-  const auto pose = simulate_pose(asset, nullptr, 0, {});
+  const auto pose = motion::simulate_pose(asset, nullptr, 0, {});
   if (!pose) return tl::unexpected(pose.error());
   const std::vector<SolidMesh> patches = patch_surfaces(asset, pose->palette, 0);
   const std::vector<SolidMesh> head = mannequin_meshes(asset.colliders());
@@ -160,4 +160,4 @@ tl::expected<GallerySheet, ToolError> render_patch_chart(const Asset& asset, std
   return result;
 }
 
-}  // namespace coif
+}  // namespace coif::render

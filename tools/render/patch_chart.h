@@ -2,7 +2,7 @@
 
 #include "render/gallery.h"
 
-namespace coif {
+namespace coif::render {
 
 /// What stands on a patch.
 struct PatchLabel {
@@ -22,4 +22,4 @@ tl::expected<GallerySheet, ToolError> render_patch_chart(const Asset& asset, std
                                                          const PatchChartSettings& settings,
                                                          const std::function<void(const std::string&)>& progress);
 
-}  // namespace coif
+}  // namespace coif::render

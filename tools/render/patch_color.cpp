@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace coif {
+namespace coif::render {
 
 /// Turning the hue by the golden section keeps the first n colours as far apart as n colours can be, for any n; a slow
 /// change of brightness tells apart those that come round to the same hue.
@@ -19,4 +19,4 @@ Eigen::Vector3f patch_color(std::size_t patch) {
   return color;
 }
 
-}  // namespace coif
+}  // namespace coif::render

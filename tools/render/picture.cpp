@@ -21,7 +21,7 @@
 #include <iterator>
 #include <utility>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 constexpr std::uint32_t kMaxHeads = 10'000;
@@ -78,13 +78,13 @@ bool shows_bust(const PictureSettings& settings) {
   return settings.bust && settings.mannequin && settings.body == nullptr && !settings.colliders;
 }
 
-std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& settings, const HairPose& pose) {
+std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& settings, const motion::HairPose& pose) {
   std::vector<SolidMesh> meshes;
   if (settings.body != nullptr) {
     const Eigen::Map<const Eigen::Vector3f> head_joint(asset.skeleton().head_joint);
     const char* const head_bone = asset.bone_name(0);
     const BodyTurn body{head_bone != nullptr ? head_bone : "", pose.head.rotation};
-    for (const SourceMesh& mesh : settings.body->meshes) {
+    for (const importer::SourceMesh& mesh : settings.body->meshes) {
       dress(*settings.body, mesh, settings.body_textures,
             meshes.emplace_back(body_mesh(*settings.body, mesh, head_joint, body)));
     }
@@ -161,16 +161,16 @@ tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, const Pictu
 }
 
 /// Null: at rest. A clip is the file's own; our motions go where the face looks.
-std::shared_ptr<const HeadPath> played_path(const Asset& asset, const PictureSettings& settings) {
+std::shared_ptr<const motion::HeadPath> played_path(const Asset& asset, const PictureSettings& settings) {
   if (settings.clip) return settings.clip;
   if (!settings.motion) return nullptr;
-  auto path = path_of(*settings.motion);
-  return yaw_of_face(asset) != 0 ? turned_round(std::move(path)) : std::move(path);
+  auto path = motion::path_of(*settings.motion);
+  return yaw_of_face(asset) != 0 ? motion::turned_round(std::move(path)) : std::move(path);
 }
 
 tl::expected<std::vector<Eigen::Vector3d>, ToolError> what_is_framed(const Asset& asset,
                                                                      const PictureSettings& settings,
-                                                                     const HeadPath* path) {
+                                                                     const motion::HeadPath* path) {
   const Vec3& wind = settings.step.environment.wind;
   const bool is_still = path == nullptr && wind.x == 0 && wind.y == 0 && wind.z == 0 &&
                         (settings.company == nullptr || settings.company->gusts.amplitude == 0);
@@ -226,10 +226,11 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
   const auto path = played_path(asset, settings);
   constexpr double kFrame = 1.0 / 60;  // seconds
   const double moments[2] = {std::max(settings.time - kFrame, 0.0), settings.time};
-  const auto poses = simulate_poses(asset, path.get(), moments, settings.step, settings.solver, settings.company.get());
+  const auto poses =
+      motion::simulate_poses(asset, path.get(), moments, settings.step, settings.solver, settings.company.get());
   if (!poses) return tl::unexpected(poses.error());
   const std::vector<SolidMesh> meshes = stage_meshes(asset, settings, poses->back());
-  const HairPose &before = poses->front(), &pose = poses->back();
+  const motion::HairPose &before = poses->front(), &pose = poses->back();
   std::optional<StudioShadow> shadow;
   if (settings.shadows != nullptr && !settings.colliders) {
     auto made = StudioShadow::create(loaded_->device->renderer, loaded_->device->context.loader(),
@@ -294,4 +295,4 @@ MaterialRecord shaded_material(const Asset& asset, ShadingModel model) {
   return material;
 }
 
-}  // namespace coif
+}  // namespace coif::render

@@ -25,7 +25,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::render {
 
 /// The asset's material with another shading model; where it has none, that of the thesis's first gallery. Numbers that
 /// the model needs and the material lacks get a recipe's defaults; a cut of the lights' sum that was made for another
@@ -46,16 +46,16 @@ namespace coif {
 struct PictureSettings {
   std::uint32_t width = 1024;  ///< Pixels, 16..8192.
   std::uint32_t height = 768;
-  double yaw_degrees = 30;       ///< 0: from the front, positive: towards the model's left.
-  double pitch_degrees = 5;      ///< Positive: from above.
-  double margin = 1.08;          ///< Of the distance from which all is seen, in the motion's first seconds too, 1..10.
-  std::optional<Motion> motion;  ///< None: the settled pose at rest.
-  std::shared_ptr<const HeadPath> clip;  ///< Instead of `motion`, unless null.
-  double time = 0;                       ///< Seconds into the motion.
+  double yaw_degrees = 30;   ///< 0: from the front, positive: towards the model's left.
+  double pitch_degrees = 5;  ///< Positive: from above.
+  double margin = 1.08;      ///< Of the distance from which all is seen, in the motion's first seconds too, 1..10.
+  std::optional<motion::Motion> motion;          ///< None: the settled pose at rest.
+  std::shared_ptr<const motion::HeadPath> clip;  ///< Instead of `motion`, unless null.
+  double time = 0;                               ///< Seconds into the motion.
   StepSettings step;
   const Solver* solver = &kCoifSolver;
   /// Null: none. Of its colliders balls and capsules are drawn, solid.
-  std::shared_ptr<const HairCompany> company;
+  std::shared_ptr<const motion::HairCompany> company;
   Component component = Component::kAll;
   std::optional<MaterialRecord> material;  ///< Instead of the asset's.
   bool patches = false;    ///< Instead of shaded hair: each patch in a colour of its own, without holes.
@@ -74,10 +74,11 @@ struct PictureSettings {
   LightRig lights = LightRig::kMeasured;
   Backdrop backdrop;
   GroundChoice ground = GroundChoice::kNever;  ///< The shade below what is drawn opaque.
-  const SourceModel* body = nullptr;  ///< Drawn opaque instead of the collider: the source's meshes that are not hair.
-  BodyTextures body_textures;         ///< Of the body's materials; empty: clay where there should be one.
-  bool bust = false;                  ///< ... or a head with a face in place of the largest of them.
-  bool mannequin = true;              ///< Without `body`: draw the colliders that hair stays out of, as a plain head.
+  const importer::SourceModel* body =
+      nullptr;                 ///< Drawn opaque instead of the collider: the source's meshes that are not hair.
+  BodyTextures body_textures;  ///< Of the body's materials; empty: clay where there should be one.
+  bool bust = false;           ///< ... or a head with a face in place of the largest of them.
+  bool mannequin = true;       ///< Without `body`: draw the colliders that hair stays out of, as a plain head.
 };
 
 struct Picture {
@@ -122,10 +123,10 @@ tl::expected<Picture, ToolError> render_picture(const Asset& asset, const Pictur
 
 /// PNG bytes. Empty only when out of memory.
 [[nodiscard]] inline std::vector<std::uint8_t> encode_png(const Picture& picture) {
-  return encode_png(picture.rgba, picture.width, picture.height);
+  return coif::encode_png(picture.rgba, picture.width, picture.height);
 }
 
 /// Writes them to `path`, whole or not at all.
 tl::expected<void, ToolError> write_png(const std::string& path, const Picture& picture);
 
-}  // namespace coif
+}  // namespace coif::render

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 /// The camera follows the head: the picture's world begins at each head's joint.
-std::vector<HairInstance> placed_heads(const PictureScene& scene, const HairPose& pose, std::uint32_t lod) {
+std::vector<HairInstance> placed_heads(const PictureScene& scene, const motion::HairPose& pose, std::uint32_t lod) {
   std::vector<HairInstance> heads;
   for (const Eigen::Vector3d& place : scene.view.places) {
     heads.push_back({pose.head, pose.palette, lod});
@@ -85,4 +85,4 @@ tl::expected<void, ToolError> color_by_motion(HairRenderer& renderer, const Pict
   return {};
 }
 
-}  // namespace coif
+}  // namespace coif::render

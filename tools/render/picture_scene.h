@@ -9,21 +9,21 @@
 
 #include <span>
 
-namespace coif {
+namespace coif::render {
 
 /// One picture, simulated and framed. Refers to what it is made of.
 struct PictureScene {
   const HairModel& model;
   const StageRenderer& stage;
-  const HairPose& pose;
+  const motion::HairPose& pose;
   const CrowdView& view;
   const ShadowBall& ball;
   const MaterialRecord& glass;  ///< Of hair that is looked through.
   StudioShadow* shadow;         ///< Null: none.
   TriangleOrder* order;         ///< Null: the asset's own.
   const Asset& asset;
-  const HairPose& before;        ///< A frame earlier.
-  const GroundRenderer* ground;  ///< Null: none.
+  const motion::HairPose& before;  ///< A frame earlier.
+  const GroundRenderer* ground;    ///< Null: none.
 };
 
 /// Shadows, backdrop, bodies, ground, hair.
@@ -37,4 +37,4 @@ tl::expected<void, ToolError> draw_debug_lines(const PictureScene& scene, const 
 tl::expected<void, ToolError> color_by_motion(HairRenderer& renderer, const PictureScene& scene,
                                               const PictureSettings& settings, std::span<float> radiance);
 
-}  // namespace coif
+}  // namespace coif::render

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 constexpr std::uint32_t kLineDots = 12;  // from line to line, as the font has it
@@ -71,4 +71,4 @@ void PictureText::draw(Picture& picture, std::uint32_t x, std::uint32_t y, const
   }
 }
 
-}  // namespace coif
+}  // namespace coif::render

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace coif {
+namespace coif::render {
 
 using PictureColor = std::array<std::uint8_t, 3>;  ///< sRGB.
 
@@ -33,4 +33,4 @@ class PictureText {
 void fill_rectangle(Picture& picture, std::uint32_t left, std::uint32_t top, std::uint32_t right, std::uint32_t bottom,
                     const PictureColor& color);
 
-}  // namespace coif
+}  // namespace coif::render

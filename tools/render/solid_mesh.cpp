@@ -13,10 +13,10 @@
 #include <cstddef>
 #include <unordered_map>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
-std::vector<Eigen::Vector3f> smooth_normals(const SourceMesh& mesh) {
+std::vector<Eigen::Vector3f> smooth_normals(const importer::SourceMesh& mesh) {
   std::vector<Eigen::Vector3f> normals(mesh.positions.size(), Eigen::Vector3f::Zero());
   for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
     const std::uint32_t* corner = &mesh.triangles[i];
@@ -34,25 +34,26 @@ std::vector<Eigen::Vector3f> smooth_normals(const SourceMesh& mesh) {
 namespace {
 
 /// For each node how much of the head's turning it does; empty where nothing follows the head's bone.
-std::vector<float> turning_of_nodes(const SourceModel& model, const std::string& head_bone) {
-  const auto head = std::ranges::find(model.nodes, head_bone, &SourceNode::name);
+std::vector<float> turning_of_nodes(const importer::SourceModel& model, const std::string& head_bone) {
+  const auto head = std::ranges::find(model.nodes, head_bone, &importer::SourceNode::name);
   if (head_bone.empty() || head == model.nodes.end()) return {};
   const auto head_node = std::size_t(head - model.nodes.begin());
   std::vector<float> turning(model.nodes.size(), 0);
   turning[head_node] = 1;
   for (std::size_t n = head_node + 1; n < model.nodes.size(); ++n) {
     const std::uint32_t parent = model.nodes[n].parent;
-    if (parent != kNoIndex && turning[parent] == 1) turning[n] = 1;
+    if (parent != importer::kNoIndex && turning[parent] == 1) turning[n] = 1;
   }
   const std::uint32_t above = head->parent;
-  if (above != kNoIndex && matches(model.nodes[above].name, "*neck*")) turning[above] = 0.5f;
-  const bool follows = std::ranges::any_of(model.meshes, [&](const SourceMesh& mesh) {
-    return std::ranges::any_of(mesh.influences, [&](const SourceInfluence& i) { return turning[i.node] > 0; });
+  if (above != importer::kNoIndex && matches(model.nodes[above].name, "*neck*")) turning[above] = 0.5f;
+  const bool follows = std::ranges::any_of(model.meshes, [&](const importer::SourceMesh& mesh) {
+    return std::ranges::any_of(mesh.influences,
+                               [&](const importer::SourceInfluence& i) { return turning[i.node] > 0; });
   });
   return follows ? turning : std::vector<float>{};
 }
 
-float turning_of(const SourceMesh& mesh, std::size_t vertex, std::span<const float> turning) {
+float turning_of(const importer::SourceMesh& mesh, std::size_t vertex, std::span<const float> turning) {
   if (mesh.influences.empty()) return turning[mesh.node];
   float sum = 0, all = 0;
   for (std::uint32_t i = mesh.influence_begin[vertex]; i < mesh.influence_begin[vertex + 1]; ++i) {
@@ -71,8 +72,8 @@ void turn_back(const Eigen::Quaternionf& turn, float share, SolidVertex& vertex)
 
 }  // namespace
 
-SolidMesh body_mesh(const SourceModel& model, const SourceMesh& mesh, const Eigen::Vector3f& head_joint,
-                    const BodyTurn& pose) {
+SolidMesh body_mesh(const importer::SourceModel& model, const importer::SourceMesh& mesh,
+                    const Eigen::Vector3f& head_joint, const BodyTurn& pose) {
   const std::vector<float> turning = turning_of_nodes(model, pose.head_bone);
   const Eigen::Quaternionf turn = Eigen::Quaternionf(pose.turn.w, pose.turn.x, pose.turn.y, pose.turn.z).normalized();
   const std::vector<Eigen::Vector3f> normals = mesh.normals.empty() ? smooth_normals(mesh) : mesh.normals;
@@ -87,8 +88,8 @@ SolidMesh body_mesh(const SourceModel& model, const SourceMesh& mesh, const Eige
   }
   solid.triangles = mesh.triangles;
   if (mesh.material < model.materials.size()) {
-    const SourceMaterial& material = model.materials[mesh.material];
-    const bool textured = !material.base_texture.path.empty() || material.base_texture.image != kNoIndex;
+    const importer::SourceMaterial& material = model.materials[mesh.material];
+    const bool textured = !material.base_texture.path.empty() || material.base_texture.image != importer::kNoIndex;
     // The colour beneath a texture is white as a rule: clay until somebody has the texture.
     if (!textured) solid.color = material.base_color.head<3>();
     solid.roughness = material.roughness;
@@ -96,15 +97,16 @@ SolidMesh body_mesh(const SourceModel& model, const SourceMesh& mesh, const Eige
   return solid;
 }
 
-void dress(const SourceModel& model, const SourceMesh& mesh, const BodyTextures& textures, SolidMesh& solid) {
+void dress(const importer::SourceModel& model, const importer::SourceMesh& mesh, const BodyTextures& textures,
+           SolidMesh& solid) {
   if (mesh.material >= std::min(textures.size(), model.materials.size()) || mesh.uvs.empty()) return;
   if (textures[mesh.material] == nullptr) return;
   constexpr float kBlendedCutoff = 0.5f;  // what is blended is a hole or not, too: nothing sorts bodies
-  const SourceMaterial& material = model.materials[mesh.material];
+  const importer::SourceMaterial& material = model.materials[mesh.material];
   solid.texture = textures[mesh.material];
   solid.color = material.base_color.head<3>();
-  if (material.alpha_use == AlphaUse::kMask) solid.alpha_cutoff = material.alpha_cutoff;
-  if (material.alpha_use == AlphaUse::kBlend) solid.alpha_cutoff = kBlendedCutoff;
+  if (material.alpha_use == importer::AlphaUse::kMask) solid.alpha_cutoff = material.alpha_cutoff;
+  if (material.alpha_use == importer::AlphaUse::kBlend) solid.alpha_cutoff = kBlendedCutoff;
 }
 
 namespace {
@@ -150,4 +152,4 @@ void mark_patch(std::size_t marked, std::span<SolidMesh> patches) {
   }
 }
 
-}  // namespace coif
+}  // namespace coif::render

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <string>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 /// Returns the vertex array.
@@ -205,4 +205,4 @@ void StageRenderer::draw_casters(const Eigen::Matrix4f& clip_from_world, const H
   draw_meshes();
 }
 
-}  // namespace coif
+}  // namespace coif::render

@@ -22,10 +22,12 @@
 #include <string>
 #include <vector>
 
-namespace coif {
-
+namespace coif::importer {
 struct SourceMesh;
 struct SourceModel;
+}  // namespace coif::importer
+
+namespace coif::render {
 
 struct SolidVertex {
   Eigen::Vector3f position;
@@ -83,14 +85,15 @@ struct BodyTurn {
 /// A mesh of the source model; `head_joint` as in the asset's skeleton. A mesh without normals gets smooth ones. What
 /// follows the head bone or one below it turns, what follows the neck above it turns half as far, the rest stays: drawn
 /// under the head's pose, it is turned back here.
-[[nodiscard]] SolidMesh body_mesh(const SourceModel& model, const SourceMesh& mesh, const Eigen::Vector3f& head_joint,
-                                  const BodyTurn& pose = {});
+[[nodiscard]] SolidMesh body_mesh(const importer::SourceModel& model, const importer::SourceMesh& mesh,
+                                  const Eigen::Vector3f& head_joint, const BodyTurn& pose = {});
 
 /// Of each material of a source its base texture, null where it has none that is known.
 using BodyTextures = std::vector<std::shared_ptr<const SolidTexture>>;
 
 /// Gives a mesh of body_mesh() its texture, and the material's own colour with it.
-void dress(const SourceModel& model, const SourceMesh& mesh, const BodyTextures& textures, SolidMesh& solid);
+void dress(const importer::SourceModel& model, const importer::SourceMesh& mesh, const BodyTextures& textures,
+           SolidMesh& solid);
 
 /// Every patch of a level as a surface of its own, without its texture's holes, in colours that differ most between
 /// patches that follow each other in the draw order: wrong joins and cuts are seen at a glance. Skinned with `palette`,
@@ -174,4 +177,4 @@ class StudioShadow {
   std::unique_ptr<HairShadow> shadow_;
 };
 
-}  // namespace coif
+}  // namespace coif::render

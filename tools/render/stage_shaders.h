@@ -1,6 +1,6 @@
 #pragma once
 
-namespace coif {
+namespace coif::render {
 
 // Shaders of what surrounds the hair: backdrop and opaque bodies, for stage_renderer.cpp.
 
@@ -116,4 +116,4 @@ void main() {
   fragment = vec4(color * texel.rgb * light + look.w * shine, 1.0);
 })glsl";
 
-}  // namespace coif
+}  // namespace coif::render

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-namespace coif {
+namespace coif::render {
 
 namespace {
 
@@ -56,4 +56,4 @@ Status StudioShadow::draw(const Light& light, const ShadowBall& ball, const Stag
   return shadow_->draw({crowd, crowd != nullptr ? 1u : 0u});
 }
 
-}  // namespace coif
+}  // namespace coif::render

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace coif {
+namespace coif::render {
 
 std::span<const ShadowTechnique* const> shadow_techniques() {
   static constexpr std::array kAll{&kPlainShadow, &kOpacityShadow, &kDeepOpacityShadow, &kDeepShadow};
@@ -18,4 +18,4 @@ std::span<const TransparencyMode* const> transparency_modes() {
 
 std::uint32_t samples_for(const TransparencyMode& mode) { return &mode == &kExactMode ? 0 : 4; }
 
-}  // namespace coif
+}  // namespace coif::render

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace coif {
+namespace coif::render {
 namespace {
 
 constexpr float kShoulder = 0.75f;  ///< Of white: where the curve leaves the straight line.
@@ -53,4 +53,4 @@ std::vector<std::uint8_t> develop(std::span<const float> samples, std::uint32_t 
   return pixels;
 }
 
-}  // namespace coif
+}  // namespace coif::render

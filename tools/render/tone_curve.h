@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::render {
 
 /// How a picture shows light that a screen cannot: radiance (linear, 0 or more) -> 0..1. What is darker than three
 /// quarters of white stays as it is; above that the brightest channel nears white without reaching it, and the others
@@ -16,4 +16,4 @@ void apply_tone_curve(std::span<float, 3> radiance);
 [[nodiscard]] std::vector<std::uint8_t> develop(std::span<const float> samples, std::uint32_t width,
                                                 std::uint32_t height, std::uint32_t oversampling);
 
-}  // namespace coif
+}  // namespace coif::render

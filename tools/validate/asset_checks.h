@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace coif {
+namespace coif::validate {
 
 /// Cooked in a hurry.
 [[nodiscard]] inline bool is_draft(const Asset& asset) {
@@ -41,4 +41,4 @@ void check_unwrapping(const Asset& asset, Issues& issues);  ///< A275, A276
 void check_quality(const Asset& asset, Issues& issues);     ///< A281 to A285
 void check_origin(const Asset& asset, Issues& issues);      ///< A291
 
-}  // namespace coif
+}  // namespace coif::validate

@@ -1,6 +1,6 @@
 #include "validate/issue_codes.h"
 
-namespace coif {
+namespace coif::validate {
 namespace {
 
 using enum IssueGroup;
@@ -104,4 +104,4 @@ constexpr IssueCode kCodes[] = {
 
 std::span<const IssueCode> asset_codes() { return kCodes; }
 
-}  // namespace coif
+}  // namespace coif::validate

@@ -1,6 +1,6 @@
 #include "validate/issue_codes.h"
 
-namespace coif {
+namespace coif::validate {
 namespace {
 
 using enum IssueGroup;
@@ -71,4 +71,4 @@ constexpr IssueCode kCookIssueCodes[] = {
 
 std::span<const IssueCode> cook_codes() { return kCookIssueCodes; }
 
-}  // namespace coif
+}  // namespace coif::validate

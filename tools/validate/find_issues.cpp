@@ -15,7 +15,7 @@
 #include <iterator>
 #include <optional>
 
-namespace coif {
+namespace coif::validate {
 namespace {
 
 std::string place(const LoadStatus& status) {
@@ -101,7 +101,8 @@ Issues find_recook_issues(const Asset& asset, const Asset& cooked_anew) {
 
 namespace {
 
-void note_meshes(const SourceModel& source, const HairMesh& hair, const Recipe& recipe, Issues& issues) {
+void note_meshes(const importer::SourceModel& source, const cook::HairMesh& hair, const cook::Recipe& recipe,
+                 Issues& issues) {
   bool rigid = true;
   for (const std::uint32_t mesh : hair.source_meshes) {
     rigid = rigid && source.meshes[mesh].influences.empty();
@@ -109,14 +110,14 @@ void note_meshes(const SourceModel& source, const HairMesh& hair, const Recipe& 
     add_issue(issues, "S203", fmt::format("mesh '{}'", source.meshes[mesh].name),
               "no texture coordinates; unwrap the strips along their length");
   }
-  if (!rigid || !source.springs.empty() || recipe.chain_source == ChainSource::kNoChains) return;
+  if (!rigid || !source.springs.empty() || recipe.chain_source == cook::ChainSource::kNoChains) return;
   add_issue(issues, "S204", "", "the hair follows no bone; chains will be fitted to it");
 }
 
-void warn_of_strips(const HairMesh& mesh, const Recipe& recipe, Findings& findings) {
-  const auto places = weld_places(mesh.positions, recipe.patch_weld_distance);
-  const ExtractedPatches extracted = extract_patches(mesh, places, recipe.patch_connectivity);
-  warn_of_fragments(mesh, extracted.patches.count, extracted.chosen, findings);
+void warn_of_strips(const cook::HairMesh& mesh, const cook::Recipe& recipe, cook::Findings& findings) {
+  const auto places = cook::weld_places(mesh.positions, recipe.patch_weld_distance);
+  const cook::ExtractedPatches extracted = cook::extract_patches(mesh, places, recipe.patch_connectivity);
+  cook::warn_of_fragments(mesh, extracted.patches.count, extracted.chosen, findings);
 }
 
 }  // namespace
@@ -125,21 +126,21 @@ Issue import_issue(const ToolError& error) {
   return make_issue(error.kind == ToolError::Kind::kUnsupported ? "S102" : "S101", error.message);
 }
 
-Issues cook_issues(const Findings& findings) {
+Issues cook_issues(const cook::Findings& findings) {
   Issues issues;
   for (const Warning& warning : findings.warnings) issues.push_back(make_issue(warning.code, warning));
   return issues;
 }
 
-Issues find_source_issues(const SourceModel& imported, const Recipe& recipe) {
-  Findings findings;
+Issues find_source_issues(const importer::SourceModel& imported, const cook::Recipe& recipe) {
+  cook::Findings findings;
   findings.warnings = imported.warnings;
-  const SettledSource settled = settle_size(imported, recipe, findings);
-  const SourceModel& source = settled.model ? *settled.model : imported;
-  const auto hair = select_hair(source, recipe, findings);
+  const cook::SettledSource settled = cook::settle_size(imported, recipe, findings);
+  const importer::SourceModel& source = settled.model ? *settled.model : imported;
+  const auto hair = cook::select_hair(source, recipe, findings);
   Issues notes;
   if (hair) {
-    warn_of_odd_size(*hair, findings);
+    cook::warn_of_odd_size(*hair, findings);
     warn_of_strips(*hair, recipe, findings);
     note_meshes(source, *hair, recipe, notes);
   } else {
@@ -151,8 +152,8 @@ Issues find_source_issues(const SourceModel& imported, const Recipe& recipe) {
   return issues;
 }
 
-Issues find_source_issues(const SourceModel& imported, const Recipe& recipe,
-                          const tl::expected<CookResult, ToolError>& cooked) {
+Issues find_source_issues(const importer::SourceModel& imported, const cook::Recipe& recipe,
+                          const tl::expected<cook::CookResult, ToolError>& cooked) {
   Issues first = find_source_issues(imported, recipe);
   if (!cooked) {
     const bool is_told = std::ranges::any_of(first, [](const Issue& issue) { return issue.code == "S104"; });
@@ -166,4 +167,4 @@ Issues find_source_issues(const SourceModel& imported, const Recipe& recipe,
   return issues;
 }
 
-}  // namespace coif
+}  // namespace coif::validate

@@ -8,7 +8,7 @@
 
 #include <coif/asset.h>
 
-namespace coif {
+namespace coif::validate {
 
 /// What an asset that opens without error still does badly on screen: no error, but worth an artist's look.
 [[nodiscard]] Issues find_asset_issues(const Asset& asset);
@@ -27,14 +27,14 @@ namespace coif {
 [[nodiscard]] Issue import_issue(const ToolError& error);
 
 /// What a cook warned of.
-[[nodiscard]] Issues cook_issues(const Findings& findings);
+[[nodiscard]] Issues cook_issues(const cook::Findings& findings);
 
 /// What a cook of an imported source would stop at or warn of, as far as its first passes tell: which triangles are
 /// hair, whether they fall into strips, and whether unit and up axis of the file are the model's.
-[[nodiscard]] Issues find_source_issues(const SourceModel& imported, const Recipe& recipe);
+[[nodiscard]] Issues find_source_issues(const importer::SourceModel& imported, const cook::Recipe& recipe);
 
 /// All that `cooked`, a cook of that source, stopped at or warned of, and what is worth knowing of the source.
-[[nodiscard]] Issues find_source_issues(const SourceModel& imported, const Recipe& recipe,
-                                        const tl::expected<CookResult, ToolError>& cooked);
+[[nodiscard]] Issues find_source_issues(const importer::SourceModel& imported, const cook::Recipe& recipe,
+                                        const tl::expected<cook::CookResult, ToolError>& cooked);
 
-}  // namespace coif
+}  // namespace coif::validate

@@ -10,7 +10,7 @@
 #include <map>
 #include <tuple>
 
-namespace coif {
+namespace coif::validate {
 namespace {
 
 std::vector<IssueCode> all_codes() {
@@ -139,4 +139,4 @@ JudgedIssues judge(std::vector<Issue> issues, const IssuePolicy& policy) {
   return judged;
 }
 
-}  // namespace coif
+}  // namespace coif::validate

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::validate {
 
 enum class Severity { kInfo, kWarning, kError };
 
@@ -125,4 +125,4 @@ struct JudgedIssues {
 
 [[nodiscard]] JudgedIssues judge(std::vector<Issue> issues, const IssuePolicy& policy);
 
-}  // namespace coif
+}  // namespace coif::validate

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace coif {
+namespace coif::validate {
 namespace {
 
 constexpr float kHardlyAnyLength = 0.001f;  // metres
@@ -94,7 +94,7 @@ std::vector<Vec3> resting_particles(const Asset& asset) {
 }
 
 void find_resting_penetration(const Asset& asset, Issues& issues) {
-  const float depth = worst_penetration(asset, resting_particles(asset));
+  const float depth = animation::worst_penetration(asset, resting_particles(asset));
   if (!(depth > kRestingDepth)) return;
   add_issue(issues, "A205", "",
             "the rest pose is up to {:.0f} % of the head's radius inside the head: the simulation will push it out",
@@ -192,7 +192,7 @@ float distance(const Vector3f& at, const BoneRecord& bone) {
 void find_strays(const Asset& asset, Issues& issues) {
   Eigen::AlignedBox3f box;
   for (const VertexRecord& vertex : asset.vertices()) box.extend(Vector3f(vertex.position));
-  const float far_away = kFarAway * largest_side(box);
+  const float far_away = kFarAway * cook::largest_side(box);
   for (std::size_t i = 0; i < asset.patches().size(); ++i) {
     const PatchRecord& patch = asset.patches()[i];
     for (const std::uint32_t vertex : asset.indices().subspan(patch.first_index, patch.index_count)) {
@@ -279,4 +279,4 @@ void check_quality(const Asset& asset, Issues& issues) {
   add_share("A285", "bones are longer than at rest by", worst.stretch, kStretched, issues);
 }
 
-}  // namespace coif
+}  // namespace coif::validate

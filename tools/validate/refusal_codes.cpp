@@ -1,6 +1,6 @@
 #include "validate/issue_codes.h"
 
-namespace coif {
+namespace coif::validate {
 namespace {
 
 constexpr const char* kCookSourceAgain = "Cook its source again; if the new file is refused too, the cooker has a bug.";
@@ -214,4 +214,4 @@ constexpr IssueCode kOriginCodes[] = {
 
 std::span<const IssueCode> origin_codes() { return kOriginCodes; }
 
-}  // namespace coif
+}  // namespace coif::validate

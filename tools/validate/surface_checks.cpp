@@ -12,7 +12,7 @@
 #include <set>
 #include <utility>
 
-namespace coif {
+namespace coif::validate {
 namespace {
 
 using Eigen::Vector3f;
@@ -78,8 +78,8 @@ void find_unused_vertices(const Asset& asset, Issues& issues) {
 void check_size(const Asset& asset, Issues& issues) {
   Eigen::AlignedBox3f box;
   for (const VertexRecord& vertex : asset.vertices()) box.extend(position(vertex));
-  if (is_hair_sized(largest_side(box))) return;
-  add_issue(issues, "A234", "", "{:.3g} m large; hair has 0.05 .. 3 m", largest_side(box));
+  if (cook::is_hair_sized(cook::largest_side(box))) return;
+  add_issue(issues, "A234", "", "{:.3g} m large; hair has 0.05 .. 3 m", cook::largest_side(box));
 }
 
 void find_equal_levels(const Asset& asset, Issues& issues) {
@@ -110,7 +110,7 @@ constexpr std::size_t kSections = 8;
 /// Groups of triangles that share a place.
 std::size_t pieces_of(const Asset& asset, Corners corners) {
   std::map<std::array<float, 3>, std::uint32_t> places;
-  DisjointSets sets(corners.size());
+  cook::DisjointSets sets(corners.size());
   for (std::uint32_t i = 0; i < corners.size(); ++i) {
     const float(&at)[3] = asset.vertices()[corners[i]].position;
     sets.unite(i, places.try_emplace({at[0], at[1], at[2]}, i).first->second);
@@ -177,7 +177,8 @@ void find_unsortable(const Asset& asset, Issues& issues) {
 void check_patches(const Asset& asset, Issues& issues) {
   const std::size_t patches = asset.lod_patches(0).size();
   const std::size_t triangles = asset.lod_indices(0).size() / 3;
-  if (is_shattered(triangles, patches)) add_issue(issues, "A243", "", "{} triangles in {} patches", triangles, patches);
+  if (cook::is_shattered(triangles, patches))
+    add_issue(issues, "A243", "", "{} triangles in {} patches", triangles, patches);
   find_unsortable(asset, issues);
 }
 
@@ -193,4 +194,4 @@ void check_orders(const Asset& asset, Issues& issues) {
             asset.orders().size_bytes());
 }
 
-}  // namespace coif
+}  // namespace coif::validate

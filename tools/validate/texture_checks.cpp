@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace coif {
+namespace coif::validate {
 namespace {
 
 constexpr double kAll = 0.9995;
@@ -36,7 +36,7 @@ bool has_soft_texels(const Asset& asset, const TextureRecord& texture) {
   return false;
 }
 
-void find_thin_mips(const TextureRecord& texture, std::span<const AlphaCoverage> coverage, Issues& issues) {
+void find_thin_mips(const TextureRecord& texture, std::span<const cook::AlphaCoverage> coverage, Issues& issues) {
   for (std::uint32_t mip = 1; mip < coverage.size(); ++mip) {
     if (std::min(texture.width, texture.height) >> mip < kFewTexels) return;
     const double share = coverage[mip].opacity / coverage[0].opacity;
@@ -68,7 +68,7 @@ void check_textures(const Asset& asset, Issues& issues) {
 
 void check_alpha(const Asset& asset, Issues& issues) {
   const TextureRecord* texture = asset.texture(TextureRole::kBaseColor);
-  const std::vector<AlphaCoverage> coverage = mip_coverage(asset);
+  const std::vector<cook::AlphaCoverage> coverage = cook::mip_coverage(asset);
   if (texture == nullptr || coverage.empty()) return;
   const char* where = place(texture->role);
   if (coverage.front().opacity <= 0) {
@@ -139,4 +139,4 @@ void check_unwrapping(const Asset& asset, Issues& issues) {
   add_issue(issues, "A275", "base colour texture", "{:.0f} texels to a millimetre of hair", density);
 }
 
-}  // namespace coif
+}  // namespace coif::validate

@@ -4,7 +4,7 @@
 #include "base/json.h"
 #include "motion/clip_bytes.h"
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 constexpr std::string_view kPlace = "@MOTION@";  // tools/view/page/script/page.html has it once
@@ -20,7 +20,7 @@ std::string script_text(const nlohmann::ordered_json& json) {
 }  // namespace
 
 tl::expected<std::string, ToolError> with_motion(std::string_view page, std::string_view name,
-                                                 std::span<const ClipKey> keys) {
+                                                 std::span<const motion::ClipKey> keys) {
   const std::size_t at = page.find(kPlace);
   if (at == page.npos) {
     return failure(ToolError::Kind::kBadInput,
@@ -28,10 +28,10 @@ tl::expected<std::string, ToolError> with_motion(std::string_view page, std::str
   }
   nlohmann::ordered_json json{{"motion", name}};
   if (!keys.empty()) {
-    const std::vector<std::byte> bytes = clip_bytes(keys);
+    const std::vector<std::byte> bytes = motion::clip_bytes(keys);
     json["keys"] = base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
   }
   return std::string(page.substr(0, at)) + script_text(json) + std::string(page.substr(at + kPlace.size()));
 }
 
-}  // namespace coif
+}  // namespace coif::view

@@ -9,11 +9,11 @@
 #include <string>
 #include <string_view>
 
-namespace coif {
+namespace coif::view {
 
 /// The page of coif view, not filled in yet or filled in already, which begins with this motion: a built-in one by its
 /// name, or a clip called so by its keys. kBadInput for a page without a place for it.
 [[nodiscard]] tl::expected<std::string, ToolError> with_motion(std::string_view page, std::string_view name,
-                                                               std::span<const ClipKey> keys = {});
+                                                               std::span<const motion::ClipKey> keys = {});
 
-}  // namespace coif
+}  // namespace coif::view

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 // tools/view/page/script/page.html has each once, in the order name, asset, sheet.
@@ -21,7 +21,7 @@ bool is_file(const std::filesystem::path& path) {
 
 /// From the folder of the program that runs.
 std::filesystem::path installed_page() {
-  const std::filesystem::path program = program_path();
+  const std::filesystem::path program = platform::program_path();
   return program.empty() ? program : program.parent_path() / COIF_VIEW_PAGE_FROM_PROGRAM;
 }
 
@@ -63,4 +63,4 @@ tl::expected<std::string, ToolError> view_page(std::string_view page, std::span<
   return out.append(page);
 }
 
-}  // namespace coif
+}  // namespace coif::view

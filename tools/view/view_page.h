@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace coif {
+namespace coif::view {
 
 /// Where the page lies that view_page() fills in, which the build for the web made: `named` unless empty, else beside
 /// the program as it is installed, else where this build tree was told that the other is. kUnsupported where there is
@@ -23,4 +23,4 @@ namespace coif {
 [[nodiscard]] tl::expected<std::string, ToolError> view_page(std::string_view page, std::span<const std::byte> asset,
                                                              std::string_view name, std::string_view sheet = {});
 
-}  // namespace coif
+}  // namespace coif::view

@@ -6,7 +6,7 @@
 #include <array>
 #include <bit>
 
-namespace coif {
+namespace coif::visibility {
 namespace {
 
 constexpr std::size_t kCacheSize = 16;
@@ -144,4 +144,4 @@ UnitOrder order_for_cache(const HairSurface& hair, std::span<const Vote> votes, 
   return CacheOrder(hair, votes, order).run();
 }
 
-}  // namespace coif
+}  // namespace coif::visibility

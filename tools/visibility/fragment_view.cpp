@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::visibility {
 namespace {
 
 GridFrame axes_towards(const Eigen::Vector3f& towards_eye) {
@@ -58,7 +58,7 @@ void FragmentView::sort_into_lines(std::span<const PlacedFragment> placed) {
 
 float FragmentView::solid_depth(std::size_t line) const {
   if (!solid_depth_.empty() && !this->line(line).empty()) return solid_depth_[line];
-  return coif::solid_depth(solids_, place(line, 0), -frame_.towards_eye);
+  return coif::visibility::solid_depth(solids_, place(line, 0), -frame_.towards_eye);
 }
 
 std::array<FragmentView::LineShare, 4> FragmentView::lines_around(const Eigen::Vector3f& point) const {
@@ -89,4 +89,4 @@ float FragmentView::transmittance(const Eigen::Vector3f& point, float margin) co
   return passes;
 }
 
-}  // namespace coif
+}  // namespace coif::visibility

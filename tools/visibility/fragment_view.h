@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::visibility {
 
 /// A picture without perspective, looked at along a grid of lines.
 struct ViewGrid {
@@ -128,11 +128,11 @@ struct SampledView {
 
 struct SampleSettings {
   std::size_t views_per_cell = 1;
-  std::uint32_t seed = 0;     ///< Other seeds look from other directions.
-  std::size_t lines = 3000;   ///< Wanted per view.
-  float solid_alpha = 0.95f;  ///< Layers behind one of at least this alpha do not matter.
-  float pixel = 0.001f;       ///< Metres; as ViewGrid.
-  Threads threads = 1;        ///< Of sample_views(); without influence on the result.
+  std::uint32_t seed = 0;         ///< Other seeds look from other directions.
+  std::size_t lines = 3000;       ///< Wanted per view.
+  float solid_alpha = 0.95f;      ///< Layers behind one of at least this alpha do not matter.
+  float pixel = 0.001f;           ///< Metres; as ViewGrid.
+  platform::Threads threads = 1;  ///< Of sample_views(); without influence on the result.
 };
 
 /// Metres between lines of sight, so that about so many of them meet hair in this pose.
@@ -157,4 +157,4 @@ struct SampleSettings {
 /// Direction `index` of a sequence that fills a cell evenly, unit.
 [[nodiscard]] Eigen::Vector3f direction_in_cell(std::uint32_t cell, std::uint32_t index);
 
-}  // namespace coif
+}  // namespace coif::visibility

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace coif {
+namespace coif::visibility {
 namespace {
 
 constexpr int kEncodedSteps = 8192;
@@ -19,7 +19,7 @@ const std::array<float, kEncodedSteps + 1>& encoding() {
     std::array<float, kEncodedSteps + 1> encoded{};
     for (int i = 0; i <= kEncodedSteps; ++i) {
       const double c = double(i) * i / (double(kEncodedSteps) * kEncodedSteps);
-      encoded[std::size_t(i)] = float(encode_srgb(c));
+      encoded[std::size_t(i)] = float(coif::encode_srgb(c));
     }
     return encoded;
   }();
@@ -161,4 +161,4 @@ Eigen::Array3f backdrop(float height) {
   return bottom + smoothstep(height) * (top - bottom);
 }
 
-}  // namespace coif
+}  // namespace coif::visibility

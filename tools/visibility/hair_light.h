@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace coif {
+namespace coif::visibility {
 
 /// What a picture shows is sRGB-encoded: `linear` 0..1, by channel, within 0.0002.
 [[nodiscard]] Eigen::Array3f encode_srgb(const Eigen::Array3f& linear);
@@ -77,4 +77,4 @@ class HairLight {
 /// Linear, behind all; `height`: 0 at the picture's bottom, 1 at its top.
 [[nodiscard]] Eigen::Array3f backdrop(float height);
 
-}  // namespace coif
+}  // namespace coif::visibility

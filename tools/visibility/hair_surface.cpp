@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace coif {
+namespace coif::visibility {
 namespace {
 
 constexpr int kFloatDigits = 23, kFloatBias = 127;
@@ -163,4 +163,4 @@ std::vector<Eigen::Vector3f> posed_positions(const Asset& asset, std::span<const
   return positions;
 }
 
-}  // namespace coif
+}  // namespace coif::visibility

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::visibility {
 
 /// Which mips of a texture fit a triangle's size in the picture: one, and how far to the next smaller one.
 struct MipChoice {
@@ -99,4 +99,4 @@ struct HairSurface {
 /// Every vertex in one pose, head space, metres. `palette`: one matrix per bone; empty for the rest pose.
 [[nodiscard]] std::vector<Eigen::Vector3f> posed_positions(const Asset& asset, std::span<const Mat34> palette);
 
-}  // namespace coif
+}  // namespace coif::visibility

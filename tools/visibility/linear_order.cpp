@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace coif {
+namespace coif::visibility {
 namespace {
 
 constexpr int kMostSweeps = 100;
@@ -229,4 +229,4 @@ UnitOrder order_by_sums(std::span<const Vote> votes, std::span<const std::uint32
   return order;
 }
 
-}  // namespace coif
+}  // namespace coif::visibility

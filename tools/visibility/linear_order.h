@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::visibility {
 
 /// Units in the order in which they are drawn.
 using UnitOrder = std::vector<std::uint32_t>;
@@ -43,7 +43,8 @@ struct CellOrders {
   std::array<std::uint8_t, kViewCells> order_of{};
 
   /// The votes of all cells that draw with one of them.
-  [[nodiscard]] std::vector<Vote> votes_on(std::size_t order, const CellVotes& cells, const Threads& threads = 1) const;
+  [[nodiscard]] std::vector<Vote> votes_on(std::size_t order, const CellVotes& cells,
+                                           const platform::Threads& threads = 1) const;
 };
 
 /// At most `count` orders for all cells, of the units that `start` has. The cells whose own order would save most of
@@ -51,17 +52,17 @@ struct CellOrders {
 /// improved for their cells, until neither changes anything (Lloyd's iteration, with votes for distances). Never loses
 /// more votes than `start` does; the same for every number of threads.
 [[nodiscard]] CellOrders cluster_orders(const CellVotes& cells, const UnitOrder& start, std::size_t count,
-                                        const Threads& threads);
+                                        const platform::Threads& threads);
 
 /// The second half of that alone, from the orders of `found`, which other votes led to.
-[[nodiscard]] CellOrders refine_clusters(const CellVotes& cells, CellOrders found, const Threads& threads);
+[[nodiscard]] CellOrders refine_clusters(const CellVotes& cells, CellOrders found, const platform::Threads& threads);
 
 /// Each order found once more for the votes of its cells, from its triangles as they lie along the mean of the cells'
 /// directions, the furthest first; then as refine_clusters(). Pairs of triangles that no vote was seen for end in the
 /// order of their depth, which is mostly right, and fewer votes are lost as well than from an order of whole patches.
 /// `positions` of all vertices.
 [[nodiscard]] CellOrders refine_from_depth(const HairSurface& hair, std::span<const Eigen::Vector3f> positions,
-                                           const CellVotes& cells, CellOrders found, const Threads& threads);
+                                           const CellVotes& cells, CellOrders found, const platform::Threads& threads);
 
 /// Triangles of `order` in an order that shares vertices between neighbours as far as the votes allow: two triangles
 /// that have a vote on each other stay in the order they have, all others may move. What no vote was seen for moves
@@ -69,4 +70,4 @@ struct CellOrders {
 /// last few that were shaded.
 [[nodiscard]] UnitOrder order_for_cache(const HairSurface& hair, std::span<const Vote> votes, const UnitOrder& order);
 
-}  // namespace coif
+}  // namespace coif::visibility

@@ -7,14 +7,14 @@
 #include <functional>
 #include <numeric>
 
-namespace coif {
+namespace coif::visibility {
 namespace {
 
 constexpr int kMostRounds = 8;
 
 class Clustering {
  public:
-  Clustering(const CellVotes& cells, const Threads& threads) : cells_(cells), threads_(threads) {}
+  Clustering(const CellVotes& cells, const platform::Threads& threads) : cells_(cells), threads_(threads) {}
 
   /// Lloyd's iteration.
   CellOrders refine(CellOrders found) {
@@ -147,14 +147,15 @@ class Clustering {
   }
 
   const CellVotes& cells_;
-  Threads threads_;
+  platform::Threads threads_;
   CellOrders result_;
   std::vector<std::uint8_t> improved_for_;  ///< CellOrders::order_of when the orders were improved last; empty: never.
 };
 
 }  // namespace
 
-std::vector<Vote> CellOrders::votes_on(std::size_t order, const CellVotes& cells, const Threads& threads) const {
+std::vector<Vote> CellOrders::votes_on(std::size_t order, const CellVotes& cells,
+                                       const platform::Threads& threads) const {
   std::vector<std::span<const Vote>> votes;
   for (std::size_t cell = 0; cell < kViewCells; ++cell) {
     if (order_of[cell] == order) votes.emplace_back(cells[cell]);
@@ -162,12 +163,13 @@ std::vector<Vote> CellOrders::votes_on(std::size_t order, const CellVotes& cells
   return sum_of(votes, threads);
 }
 
-CellOrders cluster_orders(const CellVotes& cells, const UnitOrder& start, std::size_t count, const Threads& threads) {
+CellOrders cluster_orders(const CellVotes& cells, const UnitOrder& start, std::size_t count,
+                          const platform::Threads& threads) {
   Clustering clustering(cells, threads);
   return clustering.refine(clustering.found_clusters(start, std::clamp<std::size_t>(count, 1, kMaxOrders)));
 }
 
-CellOrders refine_clusters(const CellVotes& cells, CellOrders found, const Threads& threads) {
+CellOrders refine_clusters(const CellVotes& cells, CellOrders found, const platform::Threads& threads) {
   return Clustering(cells, threads).refine(std::move(found));
 }
 
@@ -201,7 +203,7 @@ UnitOrder by_depth(const HairSurface& hair, std::span<const Eigen::Vector3f> pos
 }  // namespace
 
 CellOrders refine_from_depth(const HairSurface& hair, std::span<const Eigen::Vector3f> positions,
-                             const CellVotes& cells, CellOrders found, const Threads& threads) {
+                             const CellVotes& cells, CellOrders found, const platform::Threads& threads) {
   if (found.orders.size() < 2) return found;  // one for all directions: none of them is its own
   for (std::size_t k = 0; k < found.orders.size(); ++k) {
     found.orders[k] = by_depth(hair, positions, mean_direction(found, k));
@@ -209,4 +211,4 @@ CellOrders refine_from_depth(const HairSurface& hair, std::span<const Eigen::Vec
   return Clustering(cells, threads).refine_as_assigned(std::move(found));
 }
 
-}  // namespace coif
+}  // namespace coif::visibility

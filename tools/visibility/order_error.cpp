@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-namespace coif {
+namespace coif::visibility {
 namespace {
 
 constexpr double kBestPsnr = 99;
@@ -159,7 +159,7 @@ std::vector<Vote> sum_of_part(VoteLists lists) {
 
 }  // namespace
 
-std::vector<Vote> sum_of(VoteLists lists, const Threads& threads) {
+std::vector<Vote> sum_of(VoteLists lists, const platform::Threads& threads) {
   if (count_of(lists) <= kVotesOfPart) return sum_of_part(lists);
   const std::vector<std::uint32_t> bounds = part_bounds(lists);
   std::vector<std::vector<Vote>> parts(bounds.size() - 1);
@@ -174,4 +174,4 @@ std::vector<Vote> sum_of(VoteLists lists, const Threads& threads) {
   return all;
 }
 
-}  // namespace coif
+}  // namespace coif::visibility

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::visibility {
 
 /// How the renderer turns layers into a pixel (thesis 5.3.1).
 struct DrawRule {
@@ -40,6 +40,7 @@ struct Vote {
 [[nodiscard]] std::vector<Vote> votes_of_groups(std::span<const Vote> votes, std::span<const std::uint32_t> group_of);
 
 /// The sums of several lists of votes, each as votes_of() makes it. `threads`: without influence on the result.
-[[nodiscard]] std::vector<Vote> sum_of(std::span<const std::span<const Vote>> lists, const Threads& threads = 1);
+[[nodiscard]] std::vector<Vote> sum_of(std::span<const std::span<const Vote>> lists,
+                                       const platform::Threads& threads = 1);
 
-}  // namespace coif
+}  // namespace coif::visibility

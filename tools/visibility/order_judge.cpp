@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace coif {
+namespace coif::visibility {
 namespace {
 
 double median_of(std::vector<double> values) {
@@ -79,4 +79,4 @@ double OrderJudge::blended(const DrawRule& rule) const {
   return all > 0 ? std::accumulate(layers.begin(), layers.end(), 0.0) / double(all) : 0;
 }
 
-}  // namespace coif
+}  // namespace coif::visibility

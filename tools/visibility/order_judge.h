@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::visibility {
 
 /// Errors of pictures drawn in some order, as picture_error() says; PSNR over the pixels that hair covers, dB.
 struct OrderQuality {
@@ -47,7 +47,7 @@ class JudgedHair {
 struct JudgeSettings {
   float least_threshold = 0.95f;   ///< Rules that are judged must have no lower opaque threshold.
   std::size_t views_per_cell = 1;  ///< The first of those that there are.
-  Threads threads = 1;             ///< Without influence on the result.
+  platform::Threads threads = 1;   ///< Without influence on the result.
 };
 
 /// Judges orders by views that none of them was found from.
@@ -73,7 +73,7 @@ class OrderJudge {
   [[nodiscard]] std::size_t pixels() const;
 
   std::vector<View> views_;
-  Threads threads_;
+  platform::Threads threads_;
 };
 
-}  // namespace coif
+}  // namespace coif::visibility

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-namespace coif {
+namespace coif::visibility {
 UnitOrder triangles_in_order(std::span<const std::uint32_t> unit_order,
                              std::span<const std::uint32_t> unit_of_triangle) {
   const std::vector<std::uint32_t> place = places_in(unit_order, unit_order.size());
@@ -214,7 +214,7 @@ class OrderSearch {
   /// The same, as far as votes tell, with more vertices shared between triangles.
   [[nodiscard]] CellOrders for_cache(const CellOrders& clusters, const CellVotes& cells) const {
     CellOrders shared = clusters;
-    const Threads inner = settings_.threads.divided_by(shared.orders.size());
+    const platform::Threads inner = settings_.threads.divided_by(shared.orders.size());
     parallel_for(shared.orders.size(), settings_.threads, [&](std::size_t k) {
       shared.orders[k] = order_for_cache(hair_, clusters.votes_on(k, cells, inner), shared.orders[k]);
     });
@@ -264,4 +264,4 @@ OrderQuality judge_orders(const HairSurface& hair, const JudgedHair& judged, con
   return judge.judge(single_order(orders.patches, patches_of(hair)), rule);
 }
 
-}  // namespace coif
+}  // namespace coif::visibility

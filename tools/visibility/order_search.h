@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-namespace coif {
+namespace coif::visibility {
 
 /// All triangles of each unit after those of the unit before it; stored order within.
 [[nodiscard]] UnitOrder triangles_in_order(std::span<const std::uint32_t> unit_order,
@@ -25,7 +25,7 @@ struct OrderSearchSettings {
   std::size_t views_per_cell = 32;     ///< That orders are found from; time grows with both, and what is missed falls.
   std::size_t judge_views_per_cell = 2;  ///< That orders are judged by: others; no more than the judged hair has.
   std::size_t lines_per_view = 4000;
-  Threads threads = 1;  ///< Without influence on the result.
+  platform::Threads threads = 1;  ///< Without influence on the result.
 };
 
 /// How to draw the hair, and how good that is.
@@ -70,4 +70,4 @@ struct FoundOrders {
 [[nodiscard]] OrderQuality judge_orders(const HairSurface& hair, const JudgedHair& judged, const FoundOrders& orders,
                                         const OrderSearchSettings& settings);
 
-}  // namespace coif
+}  // namespace coif::visibility

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::visibility {
 
 /// What some views of the hair at rest want of its triangles, drawn by one rule: for who would look along the same
 /// lines again.
@@ -36,4 +36,4 @@ class RestVotes {
   std::vector<std::optional<std::vector<Vote>>> votes_;
 };
 
-}  // namespace coif
+}  // namespace coif::visibility

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace coif {
+namespace coif::visibility {
 namespace {
 
 constexpr float kUnseenShare = 1.0f / 1024;  ///< Share of a pixel.
@@ -254,4 +254,4 @@ double blended_layers(const SeenLines& lines, const DrawRule& rule) {
   return lines.size() == 0 ? 0 : double(blended) / double(lines.size());
 }
 
-}  // namespace coif
+}  // namespace coif::visibility

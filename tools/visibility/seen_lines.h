@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::visibility {
 
 /// A fragment with what a picture shows of it.
 struct SeenLayer {
@@ -84,4 +84,4 @@ inline constexpr double kOtherLightSpread = 0.01;
 /// that the depth test spares count nothing.
 [[nodiscard]] double blended_layers(const SeenLines& lines, const DrawRule& rule);
 
-}  // namespace coif
+}  // namespace coif::visibility

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace coif {
+namespace coif::visibility {
 namespace {
 
 /// Corners are put on a grid this much finer than that of the lines, so that edges are whole numbers: two triangles of
@@ -259,4 +259,4 @@ void TriangleRaster::visit(std::size_t line, const Areas& inside) {
   placed_.push_back(placed);
 }
 
-}  // namespace coif
+}  // namespace coif::visibility

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::visibility {
 
 /// A fragment on its way into its line.
 struct PlacedFragment {
@@ -103,4 +103,4 @@ class TriangleRaster {
   std::size_t inside_count_ = 0;
 };
 
-}  // namespace coif
+}  // namespace coif::visibility

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::visibility {
 
 /// Lists of many units, one behind the other in one piece of memory.
 template <typename Item>
@@ -31,4 +31,4 @@ class UnitLists {
   std::vector<Item> items_;
 };
 
-}  // namespace coif
+}  // namespace coif::visibility

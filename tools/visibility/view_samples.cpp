@@ -10,7 +10,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace coif {
+namespace coif::visibility {
 namespace {
 
 constexpr float kUnseen = 1.0f / 1024;
@@ -111,4 +111,4 @@ std::vector<SampledView> sample_views(const HairSurface& hair, std::span<const H
   return all;
 }
 
-}  // namespace coif
+}  // namespace coif::visibility

@@ -13,7 +13,7 @@
 #include <fstream>
 #include <string>
 
-namespace coif {
+namespace coif::importer {
 namespace {
 
 using nlohmann::json;
@@ -121,12 +121,12 @@ int write_matrix(const std::filesystem::path& folder) {
 }
 
 }  // namespace
-}  // namespace coif
+}  // namespace coif::importer
 
 int main(int count, char** arguments) {
-  coif::run_named_job(count, arguments);
-  if (count == 3 && std::string(arguments[1]) == "--matrix") return coif::write_matrix(arguments[2]);
-  if (count == 2) return coif::print(arguments[1]);
+  coif::platform::run_named_job(count, arguments);
+  if (count == 3 && std::string(arguments[1]) == "--matrix") return coif::importer::write_matrix(arguments[2]);
+  if (count == 2) return coif::importer::print(arguments[1]);
   std::fputs("print_model FILE | --matrix FOLDER\n", stderr);
   return 2;
 }

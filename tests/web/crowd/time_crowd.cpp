@@ -28,7 +28,7 @@ double least_microseconds(Hair& hair, std::uint32_t heads, int frames) {
   for (int block = 0; block < kBlocks; ++block) {
     const auto begin = std::chrono::steady_clock::now();
     for (int frame = 0; frame < frames; ++frame) {
-      HeadPose pose = head_pose(Motion::kTurn, ++done / kRate);
+      HeadPose pose = motion::head_pose(motion::Motion::kTurn, ++done / kRate);
       for (std::uint32_t i = 0; i < heads; ++i) {
         poses[i] = pose;
         poses[i].position[0] += i % 15;

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3f;
@@ -251,4 +251,4 @@ CutResult cut_crossings(const SeenCrossings& crossings, const CutSettings& setti
   return Cutting(crossings, settings, mesh).run();
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-namespace coif {
+namespace coif::cook {
 
 struct CutSettings {
   std::size_t most_added = 0;  ///< Triangles.
@@ -27,4 +27,4 @@ struct CutResult {
 /// samples.
 CutResult cut_crossings(const SeenCrossings& crossings, const CutSettings& settings, SplitMesh& mesh);
 
-}  // namespace coif
+}  // namespace coif::cook

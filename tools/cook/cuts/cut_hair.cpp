@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr double kLeastGain = 0.1;              ///< dB, of all cuts together.
@@ -23,9 +23,9 @@ Crossings figures_of(const SeenCrossings& seen) {
 
 }  // namespace
 
-Crossings cut_where_crossing(const AssetContents& contents, const HairSurface& hair,
-                             std::span<const Eigen::Vector3f> positions, const FoundOrders& drawn,
-                             std::size_t most_added, const SampleSettings& settings,
+Crossings cut_where_crossing(const AssetContents& contents, const visibility::HairSurface& hair,
+                             std::span<const Eigen::Vector3f> positions, const visibility::FoundOrders& drawn,
+                             std::size_t most_added, const visibility::SampleSettings& settings,
                              const std::function<double()>& share_of_order) {
   CrossingSearch search(hair, positions, drawn.by_view, drawn.rule, settings);
   const auto uncut = [&](Crossings crossings) {
@@ -41,7 +41,7 @@ Crossings cut_where_crossing(const AssetContents& contents, const HairSurface& h
   if (gain_of(of_order * result.share) < kLeastGain) return uncut(std::move(result));
   CutSettings cutting;
   cutting.most_added = most_added;
-  cutting.shortest_edge = line_spacing(positions, settings.lines);
+  cutting.shortest_edge = visibility::line_spacing(positions, settings.lines);
   cutting.least_gain = kLeastGainOfHundredth / gain_of(of_order / 100) * seen.lost / double(hair.triangles.size());
   SplitMesh mesh(contents);
   const CutResult cut = cut_crossings(seen, cutting, mesh);
@@ -49,9 +49,9 @@ Crossings cut_where_crossing(const AssetContents& contents, const HairSurface& h
   if (gain < kLeastGain) return uncut(std::move(result));
   CutHair made{contents, drawn, cut.cuts, cut.added, gain};
   const std::vector<std::uint32_t> origin = mesh.write_to(made.contents);
-  for (UnitOrder& order : made.orders.by_view.orders) order = triangles_in_order(order, origin);
+  for (visibility::UnitOrder& order : made.orders.by_view.orders) order = visibility::triangles_in_order(order, origin);
   result.cut = std::move(made);
   return result;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -14,23 +14,23 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// Hair whose triangles are cut where they cross, and what led to it.
 struct CutHair {
   AssetContents contents;
-  FoundOrders orders;     ///< Those of the whole triangles, pieces one after the other where the whole was.
-  std::size_t cuts = 0;   ///< Lines that triangles were cut along.
-  std::size_t added = 0;  ///< Triangles.
-  double gain = 0;        ///< Expected, dB.
+  visibility::FoundOrders orders;  ///< Those of the whole triangles, pieces one after the other where the whole was.
+  std::size_t cuts = 0;            ///< Lines that triangles were cut along.
+  std::size_t added = 0;           ///< Triangles.
+  double gain = 0;                 ///< Expected, dB.
 };
 
 /// What crossing triangles cost the pictures, and the cure.
 struct Crossings {
-  std::size_t pairs = 0;       ///< Triangles of which neither is before the other all over some picture.
-  double share = 0;            ///< Of what pictures in these orders lose by wrong order: what no order could help.
-  std::optional<CutHair> cut;  ///< None where cutting would gain too little.
-  RestVotes votes;             ///< Of what was looked at, where nothing is cut.
+  std::size_t pairs = 0;        ///< Triangles of which neither is before the other all over some picture.
+  double share = 0;             ///< Of what pictures in these orders lose by wrong order: what no order could help.
+  std::optional<CutHair> cut;   ///< None where cutting would gain too little.
+  visibility::RestVotes votes;  ///< Of what was looked at, where nothing is cut.
 };
 
 /// Cuts the hair of `contents`, drawn as `hair` is in the orders by direction and by the rule of `drawn`, where this
@@ -38,9 +38,10 @@ struct Crossings {
 /// hair at rest along as many lines, from as many sides and with as many threads as `settings` say. `share_of_order`:
 /// how much of the pictures' squared error is of wrong order; asked only where it matters. Coarser levels stay as they
 /// are.
-[[nodiscard]] Crossings cut_where_crossing(const AssetContents& contents, const HairSurface& hair,
-                                           std::span<const Eigen::Vector3f> positions, const FoundOrders& drawn,
-                                           std::size_t most_added, const SampleSettings& settings,
+[[nodiscard]] Crossings cut_where_crossing(const AssetContents& contents, const visibility::HairSurface& hair,
+                                           std::span<const Eigen::Vector3f> positions,
+                                           const visibility::FoundOrders& drawn, std::size_t most_added,
+                                           const visibility::SampleSettings& settings,
                                            const std::function<double()>& share_of_order);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr float kUnseenLight = 1.0f / 1024;
@@ -26,7 +26,8 @@ std::uint64_t pair_of(std::uint32_t a, std::uint32_t b) {
 }
 
 /// Adds what the blended layers of a line want of each other (order_error.h).
-void add_pairs(const FragmentView& view, std::size_t index, const DrawRule& rule, std::vector<LayerPair>& pairs) {
+void add_pairs(const visibility::FragmentView& view, std::size_t index, const visibility::DrawRule& rule,
+               std::vector<LayerPair>& pairs) {
   const auto line = view.line(index);
   if (line.size() < 2) return;
   const float end = view.solid_depth(index);
@@ -43,7 +44,7 @@ void add_pairs(const FragmentView& view, std::size_t index, const DrawRule& rule
     for (std::size_t far = near + 1; far < count; ++far) {
       const float loss = passes * line[far].alpha;
       passes *= 1 - line[far].alpha;
-      const Fragment &a = line[near], &b = line[far];
+      const visibility::Fragment &a = line[near], &b = line[far];
       if (a.triangle == b.triangle || (!rule.faces_together && a.is_front != b.is_front)) continue;
       pairs.push_back({pair_of(a.triangle, b.triangle), std::uint32_t(index), a.depth, b.depth, loss * loss,
                        a.triangle < b.triangle});
@@ -51,7 +52,7 @@ void add_pairs(const FragmentView& view, std::size_t index, const DrawRule& rule
   }
 }
 
-CrossingSample sample_of(const LayerPair& pair, const FragmentView& view, std::uint32_t number) {
+CrossingSample sample_of(const LayerPair& pair, const visibility::FragmentView& view, std::uint32_t number) {
   const auto low = std::uint32_t(pair.triangles >> 32), high = std::uint32_t(pair.triangles);
   return {number,
           pair.lower_is_near ? low : high,
@@ -63,8 +64,9 @@ CrossingSample sample_of(const LayerPair& pair, const FragmentView& view, std::u
 
 }  // namespace
 
-CrossingSearch::CrossingSearch(const HairSurface& hair, std::span<const Eigen::Vector3f> positions,
-                               const CellOrders& orders, const DrawRule& rule, const SampleSettings& settings)
+CrossingSearch::CrossingSearch(const visibility::HairSurface& hair, std::span<const Eigen::Vector3f> positions,
+                               const visibility::CellOrders& orders, const visibility::DrawRule& rule,
+                               const visibility::SampleSettings& settings)
     : hair_(hair),
       positions_(positions),
       rule_(rule),
@@ -74,7 +76,8 @@ CrossingSearch::CrossingSearch(const HairSurface& hair, std::span<const Eigen::V
       own_(hair.triangles.size()),
       votes_(rule, settings.views_per_cell) {
   std::iota(own_.begin(), own_.end(), 0u);
-  for (const UnitOrder& order : orders.orders) places_.push_back(places_in(order, order.size()));
+  for (const visibility::UnitOrder& order : orders.orders)
+    places_.push_back(visibility::places_in(order, order.size()));
 }
 
 SeenCrossings CrossingSearch::look(std::size_t views_per_cell) {
@@ -105,22 +108,22 @@ SeenCrossings CrossingSearch::look(std::size_t views_per_cell) {
 CrossingSearch::View CrossingSearch::view_of(std::size_t number) {
   const auto cell = std::uint32_t(number / settings_.views_per_cell);
   const auto turn = std::uint32_t(number % settings_.views_per_cell) + settings_.seed;
-  ViewGrid grid;
-  grid.towards_eye = direction_in_cell(cell, turn);
-  grid.spacing = line_spacing(positions_, settings_.lines);
+  visibility::ViewGrid grid;
+  grid.towards_eye = visibility::direction_in_cell(cell, turn);
+  grid.spacing = visibility::line_spacing(positions_, settings_.lines);
   grid.pixel = settings_.pixel;
   grid.solid_alpha = rule_.opaque_threshold;
   grid.past_head = false;
-  const FragmentView view(hair_, positions_, grid);
+  const visibility::FragmentView view(hair_, positions_, grid);
   constexpr std::size_t kPoses = 2;  // of hair that moves: rest takes every other turn
-  if (pose_of_view(cell, turn, kPoses) == 0) {
-    const SightLines lines(view, rule_.opaque_threshold);
-    votes_.keep(cell, number % settings_.views_per_cell, votes_of(lines, own_, rule_));
+  if (visibility::pose_of_view(cell, turn, kPoses) == 0) {
+    const visibility::SightLines lines(view, rule_.opaque_threshold);
+    votes_.keep(cell, number % settings_.views_per_cell, visibility::votes_of(lines, own_, rule_));
   }
   return crossings_in(view, number);
 }
 
-CrossingSearch::View CrossingSearch::crossings_in(const FragmentView& view, std::size_t number) const {
+CrossingSearch::View CrossingSearch::crossings_in(const visibility::FragmentView& view, std::size_t number) const {
   const std::span<const std::uint32_t> place = places_[order_of_[number / settings_.views_per_cell]];
   std::vector<LayerPair> pairs;
   for (std::size_t i = 0; i < view.line_count(); ++i) add_pairs(view, i, rule_, pairs);
@@ -144,4 +147,4 @@ CrossingSearch::View CrossingSearch::crossings_in(const FragmentView& view, std:
   return found;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

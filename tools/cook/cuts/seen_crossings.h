@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// A line of sight that meets two triangles of which no order is right all over a picture: they cross there, or lie
 /// before each other in turns.
@@ -41,14 +41,15 @@ class CrossingSearch {
  public:
   /// Along as many lines, from as many sides at most, and with the threads that `settings` say. `orders`: of all
   /// triangles. Keeps references to the hair and its positions.
-  CrossingSearch(const HairSurface& hair, std::span<const Eigen::Vector3f> positions, const CellOrders& orders,
-                 const DrawRule& rule, const SampleSettings& settings);
+  CrossingSearch(const visibility::HairSurface& hair, std::span<const Eigen::Vector3f> positions,
+                 const visibility::CellOrders& orders, const visibility::DrawRule& rule,
+                 const visibility::SampleSettings& settings);
 
   /// From so many sides of each cell; those that it was looked at from before are not taken again.
   [[nodiscard]] SeenCrossings look(std::size_t views_per_cell);
 
   /// Votes of those of its views that orders are found from, too (pose_of_view()). They are not here afterwards.
-  [[nodiscard]] RestVotes take_votes() { return std::move(votes_); }
+  [[nodiscard]] visibility::RestVotes take_votes() { return std::move(votes_); }
 
  private:
   struct View {
@@ -57,18 +58,18 @@ class CrossingSearch {
     double unavoidable = 0, lost = 0;
   };
   [[nodiscard]] View view_of(std::size_t number);
-  [[nodiscard]] View crossings_in(const FragmentView& view, std::size_t number) const;
+  [[nodiscard]] View crossings_in(const visibility::FragmentView& view, std::size_t number) const;
 
-  const HairSurface& hair_;
+  const visibility::HairSurface& hair_;
   std::span<const Eigen::Vector3f> positions_;
-  DrawRule rule_;
-  SampleSettings settings_;
+  visibility::DrawRule rule_;
+  visibility::SampleSettings settings_;
   std::array<std::uint8_t, kViewCells> order_of_;
   std::vector<std::vector<std::uint32_t>> places_;  ///< Of each triangle in each order.
   std::vector<View> views_;                         ///< Those of a cell follow each other.
   std::size_t looked_at_ = 0;                       ///< Of each cell.
   std::vector<std::uint32_t> own_;                  ///< Each triangle's own number.
-  RestVotes votes_;
+  visibility::RestVotes votes_;
 };
 
-}  // namespace coif
+}  // namespace coif::cook

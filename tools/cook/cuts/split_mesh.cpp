@@ -10,7 +10,7 @@
 #include <numeric>
 #include <utility>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 float mixed(float from, float to, float share) { return from + share * (to - from); }
@@ -161,4 +161,4 @@ void SplitMesh::leave(std::uint32_t triangle) {
   for (std::size_t k = 0; k < 3; ++k) std::erase(at_edge_[edge_between(v[k], v[(k + 1) % 3])], triangle);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// The finest level of packed hair while edges of it are split. Vertices at the same place count as one, so that no gap
 /// opens beside an edge, wherever texture coordinates or patches end. What a split changes of the picture at rest is
@@ -70,4 +70,4 @@ class SplitMesh {
 [[nodiscard]] std::size_t finest_patch_count(const AssetContents& contents);
 [[nodiscard]] std::size_t finest_triangle_count(const AssetContents& contents);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr double kUsualFriction = 2;        ///< 1/s
@@ -65,7 +65,7 @@ MotionSource source_of(const SkeletonBone& bone, const Sayer& sayer, const RigRe
   return curve.empty() ? MotionSource::kPreset : MotionSource::kCurve;
 }
 
-std::vector<Sayer> sayers_of(const SourceModel& source, const Skeleton& skeleton, const RigRecipe& recipe,
+std::vector<Sayer> sayers_of(const importer::SourceModel& source, const Skeleton& skeleton, const RigRecipe& recipe,
                              std::span<const PatchOverride> of_chain) {
   std::vector<BoneJoint> joints(skeleton.bones.size());
   if (recipe.dynamics_source != DynamicsSource::kCurves) joints = joints_of_bones(source, skeleton);
@@ -109,19 +109,19 @@ void report_sources(const std::vector<MotionSource>& sources, std::size_t simula
   }
 }
 
-bool has_sideways_gravity(const SourceSpringJoint& joint) {
+bool has_sideways_gravity(const importer::SourceSpringJoint& joint) {
   return joint.gravity_power != 0 && std::abs(joint.gravity_direction.y()) < kVertical;
 }
 
 /// What of the joints' settings is lost on these bones, one warning for each kind.
-void warn_of_lost_settings(const SourceModel& source, std::span<const Sayer> sayers, Findings& findings) {
-  const SourceSpring* sideways = nullptr;
-  const SourceSpring* centered = nullptr;
+void warn_of_lost_settings(const importer::SourceModel& source, std::span<const Sayer> sayers, Findings& findings) {
+  const importer::SourceSpring* sideways = nullptr;
+  const importer::SourceSpring* centered = nullptr;
   for (const Sayer& sayer : sayers) {
     if (sayer.source != MotionSource::kSpring) continue;
     const BoneJoint& bone = sayer.joint;
     if (sideways == nullptr && has_sideways_gravity(*bone.joint)) sideways = bone.spring;
-    if (centered == nullptr && bone.spring->center != kNoIndex) centered = bone.spring;
+    if (centered == nullptr && bone.spring->center != importer::kNoIndex) centered = bone.spring;
   }
   if (sideways != nullptr) {
     findings.warn("C134",
@@ -139,7 +139,7 @@ void warn_of_lost_settings(const SourceModel& source, std::span<const Sayer> say
 
 }  // namespace
 
-SaidMotion bake_dynamics(const SourceModel& source, const Skeleton& skeleton, const RigRecipe& recipe,
+SaidMotion bake_dynamics(const importer::SourceModel& source, const Skeleton& skeleton, const RigRecipe& recipe,
                          std::span<const PatchOverride> of_chain, Findings& findings) {
   if (skeleton.chains.empty()) return {};
   const std::vector<Sayer> sayers = sayers_of(source, skeleton, recipe, of_chain);
@@ -160,7 +160,7 @@ SaidMotion bake_dynamics(const SourceModel& source, const Skeleton& skeleton, co
   return motion;
 }
 
-DynamicsRecord dynamics_of_joint(const SourceSpringJoint& joint, double length) {
+DynamicsRecord dynamics_of_joint(const importer::SourceSpringJoint& joint, double length) {
   const double turn = joint.stiffness / (kSpringRate * joint.length);
   const double acceleration = joint.gravity_power * -joint.gravity_direction.y() * kSpringRate;
   const double gravity_scale = acceleration / kGravity * (length / joint.length);
@@ -181,4 +181,4 @@ float air_lag(const RigRecipe& recipe, const SaidMotion& said) {
   return presets > 0 && presets >= curves ? 0.5f : 0.0f;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

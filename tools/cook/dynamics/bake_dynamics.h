@@ -45,14 +45,14 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct RigRecipe;
 
 inline constexpr double kSpringRate = 60;  ///< Frames per second at which spring bones have their look.
 
 /// Settings of one joint for a bone of `length` metres; hit_radius is left at 0.
-[[nodiscard]] DynamicsRecord dynamics_of_joint(const SourceSpringJoint& joint, double length);
+[[nodiscard]] DynamicsRecord dynamics_of_joint(const importer::SourceSpringJoint& joint, double length);
 
 /// Rate at which a twist goes back where the recipe leaves it open, 1/s: a twist is gone within a swing of the hair,
 /// and not so fast that it shows.
@@ -83,7 +83,8 @@ struct SaidMotion {
 /// curve a bone takes the values at its middle, so that a chain of one bone has the mean and not the tip's value.
 /// `of_chain`, empty or one for each chain, is what the recipe says of its motion alone, before the file's springs.
 /// Notes how many have springs; warns of what springs lose.
-[[nodiscard]] SaidMotion bake_dynamics(const SourceModel& source, const Skeleton& skeleton, const RigRecipe& recipe,
-                                       std::span<const PatchOverride> of_chain, Findings& findings);
+[[nodiscard]] SaidMotion bake_dynamics(const importer::SourceModel& source, const Skeleton& skeleton,
+                                       const RigRecipe& recipe, std::span<const PatchOverride> of_chain,
+                                       Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3d;
@@ -28,12 +28,12 @@ LimitRecord limit_record(LimitKind kind, double first, double second, const Eige
 
 LimitRecord no_limit() { return limit_record(LimitKind::kUnlimited, 0, 0, Eigen::Quaterniond::Identity()); }
 
-LimitKind kind_of(SourceLimit::Kind kind) {
+LimitKind kind_of(importer::SourceLimit::Kind kind) {
   switch (kind) {
-    case SourceLimit::Kind::kUnlimited: return LimitKind::kUnlimited;
-    case SourceLimit::Kind::kCone: return LimitKind::kCone;
-    case SourceLimit::Kind::kHinge: return LimitKind::kHinge;
-    case SourceLimit::Kind::kSpherical: return LimitKind::kSpherical;
+    case importer::SourceLimit::Kind::kUnlimited: return LimitKind::kUnlimited;
+    case importer::SourceLimit::Kind::kCone: return LimitKind::kCone;
+    case importer::SourceLimit::Kind::kHinge: return LimitKind::kHinge;
+    case importer::SourceLimit::Kind::kSpherical: return LimitKind::kSpherical;
   }
   return LimitKind::kUnlimited;
 }
@@ -73,14 +73,15 @@ std::string moving_names(const Skeleton& skeleton) {
 
 }  // namespace
 
-tl::expected<std::vector<LimitRecord>, ToolError> bake_limits(const SourceModel& source, const Skeleton& skeleton,
-                                                              const RigRecipe& recipe, Findings& findings) {
+tl::expected<std::vector<LimitRecord>, ToolError> bake_limits(const importer::SourceModel& source,
+                                                              const Skeleton& skeleton, const RigRecipe& recipe,
+                                                              Findings& findings) {
   std::vector<LimitRecord> limits(skeleton.bones.size(), no_limit());
   if (recipe.dynamics_source != DynamicsSource::kCurves) {
     const std::vector<BoneJoint> joints = joints_of_bones(source, skeleton);
     for (std::size_t b = 0; b < joints.size(); ++b) {
       if (!joints[b]) continue;
-      const SourceLimit& limit = joints[b].joint->limit;
+      const importer::SourceLimit& limit = joints[b].joint->limit;
       limits[b] = limit_record(kind_of(limit.kind), limit.angles[0], limit.angles[1], limit.rotation);
     }
   }
@@ -105,4 +106,4 @@ tl::expected<std::vector<LimitRecord>, ToolError> bake_limits(const SourceModel&
   return limits;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

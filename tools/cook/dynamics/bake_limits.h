@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct RigRecipe;
 
@@ -16,9 +16,9 @@ struct RigRecipe;
 /// springs do (VRMC_springBone_limit; not where "dynamics.source" is "curves"). Empty where no bone has a limit. The
 /// recipe's lie about the direction in which a bone was modelled, and what they turn about is at right angles to that.
 /// Error (kBadInput): the recipe names bones that are not there, or do not move.
-[[nodiscard]] tl::expected<std::vector<LimitRecord>, ToolError> bake_limits(const SourceModel& source,
+[[nodiscard]] tl::expected<std::vector<LimitRecord>, ToolError> bake_limits(const importer::SourceModel& source,
                                                                             const Skeleton& skeleton,
                                                                             const RigRecipe& recipe,
                                                                             Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

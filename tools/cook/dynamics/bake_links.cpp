@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <set>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Pairs = tl::expected<LinkedDepths, ToolError>;
@@ -135,4 +135,4 @@ tl::expected<std::vector<LinkRecord>, ToolError> bake_links(const std::string& s
   return std::move(forest.links);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

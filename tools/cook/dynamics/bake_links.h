@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct RigRecipe;
 
@@ -24,4 +24,4 @@ struct RigRecipe;
                                                                           const AssetContents& contents,
                                                                           const RigRecipe& recipe, Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 /// The resistance that Algorithm 1 needs for this stiffness at this rate.
@@ -32,21 +32,22 @@ void bake_oscillator(std::optional<double> ratio, double length, DynamicsRecord&
   record.damping = float(std::min(damping, double(kMostDamping)));
 }
 
-double natural_stiffness(const Rig& rig, std::span<const Carried> carried, std::size_t i, double bending_length) {
-  const RigBone& bone = rig.bones[i];
+double natural_stiffness(const lab::Rig& rig, std::span<const lab::Carried> carried, std::size_t i,
+                         double bending_length) {
+  const lab::RigBone& bone = rig.bones[i];
   // A root does not turn: its hair is bent from the scalp on, over half a bone.
   const double span =
       bone.parent < 0 ? bone.length / 2 : 0.5 * (bone.length + rig.bones[std::size_t(bone.parent)].length);
   return kGravity * std::pow(bending_length, 3) / span / carried[i].inertia;
 }
 
-double swing_rate(const Rig& rig, std::span<const Carried> carried, std::size_t i, double stiffness) {
+double swing_rate(const lab::Rig& rig, std::span<const lab::Carried> carried, std::size_t i, double stiffness) {
   const double weight = kGravity * std::abs(rig.bones[i].gravity_scale) * carried[i].arm / carried[i].inertia;
   return std::sqrt(stiffness + weight);
 }
 
-void bake_natural(const Rig& rig, std::span<const Carried> carried, std::size_t i, const NaturalMotion& motion,
-                  DynamicsRecord& record) {
+void bake_natural(const lab::Rig& rig, std::span<const lab::Carried> carried, std::size_t i,
+                  const NaturalMotion& motion, DynamicsRecord& record) {
   record.stiffness = float(std::min(natural_stiffness(rig, carried, i, motion.bending_length), double(kMostStiffness)));
   const double stiffness = double(record.stiffness), swing = swing_rate(rig, carried, i, stiffness);
   constexpr double kTiedBending = 1.6;  // Hairs that lie close slide on each other when their bundle bends.
@@ -60,4 +61,4 @@ double friction_of(const HairPreset& preset, bool is_tied) {
   return is_tied ? kTied * preset.friction : preset.friction;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 inline constexpr double kGravity = 9.81;  ///< m/s^2
 
@@ -33,11 +33,12 @@ void bake_oscillator(std::optional<double> ratio, double length, DynamicsRecord&
 
 /// 1/s^2: of the joint where bone `i` of the rig starts, of hair that its own weight just bends over at
 /// `bending_length` metres.
-[[nodiscard]] double natural_stiffness(const Rig& rig, std::span<const Carried> carried, std::size_t i,
+[[nodiscard]] double natural_stiffness(const lab::Rig& rig, std::span<const lab::Carried> carried, std::size_t i,
                                        double bending_length);
 
 /// 1/s: how fast bone `i` swings with this stiffness and what hangs from it, in the passive model.
-[[nodiscard]] double swing_rate(const Rig& rig, std::span<const Carried> carried, std::size_t i, double stiffness);
+[[nodiscard]] double swing_rate(const lab::Rig& rig, std::span<const lab::Carried> carried, std::size_t i,
+                                double stiffness);
 
 /// How hair moves that nobody gave numbers to.
 struct NaturalMotion {
@@ -50,8 +51,8 @@ struct NaturalMotion {
 };
 
 /// Stiffness, damping and, for Algorithm 1, resistance of `record`, which is bone `i` of the rig.
-void bake_natural(const Rig& rig, std::span<const Carried> carried, std::size_t i, const NaturalMotion& motion,
-                  DynamicsRecord& record);
+void bake_natural(const lab::Rig& rig, std::span<const lab::Carried> carried, std::size_t i,
+                  const NaturalMotion& motion, DynamicsRecord& record);
 
 /// 1/s: the preset's for loose locks. A tied bundle is thicker, and has as much less surface for its mass that air
 /// pulls at, and no neighbours.
@@ -61,7 +62,7 @@ void bake_natural(const Rig& rig, std::span<const Carried> carried, std::size_t 
 /// rests as modelled under an upright head. A bone too soft for that is made as stiff as it takes, its damping with it.
 /// `bones`, `records` and `takes` begin at the asset's first simulated bone; the rig has the records' gravity and
 /// parent shares. Returns how many were too soft.
-std::size_t lean_against_weight(const Rig& rig, std::span<const BoneRecord> bones, const std::vector<bool>& takes,
+std::size_t lean_against_weight(const lab::Rig& rig, std::span<const BoneRecord> bones, const std::vector<bool>& takes,
                                 std::span<DynamicsRecord> records);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr double kEarthGravity = 9.81;  // m/s^2: a hanging bone is stiffened as a pendulum
@@ -136,4 +136,4 @@ AssetContents chains_alone(const AssetContents& contents, std::span<const std::u
   return part;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

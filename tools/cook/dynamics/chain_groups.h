@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// Chains of one model with equally many bones, and those of them that tell most about all: the softest and the
 /// longest.
@@ -36,4 +36,4 @@ struct ChainGroup {
 /// names and surface. Chains do not act on each other, so each moves as it does among all.
 [[nodiscard]] AssetContents chains_alone(const AssetContents& contents, std::span<const std::uint32_t> chains);
 
-}  // namespace coif
+}  // namespace coif::cook

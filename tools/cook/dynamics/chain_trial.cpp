@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr double kTrialSeconds = 2;
@@ -20,8 +20,8 @@ constexpr double kMostSelfDifferencePct = 0.1;
 constexpr double kMostRuntimeError = 0.05;
 constexpr double kMostGrowth = 1.0e4;  ///< No need to compute what amplifies a rounding error into sight.
 
-ReferenceSettings trial_settings(const std::stop_token& stop, double most_steps_per_second = 11520) {
-  ReferenceSettings settings;
+lab::ReferenceSettings trial_settings(const std::stop_token& stop, double most_steps_per_second = 11520) {
+  lab::ReferenceSettings settings;
   settings.threads = {1, stop};
   settings.sample_times = trial_times();
   settings.steps_per_second = kCoarsestSteps;
@@ -30,12 +30,12 @@ ReferenceSettings trial_settings(const std::stop_token& stop, double most_steps_
   return settings;
 }
 
-ChainFinding examine_motion(const OpenedAsset& opened, const Rig& rig, const KnownMotion& known,
+ChainFinding examine_motion(const lab::OpenedAsset& opened, const lab::Rig& rig, const lab::KnownMotion& known,
                             const std::stop_token& stop) {
   ChainFinding finding{true, known.motion, known.reference.self_difference_pct(), 0};
   finding.is_good = finding.self_difference_pct <= kMostSelfDifferencePct;  // false for NaN
   if (!finding.is_good) return finding;
-  finding.runtime_error = measure_runtime(opened.asset(), rig, known, kTrialRate, kTrialSubsteps, stop).rms;
+  finding.runtime_error = lab::measure_runtime(opened.asset(), rig, known, kTrialRate, kTrialSubsteps, stop).rms;
   finding.is_good = finding.runtime_error <= kMostRuntimeError;
   return finding;
 }
@@ -44,37 +44,37 @@ ChainFinding examine_motion(const OpenedAsset& opened, const Rig& rig, const Kno
 
 std::vector<double> trial_times() {
   constexpr std::uint32_t kSampled[] = {kTrialRate};
-  return frame_times(kSampled, kTrialSeconds);
+  return lab::frame_times(kSampled, kTrialSeconds);
 }
 
-ReferenceRun solve_trial(const Rig& rig, Motion motion, const std::stop_token& stop) {
+lab::ReferenceRun solve_trial(const lab::Rig& rig, motion::Motion motion, const std::stop_token& stop) {
   // What is far from agreeing with coarse steps would not with fine ones: those are left.
   constexpr double kCoarse = 2880, kHopelessPct = 3;
-  ReferenceRun run = solve_reference(rig, {}, *path_of(motion), trial_settings(stop, kCoarse));
+  lab::ReferenceRun run = lab::solve_reference(rig, {}, *motion::path_of(motion), trial_settings(stop, kCoarse));
   const double difference = run.self_difference_pct();
   if (difference <= kMostSelfDifferencePct || !(difference <= kHopelessPct)) return run;
-  return solve_reference(rig, {}, *path_of(motion), trial_settings(stop));
+  return lab::solve_reference(rig, {}, *motion::path_of(motion), trial_settings(stop));
 }
 
 bool grows_beyond_hope(const AssetContents& alone) {
   return alone.chains[0].model == ChainModel::kCascade && chain_growth(alone, 0) > kMostGrowth;
 }
 
-ChainTrial try_chain(const AssetContents& alone, const Threads& threads) {
+ChainTrial try_chain(const AssetContents& alone, const platform::Threads& threads) {
   if (!grows_beyond_hope(alone)) return try_any_chain(alone, threads);
   return {{.is_good = false, .growth = chain_growth(alone, 0)}, {}};
 }
 
-ChainTrial try_any_chain(const AssetContents& alone, const Threads& threads) {
-  const OpenedAsset opened(alone);
-  const Rig rig = rig_of(opened.asset());
+ChainTrial try_any_chain(const AssetContents& alone, const platform::Threads& threads) {
+  const lab::OpenedAsset opened(alone);
+  const lab::Rig rig = lab::rig_of(opened.asset());
   ChainTrial trial;
   // A few motions at a time: after one that fails none is needed.
   for (std::size_t first = 0; first < std::size(kTrialMotions); first += threads.count) {
-    std::vector<KnownMotion> known(std::min<std::size_t>(threads.count, std::size(kTrialMotions) - first));
+    std::vector<lab::KnownMotion> known(std::min<std::size_t>(threads.count, std::size(kTrialMotions) - first));
     std::vector<ChainFinding> findings(known.size());
     parallel_for(known.size(), threads, [&](std::size_t i) {
-      const Motion motion = kTrialMotions[first + i];
+      const motion::Motion motion = kTrialMotions[first + i];
       known[i] = {motion, solve_trial(rig, motion, threads.stop)};
       findings[i] = examine_motion(opened, rig, known[i], threads.stop);
     });
@@ -87,7 +87,7 @@ ChainTrial try_any_chain(const AssetContents& alone, const Threads& threads) {
   return trial;
 }
 
-double rms_apart(const Rig& rig, std::span<const ReferenceRun> a, std::span<const ReferenceRun> b) {
+double rms_apart(const lab::Rig& rig, std::span<const lab::ReferenceRun> a, std::span<const lab::ReferenceRun> b) {
   constexpr double kFarthest = 2;  // lengths
   double sum = 0, count = 0;
   for (std::size_t m = 0; m < a.size(); ++m) {
@@ -108,11 +108,11 @@ std::string what_failed(const ChainFinding& finding) {
   if (!(finding.self_difference_pct <= kMostSelfDifferencePct)) {
     return std::isfinite(finding.self_difference_pct)
                ? fmt::format("two computations of motion {} differed by {:.2g} % of its length",
-                             name_of(finding.motion), finding.self_difference_pct)
-               : fmt::format("two computations of motion {} had nothing in common", name_of(finding.motion));
+                             motion::name_of(finding.motion), finding.self_difference_pct)
+               : fmt::format("two computations of motion {} had nothing in common", motion::name_of(finding.motion));
   }
   return fmt::format("240 steps a second were off by {:.2g} % of its length in motion {}", 100 * finding.runtime_error,
-                     name_of(finding.motion));
+                     motion::name_of(finding.motion));
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -16,7 +16,7 @@
 #include <span>
 #include <string>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 /// 1/s. A reference of what is stiffer takes minutes; and what is stiff hardly swings.
@@ -39,14 +39,14 @@ AssetContents alone(const AssetContents& contents, std::uint32_t chain) {
 
 bool is_too_stiff(const AssetContents& passive, const ChainGroup& group) {
   return std::ranges::any_of(group.telling, [&](std::uint32_t chain) {
-    const OpenedAsset opened(alone(passive, chain));
-    return fastest_rate(rig_of(opened.asset()).bones) > kMostRate;
+    const lab::OpenedAsset opened(alone(passive, chain));
+    return lab::fastest_rate(lab::rig_of(opened.asset()).bones) > kMostRate;
   });
 }
 
 /// Of the first telling chain that has no one motion; empty if each has.
 std::optional<IllPosedChains> try_group(const AssetContents& contents, const ChainGroup& group,
-                                        const Threads& threads) {
+                                        const platform::Threads& threads) {
   for (const std::uint32_t chain : group.telling) {
     const ChainFinding finding = try_chain(alone(contents, chain), threads).finding;
     if (!finding.is_good) return IllPosedChains{group, chain, finding};
@@ -55,14 +55,14 @@ std::optional<IllPosedChains> try_group(const AssetContents& contents, const Cha
 }
 
 /// How far apart the models move a chain, over the worst motion; infinite as soon as that is too far.
-double distance_of_models(const BothModels& both, std::uint32_t chain, const Threads& threads) {
+double distance_of_models(const BothModels& both, std::uint32_t chain, const platform::Threads& threads) {
   const AssetContents cascade = alone(both.cascade, chain), passive = alone(both.passive, chain);
   if (chain_growth(cascade, 0) > kMostGrowthAlike) return INFINITY;
-  const OpenedAsset opened_cascade(cascade), opened_passive(passive);
-  const Rig rig = rig_of(opened_cascade.asset()), other = rig_of(opened_passive.asset());
+  const lab::OpenedAsset opened_cascade(cascade), opened_passive(passive);
+  const lab::Rig rig = lab::rig_of(opened_cascade.asset()), other = lab::rig_of(opened_passive.asset());
   double worst = 0;
-  for (const Motion motion : kTrialMotions) {
-    std::array<ReferenceRun, 1> runs[2];
+  for (const motion::Motion motion : kTrialMotions) {
+    std::array<lab::ReferenceRun, 1> runs[2];
     parallel_for(2, threads,
                  [&](std::size_t i) { runs[i][0] = solve_trial(i == 0 ? rig : other, motion, threads.stop); });
     const double apart = rms_apart(rig, runs[0], runs[1]);
@@ -79,7 +79,8 @@ struct Verdict {
   std::optional<IllPosedChains> ill_posed;
 };
 
-Verdict judge_given(const BothModels& both, const ChainGroup& group, bool may_be_passive, const Threads& threads) {
+Verdict judge_given(const BothModels& both, const ChainGroup& group, bool may_be_passive,
+                    const platform::Threads& threads) {
   Verdict verdict;
   verdict.ill_posed = try_group(both.cascade, group, threads);
   if (!verdict.ill_posed || !may_be_passive || is_too_stiff(both.passive, group)) return verdict;
@@ -93,7 +94,7 @@ Verdict judge_given(const BothModels& both, const ChainGroup& group, bool may_be
   return verdict;
 }
 
-Verdict judge_preset(const BothModels& both, const ChainGroup& group, const Threads& threads) {
+Verdict judge_preset(const BothModels& both, const ChainGroup& group, const platform::Threads& threads) {
   Verdict verdict{.model = ChainModel::kPassive, .why = {}, .ill_posed = {}};
   const std::string names = names_of(both.cascade, group, group.telling[0]);
   if (is_too_stiff(both.passive, group)) {
@@ -121,9 +122,9 @@ AssetContents settled(const RigRecipe& recipe, const SaidMotion& said, std::span
 
 }  // namespace
 
-std::vector<IllPosedChains> find_ill_posed(const AssetContents& contents, const Threads& threads) {
+std::vector<IllPosedChains> find_ill_posed(const AssetContents& contents, const platform::Threads& threads) {
   const std::vector<ChainGroup> groups = group_chains(contents);
-  const Threads of_group = threads.divided_by(groups.size());
+  const platform::Threads of_group = threads.divided_by(groups.size());
   std::vector<std::optional<IllPosedChains>> tried(groups.size());
   parallel_for(groups.size(), threads, [&](std::size_t g) {
     const bool is_cascade = contents.chains[groups[g].chains[0]].model == ChainModel::kCascade;
@@ -149,7 +150,7 @@ std::vector<ChainModel> models_by_rule(const RigRecipe& recipe, const SaidMotion
 }
 
 ModelChoice choose_models(const RigRecipe& recipe, const SaidMotion& said, const AssetContents& contents,
-                          const Threads& threads, Findings& findings) {
+                          const platform::Threads& threads, Findings& findings) {
   ModelChoice choice{models_by_rule(recipe, said, contents), {}};
   if (recipe.dynamics_model == DynamicsModel::kPassive) return choice;
   const std::size_t count = contents.chains.size();
@@ -159,7 +160,7 @@ ModelChoice choose_models(const RigRecipe& recipe, const SaidMotion& said, const
   if (!can_be_run(by_rule) || !can_be_run(both.cascade) || !can_be_run(both.passive)) return choice;
 
   const std::vector<ChainGroup> groups = group_chains(by_rule);
-  const Threads of_group = threads.divided_by(groups.size());
+  const platform::Threads of_group = threads.divided_by(groups.size());
   std::vector<Verdict> verdicts(groups.size());
   parallel_for(groups.size(), threads, [&](std::size_t g) {
     const bool by_preset = by_rule.chains[groups[g].chains[0]].model == ChainModel::kPassive;
@@ -174,4 +175,4 @@ ModelChoice choose_models(const RigRecipe& recipe, const SaidMotion& said, const
   return choice;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct RigRecipe;
 
@@ -27,7 +27,8 @@ struct ModelChoice {
 };
 
 /// The cascades of `contents` that have no one motion (chain_trial.h); of chains alike, the telling ones are run.
-[[nodiscard]] std::vector<IllPosedChains> find_ill_posed(const AssetContents& contents, const Threads& threads);
+[[nodiscard]] std::vector<IllPosedChains> find_ill_posed(const AssetContents& contents,
+                                                         const platform::Threads& threads);
 
 /// By which model each chain moves where nothing is run: as "dynamics.model" says; if that leaves it open, a chain with
 /// a bone that a preset moves by the passive one, others as a cascade.
@@ -44,6 +45,6 @@ struct ModelChoice {
 ///   to swing.
 /// Notes say why. `contents` as settle_model() wants it.
 [[nodiscard]] ModelChoice choose_models(const RigRecipe& recipe, const SaidMotion& said, const AssetContents& contents,
-                                        const Threads& threads, Findings& findings);
+                                        const platform::Threads& threads, Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

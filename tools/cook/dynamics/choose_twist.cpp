@@ -13,7 +13,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr double kWatchedSeconds = 2;
@@ -54,10 +54,10 @@ double cosine_of_fold(const BoneRecord& bone, const Mat34& own, const Mat34& par
 }
 
 /// Per chain, the largest angle at the end of any frame of one motion, radians; infinite where the runtime fails.
-std::vector<double> folds_during(const AssetContents& contents, const Asset& asset, Motion motion) {
+std::vector<double> folds_during(const AssetContents& contents, const Asset& asset, motion::Motion motion) {
   std::vector<double> least(contents.chains.size(), 1);
-  const auto path = path_of(motion);
-  RuntimeSolver solver(asset, {}, kCoifSolver, int(kWatchedSubsteps));
+  const auto path = motion::path_of(motion);
+  lab::RuntimeSolver solver(asset, {}, kCoifSolver, int(kWatchedSubsteps));
   solver.reset(path->pose(0));
   for (std::uint32_t frame = 1; frame <= kWatchedSeconds * kWatchedRate; ++frame) {
     if (!solver.step(path->pose(double(frame) / kWatchedRate), 1.0 / kWatchedRate))
@@ -74,11 +74,11 @@ std::vector<double> folds_during(const AssetContents& contents, const Asset& ass
 }
 
 /// Per chain, over the whole suite; 0 where none can bend that far.
-std::vector<double> largest_folds(const AssetContents& contents, const Threads& threads) {
+std::vector<double> largest_folds(const AssetContents& contents, const platform::Threads& threads) {
   std::vector<double> largest(contents.chains.size(), 0);
   const auto may = [&](const ChainRecord& chain) { return may_fold(contents, chain); };
   if (std::ranges::none_of(contents.chains, may)) return largest;
-  const OpenedAsset opened(contents);
+  const lab::OpenedAsset opened(contents);
   std::vector<std::vector<double>> during(std::size(kCookSuite));
   parallel_for(during.size(), threads,
                [&](std::size_t m) { during[m] = folds_during(contents, opened.asset(), kCookSuite[m]); });
@@ -91,7 +91,7 @@ std::vector<double> largest_folds(const AssetContents& contents, const Threads& 
 
 /// What a head of a large crowd takes of the runtime's memory.
 std::uint64_t bytes_per_head(const AssetContents& contents) {
-  const OpenedAsset opened(contents);
+  const lab::OpenedAsset opened(contents);
   HairDesc desc;
   desc.instances = 1024;
   return Hair::memory_need(opened.asset(), desc).bytes / desc.instances;
@@ -118,7 +118,8 @@ LeftOut twist_left_out(const AssetContents& before, const AssetContents& after, 
 
 }  // namespace
 
-std::vector<DynamicsRecord> choose_twist(const AssetContents& contents, const Threads& threads, Findings& findings) {
+std::vector<DynamicsRecord> choose_twist(const AssetContents& contents, const platform::Threads& threads,
+                                         Findings& findings) {
   const std::vector<double> folds = largest_folds(contents, threads);
   AssetContents chosen = contents;
   std::vector<std::uint32_t> kept;
@@ -141,4 +142,4 @@ std::vector<DynamicsRecord> choose_twist(const AssetContents& contents, const Th
   return std::move(chosen.dynamics);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

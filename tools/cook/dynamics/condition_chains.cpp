@@ -13,7 +13,7 @@
 #include <atomic>
 #include <cmath>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 /// What a chain is given. Damping and friction are shares of the square root of the bone's stiffness, its own weight's
@@ -67,14 +67,15 @@ ChainTrial examine(const AssetContents& contents, std::uint32_t chain, const Con
 
 /// The motion as Algorithm 1 has it at the rate that an artist tunes at; by numbers that it does not know, the
 /// runtime's.
-ReferenceRun run_by_steps(const OpenedAsset& opened, const Rig& rig, Motion motion) {
-  ReferenceRun run;
+lab::ReferenceRun run_by_steps(const lab::OpenedAsset& opened, const lab::Rig& rig, motion::Motion motion) {
+  lab::ReferenceRun run;
   run.times = trial_times();
   run.places.resize(run.times.size() * rig.tips.size());
-  const auto path = path_of(motion);
-  const bool has_resistance = std::ranges::any_of(rig.bones, [](const RigBone& bone) { return bone.resistance > 0; });
-  RuntimeSolver solver(opened.asset(), {}, has_resistance ? kThesisSolver : kCoifSolver,
-                       has_resistance ? kArtistIterations : int(kTrialSubsteps));
+  const auto path = motion::path_of(motion);
+  const bool has_resistance =
+      std::ranges::any_of(rig.bones, [](const lab::RigBone& bone) { return bone.resistance > 0; });
+  lab::RuntimeSolver solver(opened.asset(), {}, has_resistance ? kThesisSolver : kCoifSolver,
+                            has_resistance ? kArtistIterations : int(kTrialSubsteps));
   solver.reset(path->pose(0));
   for (std::size_t sample = 0; sample < run.times.size(); ++sample) {
     if (!solver.step(path->pose(run.times[sample]), 1.0 / kTrialRate)) break;
@@ -87,17 +88,17 @@ ReferenceRun run_by_steps(const OpenedAsset& opened, const Rig& rig, Motion moti
 
 /// What the artist asked for: motions of a chain's tips, in the order of kTrialMotions.
 struct AskedMotions {
-  Rig rig;
-  std::vector<ReferenceRun> runs;
+  lab::Rig rig;
+  std::vector<lab::ReferenceRun> runs;
 };
 
 /// The chain's motions as it is, where there are any.
-AskedMotions artists_motions(const AssetContents& contents, std::uint32_t chain, const Threads& threads) {
+AskedMotions artists_motions(const AssetContents& contents, std::uint32_t chain, const platform::Threads& threads) {
   const AssetContents alone = chains_alone(contents, std::array{chain});
-  const OpenedAsset opened(alone);
-  const Rig rig = rig_of(opened.asset());
+  const lab::OpenedAsset opened(alone);
+  const lab::Rig rig = lab::rig_of(opened.asset());
   const bool may_exist = !grows_beyond_hope(alone);
-  std::vector<ReferenceRun> runs(std::size(kTrialMotions));
+  std::vector<lab::ReferenceRun> runs(std::size(kTrialMotions));
   parallel_for(runs.size(), threads, [&](std::size_t m) {
     if (may_exist) runs[m] = solve_trial(rig, kTrialMotions[m], threads.stop);
     if (may_exist && runs[m].self_difference_pct() <= kMostSelfDifferenceOfArtistPct) return;
@@ -116,7 +117,7 @@ struct Examined {
 /// not good.
 std::vector<Examined> examine_group(const AssetContents& contents, const ChainGroup& group,
                                     std::span<const AskedMotions> asked, std::span<const Conditioning> candidates,
-                                    const Threads& threads) {
+                                    const platform::Threads& threads) {
   std::vector<std::atomic<bool>> is_bad(candidates.size());
   std::vector<double> differences(candidates.size() * group.telling.size(), 0);
   parallel_for(differences.size(), threads, [&](std::size_t task) {
@@ -142,7 +143,7 @@ std::vector<Examined> examine_group(const AssetContents& contents, const ChainGr
 /// Of the candidates under which every telling chain is good, the one that changes its motion least. As many are
 /// examined at a time as there are threads, and what they find counts in the order of the candidates: it does not
 /// depend on how many there are.
-Outcome search(const AssetContents& contents, const ChainGroup& group, const Threads& threads) {
+Outcome search(const AssetContents& contents, const ChainGroup& group, const platform::Threads& threads) {
   std::vector<AskedMotions> asked;
   for (const std::uint32_t chain : group.telling) asked.push_back(artists_motions(contents, chain, threads));
   Outcome outcome;
@@ -186,13 +187,13 @@ void report(const AssetContents& contents, const IllPosedChains& ill, const Outc
 }  // namespace
 
 bool can_be_run(const AssetContents& contents) {
-  return !contents.chains.empty() && OpenedAsset(contents).asset().is_open();
+  return !contents.chains.empty() && lab::OpenedAsset(contents).asset().is_open();
 }
 
 std::vector<DynamicsRecord> condition_chains(const AssetContents& contents, std::span<const IllPosedChains> ill_posed,
-                                             const Threads& threads, Findings& findings) {
+                                             const platform::Threads& threads, Findings& findings) {
   std::vector<Outcome> outcomes(ill_posed.size());
-  const Threads of_group = threads.divided_by(ill_posed.size());
+  const platform::Threads of_group = threads.divided_by(ill_posed.size());
   parallel_for(ill_posed.size(), threads,
                [&](std::size_t g) { outcomes[g] = search(contents, ill_posed[g].group, of_group); });
   AssetContents conditioned = contents;
@@ -210,4 +211,4 @@ std::vector<AskedRecord> asked_of(std::span<const DynamicsRecord> dynamics) {
   return asked;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3d;
@@ -19,17 +19,17 @@ struct Burden {
 };
 
 /// Per kilogram: accelerations.
-std::vector<Burden> burdens_in_cascade(const Rig& rig) {
+std::vector<Burden> burdens_in_cascade(const lab::Rig& rig) {
   std::vector<Burden> burdens;
-  for (const RigBone& bone : rig.bones) {
+  for (const lab::RigBone& bone : rig.bones) {
     const Vector3d weight = bone.gravity_scale / bone.length * Vector3d(0, -kGravity, 0);
-    burdens.push_back({-across(weight, bone.rest_direction), std::max(0.0, -weight.dot(bone.rest_direction))});
+    burdens.push_back({-lab::across(weight, bone.rest_direction), std::max(0.0, -weight.dot(bone.rest_direction))});
   }
   return burdens;
 }
 
 /// Of how many bones the longest way from the head to a tip through each bone has.
-std::vector<double> bones_in_a_row(const Rig& rig) {
+std::vector<double> bones_in_a_row(const lab::Rig& rig) {
   std::vector<double> above(rig.bones.size()), below(rig.bones.size(), 0.0), all;
   for (std::size_t i = 0; i < rig.bones.size(); ++i) {
     above[i] = rig.bones[i].parent < 0 ? 1 : above[std::size_t(rig.bones[i].parent)] + 1;
@@ -45,19 +45,19 @@ std::vector<double> bones_in_a_row(const Rig& rig) {
 
 /// Torques over what each joint carries. A column buckles where its joints give way together: each has to hold its
 /// share (Dunkerley's bound).
-std::vector<Burden> burdens_in_passive(const Rig& rig) {
-  const std::vector<Carried> carried = carried_at_rest(rig.bones);
+std::vector<Burden> burdens_in_passive(const lab::Rig& rig) {
+  const std::vector<lab::Carried> carried = lab::carried_at_rest(rig.bones);
   const std::vector<double> joints = bones_in_a_row(rig);
   std::vector<Vector3d> weights(rig.bones.size(), Vector3d::Zero()), torques = weights, middles = weights;
   std::vector<Burden> burdens(rig.bones.size());
   for (std::size_t i = rig.bones.size(); i-- > 0;) {
-    const RigBone& bone = rig.bones[i];
+    const lab::RigBone& bone = rig.bones[i];
     const Vector3d own = bone.gravity_scale * bone.length * Vector3d(0, -kGravity, 0), direction = bone.rest_direction;
     weights[i] += own;
     middles[i] += weights[i].y() * bone.length * direction;  // first moment about the start, times gravity
     // The bending of what hangs from it turns it too; what is left, its own has to hold.
     const Vector3d wanted = -bone.length * direction.cross(weights[i]);
-    const Vector3d torque = wanted - across(torques[i], direction);
+    const Vector3d torque = wanted - lab::across(torques[i], direction);
     burdens[i] = {torque.cross(direction) / carried[i].inertia,
                   joints[i] * std::max(0.0, -middles[i].y() / carried[i].inertia)};
     if (bone.parent < 0) continue;
@@ -81,7 +81,7 @@ void lean(const Vector3d& side, const BoneRecord& bone, DynamicsRecord& record) 
 
 }  // namespace
 
-std::size_t lean_against_weight(const Rig& rig, std::span<const BoneRecord> bones, const std::vector<bool>& takes,
+std::size_t lean_against_weight(const lab::Rig& rig, std::span<const BoneRecord> bones, const std::vector<bool>& takes,
                                 std::span<DynamicsRecord> records) {
   const std::vector<Burden> passive = burdens_in_passive(rig), cascade = burdens_in_cascade(rig);
   std::size_t stiffened = 0;
@@ -101,4 +101,4 @@ std::size_t lean_against_weight(const Rig& rig, std::span<const BoneRecord> bone
   return stiffened;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -5,7 +5,7 @@
 #include <set>
 #include <tuple>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr double kTouching = 1.0e-4;  // metres: such a link would have no direction
@@ -175,4 +175,4 @@ LinkForest link_chains(const AssetContents& contents, const LinkedDepths& pairs,
   return forest;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// Pairs of chains, and how many depths of each are to be linked at most.
 using LinkedDepths = std::map<ChainPair, std::uint32_t>;
@@ -31,4 +31,4 @@ struct LinkForest {
 /// since a solver that goes through the links one by one is the more exact the fewer follow each other.
 [[nodiscard]] LinkForest link_chains(const AssetContents& contents, const LinkedDepths& pairs, const LinkRoom& room);
 
-}  // namespace coif
+}  // namespace coif::cook

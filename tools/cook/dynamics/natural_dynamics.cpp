@@ -10,13 +10,13 @@
 #include <string_view>
 #include <utility>
 
-namespace coif {
+namespace coif::cook {
 
 void bake_natural_dynamics(const SaidMotion& said, AssetContents& contents, Findings& findings) {
-  const OpenedAsset opened(contents);
+  const lab::OpenedAsset opened(contents);
   if (!opened.asset().is_open()) return;
-  const Rig rig = rig_of(opened.asset());
-  const std::vector<Carried> carried = carried_at_rest(rig.bones);
+  const lab::Rig rig = lab::rig_of(opened.asset());
+  const std::vector<lab::Carried> carried = lab::carried_at_rest(rig.bones);
   std::map<std::string_view, std::pair<const HairPreset*, std::size_t>> counts;
   for (std::size_t i = 0; i < rig.bones.size(); ++i) {
     const std::size_t b = rig.rigid_count + i;
@@ -34,4 +34,4 @@ void bake_natural_dynamics(const SaidMotion& said, AssetContents& contents, Find
   }
 }
 
-}  // namespace coif
+}  // namespace coif::cook

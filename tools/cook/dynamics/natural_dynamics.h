@@ -4,7 +4,7 @@
 #include "cook/recipe/findings.h"
 #include "write/asset_writer.h"
 
-namespace coif {
+namespace coif::cook {
 
 /// Stiffness and damping of hair that nobody gave numbers to, from what hair is, for the passive model: of those bones
 /// of `contents` (skeleton and dynamics) that a preset moves, says `said`.
@@ -17,4 +17,4 @@ namespace coif {
 /// said.damping_ratios, of what would keep it from swinging past.
 void bake_natural_dynamics(const SaidMotion& said, AssetContents& contents, Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-namespace coif {
+namespace coif::cook {
 
 void keep_rest_shape(const std::vector<bool>& takes, AssetContents& contents, Findings& findings) {
-  const OpenedAsset opened(contents);
+  const lab::OpenedAsset opened(contents);
   if (!opened.asset().is_open()) return;
-  const Rig rig = rig_of(opened.asset());
+  const lab::Rig rig = lab::rig_of(opened.asset());
   const std::vector<bool> of_rig(takes.begin() + rig.rigid_count, takes.end());
   const std::size_t stiffened = lean_against_weight(rig, std::span(contents.bones).subspan(rig.rigid_count), of_rig,
                                                     std::span(contents.dynamics).subspan(rig.rigid_count));
@@ -18,4 +18,4 @@ void keep_rest_shape(const std::vector<bool>& takes, AssetContents& contents, Fi
   }
 }
 
-}  // namespace coif
+}  // namespace coif::cook

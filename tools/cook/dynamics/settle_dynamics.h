@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct RigRecipe;
 
@@ -30,7 +30,7 @@ struct RigRecipe;
 /// Of chains alike the softest and the longest are computed, and the others treated as they are.
 [[nodiscard]] std::vector<DynamicsRecord> condition_chains(const AssetContents& contents,
                                                            std::span<const IllPosedChains> ill_posed,
-                                                           const Threads& threads, Findings& findings);
+                                                           const platform::Threads& threads, Findings& findings);
 
 /// What conditioning may change, of bones as they were before it: for AssetContents::asked.
 [[nodiscard]] std::vector<AskedRecord> asked_of(std::span<const DynamicsRecord> dynamics);
@@ -40,7 +40,7 @@ struct RigRecipe;
 /// direction by the parent: chains that stay below 120 degrees do without a twist, which is left out. What cannot bend
 /// so far, for its angle limit, is not run. Returns the dynamics: torsions are as they were, or kShortestArc. Notes
 /// which chains keep theirs.
-[[nodiscard]] std::vector<DynamicsRecord> choose_twist(const AssetContents& contents, const Threads& threads,
+[[nodiscard]] std::vector<DynamicsRecord> choose_twist(const AssetContents& contents, const platform::Threads& threads,
                                                        Findings& findings);
 
 /// How to simulate an asset, and what that was chosen from. Empty where nothing moves.
@@ -56,6 +56,6 @@ struct TunedSolver {
 /// it. A recipe that asks for nothing gets 0.7 % if that can be had, else the best; one that asks for a cost alone gets
 /// what of that it buys.
 [[nodiscard]] tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, const RigRecipe& recipe,
-                                                               const Threads& threads, Findings& findings);
+                                                               const platform::Threads& threads, Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 void set_models(const RigRecipe& recipe, std::span<const ChainModel> models, AssetContents& contents,
@@ -38,4 +38,4 @@ void settle_model(const RigRecipe& recipe, const SaidMotion& said, std::span<con
   if (!recipe.sags) keep_rest_shape(keeps_shape, contents, findings);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

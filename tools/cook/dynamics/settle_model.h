@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace coif {
+namespace coif::cook {
 
 struct RigRecipe;
 
@@ -16,4 +16,4 @@ struct RigRecipe;
 void settle_model(const RigRecipe& recipe, const SaidMotion& said, std::span<const ChainModel> models,
                   AssetContents& contents, Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

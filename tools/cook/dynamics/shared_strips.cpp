@@ -4,7 +4,7 @@
 #include <numeric>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr double kFollows = 0.1;     // of a triangle's weight: what it can be pulled by
@@ -116,4 +116,4 @@ SharedStrips find_shared_strips(const HairStrips& hair, const HairRig& rig) {
   return shared;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

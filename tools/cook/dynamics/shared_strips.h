@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-namespace coif {
+namespace coif::cook {
 
 /// Two chains, the one with the lower index first.
 using ChainPair = std::pair<std::uint32_t, std::uint32_t>;
@@ -30,4 +30,4 @@ struct SharedStrips {
 /// grow out of one cap are taken for a sheet.
 [[nodiscard]] SharedStrips find_shared_strips(const HairStrips& hair, const HairRig& rig);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -12,7 +12,7 @@
 #include <limits>
 #include <string>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3d;
@@ -169,4 +169,4 @@ void loosen_tied_chains(const Skeleton& skeleton, const std::vector<bool>& tied,
                             fmt::join(names, ", ")));
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct RigRecipe;
 
@@ -24,4 +24,4 @@ struct RigRecipe;
 void loosen_tied_chains(const Skeleton& skeleton, const std::vector<bool>& tied, const RigRecipe& recipe,
                         std::span<const PatchOverride> of_chain, SaidMotion& motion, Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -10,7 +10,7 @@
 #include <numeric>
 #include <string_view>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr double kUsualError = 0.007;  ///< Where the recipe asks for nothing, this is wanted and nothing less refused.
@@ -134,14 +134,14 @@ std::string describe(const TriedRate& trial) {
       tuning.substep_rate > tuning.slowest_rate ? fmt::format("sub-steps of {:g} Hz", tuning.substep_rate)
                                                 : std::string("one step a frame"),
       tuning.slowest_rate, tuning.fastest_rate, 100 * tuning.reached_error, 100 * trial.worst_second,
-      100 * trial.max_error, name_of(kCookSuite[trial.worst_motion]), tuning.met == 1 ? "" : ", the least to be had",
-      tuning.cost / 1000);
+      100 * trial.max_error, motion::name_of(kCookSuite[trial.worst_motion]),
+      tuning.met == 1 ? "" : ", the least to be had", tuning.cost / 1000);
 }
 
 std::vector<MotionNameRecord> suite_names() {
   std::vector<MotionNameRecord> names;
-  for (const Motion motion : kCookSuite) {
-    const std::string_view name = name_of(motion);
+  for (const motion::Motion motion : kCookSuite) {
+    const std::string_view name = motion::name_of(motion);
     MotionNameRecord& record = names.emplace_back();
     std::copy_n(name.begin(), std::min(name.size(), sizeof record.name - 1), record.name);
   }
@@ -151,7 +151,7 @@ std::vector<MotionNameRecord> suite_names() {
 }  // namespace
 
 tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, const RigRecipe& recipe,
-                                                 const Threads& threads, Findings& findings) {
+                                                 const platform::Threads& threads, Findings& findings) {
   if (contents.chains.empty()) return TunedSolver{};
   const std::vector<std::uint32_t> rates = frame_rates(recipe);
   TuningBench bench(contents, rates, threads);
@@ -189,4 +189,4 @@ tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, 
   return TunedSolver{{best.tuning}, bench.table(), suite_names()};
 }
 
-}  // namespace coif
+}  // namespace coif::cook

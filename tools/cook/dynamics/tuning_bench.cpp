@@ -13,7 +13,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr double kSeconds = 2;
@@ -27,9 +27,9 @@ constexpr std::uint64_t kMostRuntimeWork = 8'000'000;
 /// and hair that whips round some more.
 constexpr double kLeastRuns = 4;
 
-ReferenceSettings reference_settings(std::span<const std::uint32_t> rates) {
-  ReferenceSettings settings;
-  settings.sample_times = frame_times(rates, kSeconds);
+lab::ReferenceSettings reference_settings(std::span<const std::uint32_t> rates) {
+  lab::ReferenceSettings settings;
+  settings.sample_times = lab::frame_times(rates, kSeconds);
   settings.steps_per_second = kCoarsestSteps;
   settings.most_steps_per_second = 23040;
   settings.wanted_self_difference_pct = 0.1;  // a seventh of the smallest error that is usually asked for
@@ -37,9 +37,9 @@ ReferenceSettings reference_settings(std::span<const std::uint32_t> rates) {
 }
 
 double first_work_of(const AssetContents& contents, std::span<const std::uint32_t> chains,
-                     const ReferenceSettings& settings) {
-  const OpenedAsset opened(chains_alone(contents, chains));
-  return double(std::size(kCookSuite)) * first_run_work(rig_of(opened.asset()), {}, settings);
+                     const lab::ReferenceSettings& settings) {
+  const lab::OpenedAsset opened(chains_alone(contents, chains));
+  return double(std::size(kCookSuite)) * lab::first_run_work(lab::rig_of(opened.asset()), {}, settings);
 }
 
 std::size_t bones_of(const AssetContents& contents, std::span<const std::uint32_t> chains) {
@@ -49,7 +49,7 @@ std::size_t bones_of(const AssetContents& contents, std::span<const std::uint32_
 }
 
 /// Chains that tell about the others, groups with most bones first, as far as there is work for their references.
-ChainsToRun telling_chains(const AssetContents& contents, const ReferenceSettings& settings) {
+ChainsToRun telling_chains(const AssetContents& contents, const lab::ReferenceSettings& settings) {
   std::vector<ChainGroup> groups = group_chains(contents);
   std::ranges::stable_sort(groups, std::greater<>{},
                            [&](const ChainGroup& group) { return bones_of(contents, group.chains); });
@@ -69,7 +69,7 @@ ChainsToRun telling_chains(const AssetContents& contents, const ReferenceSetting
 }
 
 ChainsToRun chains_to_run(const AssetContents& contents, std::span<const std::uint32_t> rates) {
-  const ReferenceSettings settings = reference_settings(rates);
+  const lab::ReferenceSettings settings = reference_settings(rates);
   ChainsToRun all;
   all.chains.resize(contents.chains.size());
   std::iota(all.chains.begin(), all.chains.end(), 0u);
@@ -86,12 +86,13 @@ std::size_t twisting_bones(const AssetContents& contents, const ChainRecord& cha
 
 }  // namespace
 
-TuningBench::TuningBench(const AssetContents& contents, std::span<const std::uint32_t> rates, const Threads& threads)
+TuningBench::TuningBench(const AssetContents& contents, std::span<const std::uint32_t> rates,
+                         const platform::Threads& threads)
     : TuningBench(contents, chains_to_run(contents, rates), rates, threads) {}
 
 TuningBench::TuningBench(const AssetContents& contents, const ChainsToRun& run, std::span<const std::uint32_t> rates,
-                         const Threads& threads)
-    : opened_(chains_alone(contents, run.chains)), rig_(rig_of(opened_.asset())), threads_(threads) {
+                         const platform::Threads& threads)
+    : opened_(chains_alone(contents, run.chains)), rig_(lab::rig_of(opened_.asset())), threads_(threads) {
   for (const ChainRecord& chain : contents.chains) {
     bones_ += chain.bone_count;
     if (chain.model == ChainModel::kPassive) passive_ += chain.bone_count;
@@ -108,23 +109,23 @@ TuningBench::TuningBench(const AssetContents& contents, const ChainsToRun& run, 
 }
 
 void TuningBench::solve(std::span<const std::uint32_t> rates) {
-  ReferenceSettings settings = reference_settings(rates);
-  settings.most_work = kMostReferenceWork / (double(std::size(kCookSuite)) * first_run_work(rig_, {}, settings));
+  lab::ReferenceSettings settings = reference_settings(rates);
+  settings.most_work = kMostReferenceWork / (double(std::size(kCookSuite)) * lab::first_run_work(rig_, {}, settings));
   settings.threads = {1, threads_.stop};
   known_.resize(std::size(kCookSuite));
   parallel_for(known_.size(), threads_, [&](std::size_t m) {
-    known_[m] = {kCookSuite[m], solve_reference(rig_, {}, *path_of(kCookSuite[m]), settings)};
+    known_[m] = {kCookSuite[m], lab::solve_reference(rig_, {}, *motion::path_of(kCookSuite[m]), settings)};
   });
 }
 
 void TuningBench::say_what_is_left_out() {
   std::vector<const char*> unsolved, inexact;
   double worst = 0;
-  for (const KnownMotion& known : known_) {
+  for (const lab::KnownMotion& known : known_) {
     if (!known.reference.is_solved()) {
-      unsolved.push_back(name_of(known.motion));
+      unsolved.push_back(motion::name_of(known.motion));
     } else if (known.reference.was_cut()) {
-      inexact.push_back(name_of(known.motion));
+      inexact.push_back(motion::name_of(known.motion));
       worst = std::max(worst, known.reference.self_difference_pct());
     }
   }
@@ -140,7 +141,7 @@ void TuningBench::say_what_is_left_out() {
 }
 
 bool TuningBench::is_empty() const {
-  return std::ranges::none_of(known_, [](const KnownMotion& known) { return known.reference.is_solved(); });
+  return std::ranges::none_of(known_, [](const lab::KnownMotion& known) { return known.reference.is_solved(); });
 }
 
 std::uint64_t TuningBench::work_of(std::uint32_t rate, std::uint32_t parts) const {
@@ -174,10 +175,10 @@ std::vector<QualityRecord> TuningBench::table() const {
 }
 
 MeasuredRate TuningBench::measure(std::uint32_t rate, std::uint32_t parts) const {
-  std::vector<RuntimeError> errors(known_.size());
+  std::vector<lab::RuntimeError> errors(known_.size());
   parallel_for(known_.size(), threads_, [&](std::size_t m) {
     if (known_[m].reference.is_solved())
-      errors[m] = measure_runtime(opened_.asset(), rig_, known_[m], rate, parts, threads_.stop);
+      errors[m] = lab::measure_runtime(opened_.asset(), rig_, known_[m], rate, parts, threads_.stop);
   });
   MeasuredRate measured{};
   QualityRecord& row = measured.quality;
@@ -199,4 +200,4 @@ MeasuredRate TuningBench::measure(std::uint32_t rate, std::uint32_t parts) const
   return measured;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

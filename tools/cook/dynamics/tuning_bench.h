@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// What the runtime does at one frame rate, over all motions of the suite.
 struct MeasuredRate {
@@ -35,7 +35,7 @@ struct ChainsToRun {
 /// left_out() says all of it.
 class TuningBench {
  public:
-  TuningBench(const AssetContents& contents, std::span<const std::uint32_t> rates, const Threads& threads);
+  TuningBench(const AssetContents& contents, std::span<const std::uint32_t> rates, const platform::Threads& threads);
 
   const MeasuredRate& at(std::uint32_t rate, std::uint32_t parts);
 
@@ -50,20 +50,20 @@ class TuningBench {
 
  private:
   TuningBench(const AssetContents& contents, const ChainsToRun& run, std::span<const std::uint32_t> rates,
-              const Threads& threads);
+              const platform::Threads& threads);
   void solve(std::span<const std::uint32_t> rates);
   void say_what_is_left_out();
   [[nodiscard]] std::uint64_t work_of(std::uint32_t rate, std::uint32_t parts) const;
   [[nodiscard]] MeasuredRate measure(std::uint32_t rate, std::uint32_t parts) const;
 
-  OpenedAsset opened_;
-  Rig rig_;
-  Threads threads_;
+  lab::OpenedAsset opened_;
+  lab::Rig rig_;
+  platform::Threads threads_;
   std::size_t bones_ = 0, passive_ = 0, twisting_ = 0;
-  std::uint64_t work_ = 0;          ///< Steps of the runtime so far, times bones.
-  std::vector<KnownMotion> known_;  ///< One for each motion of the suite.
+  std::uint64_t work_ = 0;               ///< Steps of the runtime so far, times bones.
+  std::vector<lab::KnownMotion> known_;  ///< One for each motion of the suite.
   std::map<std::pair<std::uint32_t, std::uint32_t>, MeasuredRate> measured_;
   std::vector<std::string> left_out_;
 };
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <span>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr std::size_t kNear = 8;            // vertices that one takes its weights from
@@ -53,7 +53,8 @@ class FinestCards {
 };
 
 /// Which of the finest level's patches each strip lies at: where most of its vertices do.
-std::vector<std::uint32_t> patches_met(const SourceLevel& level, std::span<const FinestCards::Followed> followed) {
+std::vector<std::uint32_t> patches_met(const importer::SourceLevel& level,
+                                       std::span<const FinestCards::Followed> followed) {
   std::vector<std::uint32_t> met;
   for (std::size_t t = 0; t < level.strip_of.size();) {
     std::vector<std::uint32_t> patches;
@@ -76,7 +77,7 @@ std::vector<std::uint32_t> patches_met(const SourceLevel& level, std::span<const
   return met;
 }
 
-void append_vertices(const SourceLevel& level, HairStrips& hair) {
+void append_vertices(const importer::SourceLevel& level, HairStrips& hair) {
   HairMesh& mesh = hair.mesh;
   for (std::size_t v = 0; v < level.mesh.positions.size(); ++v) {
     hair.welded.push_back(std::uint32_t(mesh.positions.size()));
@@ -90,7 +91,7 @@ void append_vertices(const SourceLevel& level, HairStrips& hair) {
 }
 
 /// A patch for each strip.
-void append_patches(const SourceLevel& level, std::uint32_t first_vertex, std::span<const std::uint32_t> met,
+void append_patches(const importer::SourceLevel& level, std::uint32_t first_vertex, std::span<const std::uint32_t> met,
                     HairStrips& hair) {
   const std::uint32_t mesh = hair.mesh.source_meshes.front(), first_patch = hair.patches.count;
   for (const std::uint32_t patch : met) {
@@ -106,8 +107,8 @@ void append_patches(const SourceLevel& level, std::uint32_t first_vertex, std::s
   }
 }
 
-DetailLevel append_level(const SourceLevel& level, const FinestCards& finest, const Threads& threads, HairStrips& hair,
-                         HairRig& rig) {
+DetailLevel append_level(const importer::SourceLevel& level, const FinestCards& finest,
+                         const platform::Threads& threads, HairStrips& hair, HairRig& rig) {
   const auto first_vertex = std::uint32_t(hair.mesh.positions.size());
   const std::size_t first_triangle = hair.mesh.triangle_count();
   std::vector<FinestCards::Followed> followed(level.mesh.positions.size());
@@ -125,7 +126,7 @@ struct Distances {
 
 /// How far one level's vertices are from another's cards.
 void add_distances(const HairMesh& mesh, const DetailLevel& of, const DetailLevel& from, double reach,
-                   const Threads& threads, Distances& distances) {
+                   const platform::Threads& threads, Distances& distances) {
   const std::vector<std::uint32_t> triangles = indices_of(from);
   const TriangleGrid grid(mesh.positions, triangles, reach);
   const std::vector<std::uint32_t> vertices = vertices_of(of);
@@ -140,14 +141,14 @@ void add_distances(const HairMesh& mesh, const DetailLevel& of, const DetailLeve
 
 }  // namespace
 
-bool has_card_levels(const SourceModel& source, const HairStrips& hair) {
+bool has_card_levels(const importer::SourceModel& source, const HairStrips& hair) {
   if (source.coarser.empty() || hair.is_part || hair.mesh.source_meshes.size() != 1) return false;
-  const SourceMesh& cards = source.meshes[hair.mesh.source_meshes.front()];
+  const importer::SourceMesh& cards = source.meshes[hair.mesh.source_meshes.front()];
   return cards.node == source.coarser.front().mesh.node && cards.material == source.coarser.front().mesh.material;
 }
 
-std::vector<DetailLevel> card_levels(const SourceModel& source, HairStrips& hair, HairRig& rig, const FittedHead& head,
-                                     const LodSettings& settings, Findings& findings) {
+std::vector<DetailLevel> card_levels(const importer::SourceModel& source, HairStrips& hair, HairRig& rig,
+                                     const FittedHead& head, const LodSettings& settings, Findings& findings) {
   std::vector<DetailLevel> levels{finest_level(hair, rig.skeleton)};
   const FinestCards finest(hair, rig);
   const double reach = kReach * head.radii.y();
@@ -167,4 +168,4 @@ std::vector<DetailLevel> card_levels(const SourceModel& source, HairStrips& hair
   return levels;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 std::vector<std::uint32_t> points_of_corners(const PatchSurface& surface) {
@@ -111,4 +111,4 @@ double collapsed_error(const PatchSurface& surface, const CollapseSequence& sequ
   return std::sqrt(worst);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

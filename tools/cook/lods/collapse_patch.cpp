@@ -8,7 +8,7 @@
 #include <cmath>
 #include <queue>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3d;
@@ -64,7 +64,7 @@ class Collapser {
         quadrics_(find_quadrics(surface)),
         gone_into_(surface.points()),
         version_(surface.points(), 0),
-        target_(surface.points(), kNoIndex) {}
+        target_(surface.points(), importer::kNoIndex) {}
 
   CollapseSequence run();
 
@@ -104,7 +104,7 @@ double Collapser::change(std::uint32_t from, std::uint32_t to) const {
 /// the measured error says when its turn is.
 void Collapser::weigh(std::uint32_t from) {
   ++version_[from];
-  target_[from] = kNoIndex;
+  target_[from] = importer::kNoIndex;
   if (shrinking_.is_fixed(from)) return;
   choices_.clear();
   for (std::uint32_t to : shrinking_.neighbours(from)) choices_.emplace_back(change(from, to), to);
@@ -160,7 +160,7 @@ CollapseSequence Collapser::run() {
   const double fewest = limits_.fewest_share * shrinking_.triangles_left();
   std::vector<std::uint32_t> around;
   while (!queue_.empty() && shrinking_.triangles_left() > fewest) {
-    throw_if_stopped(stop_);
+    platform::throw_if_stopped(stop_);
     const Candidate best = queue_.top();
     queue_.pop();
     if (best.version != version_[best.from]) continue;
@@ -175,7 +175,7 @@ CollapseSequence Collapser::run() {
     const auto neighbours = shrinking_.neighbours(best.to);
     around.assign(neighbours.begin(), neighbours.end());
     for (std::uint32_t p : around) {
-      if (target_[p] == best.from || target_[p] == kNoIndex) weigh(p);
+      if (target_[p] == best.from || target_[p] == importer::kNoIndex) weigh(p);
     }
   }
   return std::move(sequence_);
@@ -188,4 +188,4 @@ CollapseSequence collapse_patch(const PatchSurface& surface, const CollapseLimit
   return Collapser(surface, limits, stop).run();
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -7,7 +7,7 @@
 
 #include <stop_token>
 
-namespace coif {
+namespace coif::cook {
 
 /// The squared distances of a point from several planes, each times a weight, as one polynomial (Garland and Heckbert
 /// 1997, "Surface simplification using quadric error metrics").
@@ -126,4 +126,4 @@ struct CollapseLimits {
                                                              const CollapseSequence& sequence, std::size_t steps,
                                                              std::span<const std::uint32_t> originals);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr float kLargestScreen = 8;  ///< A head eight times as high as the viewport.
@@ -64,7 +64,7 @@ std::string cost_in_bytes(std::span<const DetailLevel> levels) {
 
 }  // namespace
 
-LodSettings lod_settings(const DrawnRecipe& recipe, const Threads& threads) {
+LodSettings lod_settings(const DrawnRecipe& recipe, const platform::Threads& threads) {
   LodSettings settings;
   settings.levels = recipe.lod_levels;
   settings.ratio = recipe.lod_ratio;
@@ -170,4 +170,4 @@ void leave_out_levels(const DrawnRecipe& recipe, std::vector<DetailLevel>& level
   levels.back().screen_size = 0;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct DrawnRecipe;
 
@@ -33,14 +33,14 @@ struct DetailLevel {
 
 struct LodSettings {
   std::uint32_t levels = 3;
-  double ratio = 0.5;        ///< Triangles of a level, against the next finer one.
-  double max_error = 0.01;   ///< Metres.
-  double pixel_error = 1;    ///< Pixels that the error may be on a screen of kScreenLines lines.
-  double still_pixels = 24;  ///< Hair that hangs free for less than this on such a screen is rigid.
-  Threads threads = 1;       ///< The result does not depend on it.
+  double ratio = 0.5;             ///< Triangles of a level, against the next finer one.
+  double max_error = 0.01;        ///< Metres.
+  double pixel_error = 1;         ///< Pixels that the error may be on a screen of kScreenLines lines.
+  double still_pixels = 24;       ///< Hair that hangs free for less than this on such a screen is rigid.
+  platform::Threads threads = 1;  ///< The result does not depend on it.
 };
 
-[[nodiscard]] LodSettings lod_settings(const DrawnRecipe& recipe, const Threads& threads);
+[[nodiscard]] LodSettings lod_settings(const DrawnRecipe& recipe, const platform::Threads& threads);
 
 inline constexpr double kScreenLines = 1080;
 
@@ -65,4 +65,4 @@ void describe_levels(std::span<const DetailLevel> levels, Findings& findings);
 /// grow by its own at most, and are given so.
 void leave_out_levels(const DrawnRecipe& recipe, std::vector<DetailLevel>& levels, Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

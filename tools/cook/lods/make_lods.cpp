@@ -8,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr double kWorthwhile = 0.9;  ///< A level with more triangles than this share of the finer one is left out.
@@ -135,4 +135,4 @@ std::vector<DetailLevel> make_lods(const HairStrips& hair, const HairRig& rig, c
   return levels;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

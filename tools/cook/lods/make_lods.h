@@ -10,13 +10,13 @@
 
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// Chooses patches to leave out of a coarser level: hidden ones, tiny ones, and those that lie on others.
 class PatchDropper {
  public:
   /// Left-out hair lies within `reach` (metres) of hair that stays. Keeps references.
-  PatchDropper(const HairStrips& hair, const AlphaTest& alpha, double reach, const Threads& threads);
+  PatchDropper(const HairStrips& hair, const AlphaTest& alpha, double reach, const platform::Threads& threads);
 
   /// Drops patches of `drawn` until `excess` triangles are gone or nothing more may go: the least seen for their
   /// `triangles` first, and none that leaves holes. `triangles[p]`: how many patch p has at this level. Returns the
@@ -41,7 +41,7 @@ class PatchDropper {
 class SimplifiedPatches {
  public:
   SimplifiedPatches(const HairStrips& hair, std::span<const Pose> poses, const CollapseLimits& limits,
-                    const Threads& threads);
+                    const platform::Threads& threads);
 
   [[nodiscard]] std::size_t count() const { return patches_.size(); }
   [[nodiscard]] std::size_t finest_triangles(std::size_t patch) const { return patches_[patch].originals.size() / 3; }
@@ -72,4 +72,4 @@ class SimplifiedPatches {
                                                  const AlphaTest& alpha, const LodSettings& settings,
                                                  Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

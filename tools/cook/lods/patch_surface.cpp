@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr double kTurn = 20 * kDegree;
@@ -169,4 +169,4 @@ PatchOutline find_outline(const PatchSurface& surface) {
   return outline;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

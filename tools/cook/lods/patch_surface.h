@@ -6,7 +6,7 @@
 #include <array>
 #include <span>
 
-namespace coif {
+namespace coif::cook {
 
 /// Positions of one pose, one per vertex, model space, metres.
 using Pose = std::vector<Eigen::Vector3f>;
@@ -54,4 +54,4 @@ struct PatchOutline {
 
 [[nodiscard]] PatchOutline find_outline(const PatchSurface& surface);
 
-}  // namespace coif
+}  // namespace coif::cook

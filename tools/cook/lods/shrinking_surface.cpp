@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3d;
@@ -100,17 +100,17 @@ bool ShrinkingSurface::find_moves(std::uint32_t from, std::uint32_t to) {
     if (!has(triangle, to)) continue;
     const CornerMove move{triangle.corner[side_of(triangle, from)], triangle.corner[side_of(triangle, to)]};
     const std::uint32_t known = moved_corner(move.from);
-    if (known != kNoIndex && known != move.to) return false;
-    if (known == kNoIndex) moves_.push_back(move);
+    if (known != importer::kNoIndex && known != move.to) return false;
+    if (known == importer::kNoIndex) moves_.push_back(move);
   }
   return std::ranges::all_of(triangles_of_[from], [&](std::uint32_t t) {
-    return moved_corner(triangles_[t].corner[side_of(triangles_[t], from)]) != kNoIndex;
+    return moved_corner(triangles_[t].corner[side_of(triangles_[t], from)]) != importer::kNoIndex;
   });
 }
 
 std::uint32_t ShrinkingSurface::moved_corner(std::uint32_t corner) const {
   const auto move = std::ranges::find(moves_, corner, &CornerMove::from);
-  return move == moves_.end() ? kNoIndex : move->to;
+  return move == moves_.end() ? importer::kNoIndex : move->to;
 }
 
 std::span<const ShrinkingSurface::Points> ShrinkingSurface::star_after(std::uint32_t from, std::uint32_t to) {
@@ -145,4 +145,4 @@ void ShrinkingSurface::collapse(std::uint32_t from, std::uint32_t to, std::vecto
   moves.insert(moves.end(), moves_.begin(), moves_.end());
 }
 
-}  // namespace coif
+}  // namespace coif::cook

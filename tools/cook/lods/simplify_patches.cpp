@@ -5,10 +5,10 @@
 #include <numeric>
 #include <tuple>
 
-namespace coif {
+namespace coif::cook {
 
 SimplifiedPatches::SimplifiedPatches(const HairStrips& hair, std::span<const Pose> poses, const CollapseLimits& limits,
-                                     const Threads& threads)
+                                     const platform::Threads& threads)
     : patches_(hair.patches.count) {
   const std::vector<PatchView> views = hair.views();
   parallel_for(views.size(), threads, [&](std::size_t p) {
@@ -67,7 +67,8 @@ constexpr double kAloneAtMost = 0.2;   ///< Of one patch's pixels: a wisp that i
 
 }  // namespace
 
-PatchDropper::PatchDropper(const HairStrips& hair, const AlphaTest& alpha, double reach, const Threads& threads)
+PatchDropper::PatchDropper(const HairStrips& hair, const AlphaTest& alpha, double reach,
+                           const platform::Threads& threads)
     : mesh_(hair.mesh),
       views_(hair, alpha, threads),
       grid_(mesh_.positions, mesh_.triangles, hair.patches.patch_of, reach),
@@ -108,4 +109,4 @@ std::size_t PatchDropper::drop(std::size_t excess, std::span<const std::size_t> 
 
 double PatchDropper::bared() const { return views_.covered() == 0 ? 0 : double(bared_) / double(views_.covered()); }
 
-}  // namespace coif
+}  // namespace coif::cook

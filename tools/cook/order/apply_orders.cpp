@@ -6,16 +6,16 @@
 #include <numeric>
 #include <unordered_map>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 /// For each patch how many others begin before it in the file. Patches that were cut are numbered after all others, so
 /// their numbers do not tell. Those of coarser levels are where the ones are that they stand for.
 std::vector<std::uint32_t> places_in_file(const PatchSet& patches) {
-  std::vector<std::uint32_t> place(patches.count, kNoIndex);
+  std::vector<std::uint32_t> place(patches.count, importer::kNoIndex);
   std::uint32_t next = 0;
   for (const std::uint32_t patch : patches.patch_of) {
-    if (place[patch] == kNoIndex) place[patch] = next++;
+    if (place[patch] == importer::kNoIndex) place[patch] = next++;
   }
   const std::size_t finest = patches.count - patches.stands_for.size();
   for (std::size_t p = finest; p < place.size(); ++p) place[p] = place[patches.stands_for[p - finest]];
@@ -77,7 +77,7 @@ class Reorder {
       : contents_(contents), levels_(levels_of(contents)), old_(contents.patches), old_indices_(contents.indices) {}
 
   /// `order`: of the finest level's patches.
-  void stored(const UnitOrder& order) {
+  void stored(const visibility::UnitOrder& order) {
     Keys place;
     for (std::size_t i = 0; i < order.size(); ++i) place[old_[order[i]].file_place] = double(i);
     moved_to_.resize(old_indices_.size() / 3);
@@ -89,7 +89,7 @@ class Reorder {
   }
 
   /// Appends an order by direction, after stored(). `order`: of the finest level's triangles, as they were before.
-  void append(const UnitOrder& order) {
+  void append(const visibility::UnitOrder& order) {
     for (const std::uint32_t triangle : order) contents_.orders.push_back(moved_to_[triangle]);
     const Keys place = mean_places(order, levels_.front());
     for (const LodRecord& level : std::span(levels_).subspan(1)) {
@@ -116,7 +116,7 @@ class Reorder {
     contents_.patches.push_back(patch);
   }
 
-  [[nodiscard]] Keys mean_places(const UnitOrder& order, const LodRecord& finest) const {
+  [[nodiscard]] Keys mean_places(const visibility::UnitOrder& order, const LodRecord& finest) const {
     std::vector<double> place(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = double(i);
     Keys means;
@@ -137,10 +137,10 @@ class Reorder {
 
 }  // namespace
 
-void apply_orders(const FoundOrders& found, AssetContents& contents) {
+void apply_orders(const visibility::FoundOrders& found, AssetContents& contents) {
   Reorder reorder(contents);
   reorder.stored(found.patches);
-  for (const UnitOrder& order : found.by_view.orders) reorder.append(order);
+  for (const visibility::UnitOrder& order : found.by_view.orders) reorder.append(order);
   if (!found.by_view.orders.empty()) {
     for (const std::uint8_t order : found.by_view.order_of) contents.order_views.push_back(std::uint8_t(order + 1));
   }
@@ -150,4 +150,4 @@ void apply_orders(const FoundOrders& found, AssetContents& contents) {
   if (found.rule.faces_together) material.flags |= kMaterialFacesTogether;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3f;
@@ -37,8 +37,9 @@ struct Receiver {
 };
 
 /// Normals of vertices are often painted for soft shading; these are the surface's own.
-void find_surface(const HairSurface& hair, std::span<const Vector3f> positions, std::vector<Receiver>& receivers) {
-  for (const HairSurface::Triangle& triangle : hair.triangles) {
+void find_surface(const visibility::HairSurface& hair, std::span<const Vector3f> positions,
+                  std::vector<Receiver>& receivers) {
+  for (const visibility::HairSurface::Triangle& triangle : hair.triangles) {
     const Vector3f& a = positions[triangle.vertex[0]];
     const Vector3f normal = (positions[triangle.vertex[1]] - a).cross(positions[triangle.vertex[2]] - a);
     for (const std::uint32_t v : triangle.vertex) {
@@ -66,7 +67,7 @@ Vector3f out_of(std::span<const ColliderRecord> solids, Vector3f point) {
     for (std::size_t c = 0; c < solids.size(); ++c) {
       const Vector3f away = (point - nearest_of_core(solids[c], point)).normalized();
       // Coming from outside towards the core the surface lies behind a point that is inside.
-      const float surface = solid_depth(solids.subspan(c, 1), point, -away);
+      const float surface = visibility::solid_depth(solids.subspan(c, 1), point, -away);
       if (surface < 0) point -= surface * away;
     }
   }
@@ -76,7 +77,8 @@ Vector3f out_of(std::span<const ColliderRecord> solids, Vector3f point) {
 /// What one direction brings to each receiver.
 class LitSide {
  public:
-  LitSide(const HairSurface& hair, std::span<const Vector3f> positions, const ViewGrid& grid, float margin)
+  LitSide(const visibility::HairSurface& hair, std::span<const Vector3f> positions, const visibility::ViewGrid& grid,
+          float margin)
       : view_(hair, positions, grid),
         head_(hair.solids, -grid.towards_eye),
         towards_(grid.towards_eye),
@@ -94,7 +96,7 @@ class LitSide {
     const float depth = -receiver.point.dot(towards_);
     const Vector3f origin = view_.place(line, 0);
     float passes = 1;
-    for (const Fragment& fragment : view_.line(line)) {
+    for (const visibility::Fragment& fragment : view_.line(line)) {
       if (fragment.depth >= depth || passes < kNoLight) break;
       const Vector3f place = origin - fragment.depth * towards_;
       if (!is_own(fragment, place - receiver.point, receiver)) passes *= 1 - fragment.alpha;
@@ -103,13 +105,14 @@ class LitSide {
   }
 
   /// The line passes the vertex at some distance, and nearly along a card it meets the card itself before or behind it.
-  [[nodiscard]] bool is_own(const Fragment& fragment, const Vector3f& offset, const Receiver& receiver) const {
+  [[nodiscard]] bool is_own(const visibility::Fragment& fragment, const Vector3f& offset,
+                            const Receiver& receiver) const {
     if (!(std::abs(offset.dot(receiver.normal)) < margin_)) return false;
     return fragment.patch == receiver.patch || offset.norm() < 2 * margin_;
   }
 
-  FragmentView view_;
-  SolidsAlong head_;
+  visibility::FragmentView view_;
+  visibility::SolidsAlong head_;
   Vector3f towards_;
   float margin_;
 };
@@ -131,9 +134,9 @@ Direction direction_of(std::uint32_t cell) {
 }
 
 /// Lines that all triangles are tried against.
-double tries_per_view(const HairSurface& hair, std::span<const Vector3f> positions, float spacing) {
+double tries_per_view(const visibility::HairSurface& hair, std::span<const Vector3f> positions, float spacing) {
   double sum = 0;
-  for (const HairSurface::Triangle& triangle : hair.triangles) {
+  for (const visibility::HairSurface::Triangle& triangle : hair.triangles) {
     const auto& [a, b, c] = triangle.vertex;
     sum += samples_around(positions[a], positions[b], positions[c], double(spacing));
   }
@@ -141,7 +144,7 @@ double tries_per_view(const HairSurface& hair, std::span<const Vector3f> positio
 }
 
 /// Metres between lines: the hair's longest side in kLines, or in as many as may be tried.
-float choose_spacing(const HairSurface& hair, std::span<const Vector3f> positions, float side) {
+float choose_spacing(const visibility::HairSurface& hair, std::span<const Vector3f> positions, float side) {
   const double most = std::max(kMostTries, 4.0 * double(hair.triangles.size()));
   float lines = kLines;
   while (lines > kFewestLines && tries_per_view(hair, positions, side / lines) > most) lines *= 0.8f;
@@ -153,7 +156,8 @@ struct Gathered {
   bool is_coarse = false;      ///< By fewer lines than were wanted.
 };
 
-Gathered gather(const HairSurface& hair, std::span<const Vector3f> positions, const Threads& threads) {
+Gathered gather(const visibility::HairSurface& hair, std::span<const Vector3f> positions,
+                const platform::Threads& threads) {
   std::vector<Receiver> receivers;
   Eigen::AlignedBox3f box;
   for (const Vector3f& point : positions) {
@@ -209,17 +213,18 @@ void write_level(const Gathered& gathered, double strength, std::vector<VertexRe
 
 }  // namespace
 
-void bake_occlusion(const DrawnRecipe& recipe, const Threads& threads, AssetContents& contents, Findings& findings) {
+void bake_occlusion(const DrawnRecipe& recipe, const platform::Threads& threads, AssetContents& contents,
+                    Findings& findings) {
   if (contents.vertices.empty() || recipe.occlusion_strength <= 0) return;
-  const OpenedAsset opened(contents);
+  const lab::OpenedAsset opened(contents);
   const Asset& asset = opened.asset();
   if (!asset.is_open()) return;
-  const std::vector<Vector3f> positions = posed_positions(asset, {});
+  const std::vector<Vector3f> positions = visibility::posed_positions(asset, {});
   Written written{std::vector<bool>(positions.size(), false)};
   bool is_coarse = false;
   for (std::uint32_t lod = 0; lod < asset.lod_count(); ++lod) {
     if (std::ranges::all_of(asset.lod_indices(lod), [&](std::uint32_t v) { return bool(written.is_lit[v]); })) continue;
-    const Gathered gathered = gather(HairSurface(asset, lod), positions, threads);
+    const Gathered gathered = gather(visibility::HairSurface(asset, lod), positions, threads);
     is_coarse = is_coarse || gathered.is_coarse;
     write_level(gathered, recipe.occlusion_strength, contents.vertices, written);
   }
@@ -231,4 +236,4 @@ void bake_occlusion(const DrawnRecipe& recipe, const Threads& threads, AssetCont
                   100 * written.sum / double(written.count), 100 * written.least));
 }
 
-}  // namespace coif
+}  // namespace coif::cook

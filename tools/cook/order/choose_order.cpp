@@ -17,7 +17,7 @@
 #include <optional>
 #include <ranges>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 /// To choose from, beside the usual one. Dark hair before bright skin shows what a threshold of 0.95 hides.
@@ -41,8 +41,8 @@ bool is_blended(const AssetContents& contents) {
   return !contents.material.empty() && !contents.patches.empty() && blends(contents.material.front());
 }
 
-UnitOrder by_head_distance(std::span<const PatchRecord> patches) {
-  UnitOrder order(patches.size());
+visibility::UnitOrder by_head_distance(std::span<const PatchRecord> patches) {
+  visibility::UnitOrder order(patches.size());
   std::iota(order.begin(), order.end(), 0u);
   std::ranges::stable_sort(order, {}, [&](std::uint32_t p) { return patches[p].head_distance; });
   return order;
@@ -51,8 +51,8 @@ UnitOrder by_head_distance(std::span<const PatchRecord> patches) {
 class OrderChoice {
  public:
   /// `asset`: the contents, opened.
-  OrderChoice(const DrawnRecipe& recipe, const Threads& threads, const AssetContents& contents, const Asset& asset,
-              std::span<const HairPositions> poses, ThresholdAlpha& alpha)
+  OrderChoice(const DrawnRecipe& recipe, const platform::Threads& threads, const AssetContents& contents,
+              const Asset& asset, std::span<const visibility::HairPositions> poses, ThresholdAlpha& alpha)
       : recipe_(recipe),
         contents_(contents),
         poses_(poses),
@@ -68,12 +68,12 @@ class OrderChoice {
     const std::size_t wanted = std::clamp(triangles / kTrianglesPerView, kFewestViews, kMostViews);
     settings_.views_per_cell = std::clamp<std::size_t>(kMostWork / triangles, 1, wanted);
     limit_work();
-    judged_.emplace(judged_hair(hair_, poses, settings_));
+    judged_.emplace(visibility::judged_hair(hair_, poses, settings_));
   }
 
   /// With as many views as tell which directions belong together, and layers of all alphas that may be blended.
-  [[nodiscard]] FoundOrders quick_search() const {
-    OrderSearchSettings quick = settings_;
+  [[nodiscard]] visibility::FoundOrders quick_search() const {
+    visibility::OrderSearchSettings quick = settings_;
     quick.opaque_threshold =
         recipe_.opaque_threshold == 0 ? std::max(usual_threshold_, std::ranges::max(kThresholds)) : usual_threshold_;
     quick.min_gain = 0;
@@ -81,41 +81,43 @@ class OrderChoice {
     quick.views_per_cell = std::min(kQuickViews, settings_.views_per_cell);
     quick.lines_per_view = std::min(kQuickLines, settings_.lines_per_view);
     if (recipe_.opaque_threshold == 0) prepare_first(quick.opaque_threshold);
-    return search_orders(with_threshold(quick.opaque_threshold), *judged_, poses_, head_, quick);
+    return visibility::search_orders(with_threshold(quick.opaque_threshold), *judged_, poses_, head_, quick);
   }
 
   /// The recipe's, or what those orders look best with.
-  [[nodiscard]] float threshold_for(const FoundOrders& quick) const {
+  [[nodiscard]] float threshold_for(const visibility::FoundOrders& quick) const {
     return recipe_.opaque_threshold == 0 ? best_threshold(quick) : usual_threshold_;
   }
 
   /// `quick`: by quick_search(), of this hair or of the same before it was cut.
   /// `seen`: of this hair with this threshold.
-  [[nodiscard]] FoundOrders refine(const FoundOrders& quick, float threshold, const RestVotes& seen) const {
-    OrderSearchSettings settings = settings_;
+  [[nodiscard]] visibility::FoundOrders refine(const visibility::FoundOrders& quick, float threshold,
+                                               const visibility::RestVotes& seen) const {
+    visibility::OrderSearchSettings settings = settings_;
     settings.opaque_threshold = threshold;
-    FoundOrders found = refine_orders(with_threshold(threshold), *judged_, poses_, head_, quick, settings, seen);
+    visibility::FoundOrders found =
+        visibility::refine_orders(with_threshold(threshold), *judged_, poses_, head_, quick, settings, seen);
     if (threshold == usual_threshold_) return found;  // which was compared with it
-    const FoundOrders head = by_head();
+    const visibility::FoundOrders head = by_head();
     found.head = head.head;
     return found.found.psnr > head.head.psnr ? std::move(found) : head;
   }
 
   /// Where triangles cross, seen by as many views as the quick search has.
-  [[nodiscard]] Crossings find_crossings(const FoundOrders& quick, float threshold) const {
+  [[nodiscard]] Crossings find_crossings(const visibility::FoundOrders& quick, float threshold) const {
     if (recipe_.order_cut_budget == 0 || quick.by_view.orders.empty()) return {};
-    const HairSurface hair = with_threshold(threshold);
-    FoundOrders drawn = quick;
+    const visibility::HairSurface hair = with_threshold(threshold);
+    visibility::FoundOrders drawn = quick;
     drawn.rule.opaque_threshold = threshold;
-    SampleSettings samples;
+    visibility::SampleSettings samples;
     samples.views_per_cell = std::min(kQuickViews, settings_.views_per_cell);
     samples.lines = settings_.lines_per_view;
     samples.threads = settings_.threads;
     const auto share_of_order = [&] {
-      OrderSearchSettings settings = settings_;
+      visibility::OrderSearchSettings settings = settings_;
       settings.opaque_threshold = threshold;
       settings.judge_views_per_cell = kQuickJudgeViews;
-      return coif::share_of_order(hair, *judged_, quick, settings);
+      return coif::visibility::share_of_order(hair, *judged_, quick, settings);
     };
     return cut_where_crossing(contents_, hair, poses_.front(), drawn, most_added(quick), samples, share_of_order);
   }
@@ -127,16 +129,16 @@ class OrderChoice {
 
  private:
   /// The hair as it is drawn with some opaque threshold.
-  [[nodiscard]] HairSurface with_threshold(float threshold) const {
-    HairSurface hair = hair_.surface;
+  [[nodiscard]] visibility::HairSurface with_threshold(float threshold) const {
+    visibility::HairSurface hair = hair_.surface;
     hair.alpha = alpha_.at(threshold);
     return hair;
   }
 
   /// Fewer views and, by as much, fewer lines in each.
   void limit_work() {
-    const HairPositions& rest = poses_.front();
-    const double spacing = double(line_spacing(rest, settings_.lines_per_view));
+    const visibility::HairPositions& rest = poses_.front();
+    const double spacing = double(visibility::line_spacing(rest, settings_.lines_per_view));
     const double tries = samples_around(rest, contents_.indices, spacing);
     const std::size_t views = settings_.views_per_cell, lines = settings_.lines_per_view;
     const double share = kMostTriesOfACell / (tries * double(views));
@@ -154,23 +156,24 @@ class OrderChoice {
   }
 
   /// Triangles that cutting may add: all orders have them, too.
-  [[nodiscard]] std::size_t most_added(const FoundOrders& quick) const {
+  [[nodiscard]] std::size_t most_added(const visibility::FoundOrders& quick) const {
     const std::size_t triangles = contents_.indices.size() / 3;
     const std::size_t room = recipe_.order_max_bytes / (sizeof(std::uint32_t) * quick.by_view.orders.size());
     const double wanted = recipe_.order_cut_budget * double(finest_triangle_count(contents_));
     return std::min(std::size_t(wanted), room - std::min(room, triangles));
   }
 
-  [[nodiscard]] OrderQuality judge(const FoundOrders& orders, float threshold, std::size_t views_per_cell) const {
-    OrderSearchSettings settings = settings_;
+  [[nodiscard]] visibility::OrderQuality judge(const visibility::FoundOrders& orders, float threshold,
+                                               std::size_t views_per_cell) const {
+    visibility::OrderSearchSettings settings = settings_;
     settings.opaque_threshold = threshold;
     settings.judge_views_per_cell = views_per_cell;
-    return judge_orders(with_threshold(threshold), *judged_, orders, settings);
+    return visibility::judge_orders(with_threshold(threshold), *judged_, orders, settings);
   }
 
   /// The thesis's way, with the usual threshold.
-  [[nodiscard]] FoundOrders by_head() const {
-    FoundOrders head;
+  [[nodiscard]] visibility::FoundOrders by_head() const {
+    visibility::FoundOrders head;
     head.rule = {usual_threshold_, false, contents_.material.front().discard_threshold};
     head.patches = head_;
     head.head = head.single = head.found = judge(head, usual_threshold_, settings_.judge_views_per_cell);
@@ -196,7 +199,7 @@ class OrderChoice {
 
   /// Upwards and downwards from the usual one as long as it helps. Lower thresholds hide more of what should shine
   /// through, and leave less to be sorted and blended: where both are worth the same it is the lower one.
-  [[nodiscard]] float best_threshold(const FoundOrders& orders) const {
+  [[nodiscard]] float best_threshold(const visibility::FoundOrders& orders) const {
     const Judged usual{usual_threshold_, worth(orders, usual_threshold_)};
     const Judged higher = climb(orders, usual, thresholds_above());
     const Judged lower = climb(orders, usual, thresholds_below());
@@ -209,12 +212,12 @@ class OrderChoice {
   };
 
   /// dB, less what they cost.
-  [[nodiscard]] double worth(const FoundOrders& orders, float threshold) const {
-    const OrderQuality quality = judge(orders, threshold, kQuickJudgeViews);
+  [[nodiscard]] double worth(const visibility::FoundOrders& orders, float threshold) const {
+    const visibility::OrderQuality quality = judge(orders, threshold, kQuickJudgeViews);
     return std::min(quality.psnr, kEnough) - kGainPerLayer * quality.blended;
   }
 
-  [[nodiscard]] Judged climb(const FoundOrders& orders, Judged best, auto&& thresholds) const {
+  [[nodiscard]] Judged climb(const visibility::FoundOrders& orders, Judged best, auto&& thresholds) const {
     for (const float threshold : thresholds) {
       const double worth_of_it = worth(orders, threshold);
       const bool is_tie = worth_of_it == best.worth && threshold < best.threshold;
@@ -226,20 +229,20 @@ class OrderChoice {
 
   const DrawnRecipe& recipe_;
   const AssetContents& contents_;
-  std::span<const HairPositions> poses_;
+  std::span<const visibility::HairPositions> poses_;
   ThresholdAlpha& alpha_;
-  SeenHair hair_;  ///< Its mips have their own alpha yet.
-  UnitOrder head_;
+  visibility::SeenHair hair_;  ///< Its mips have their own alpha yet.
+  visibility::UnitOrder head_;
   float usual_threshold_;
-  OrderSearchSettings settings_;
-  std::optional<JudgedHair> judged_;
+  visibility::OrderSearchSettings settings_;
+  std::optional<visibility::JudgedHair> judged_;
   double share_of_lines_ = 1;
 };
 
 }  // namespace
 
 tl::expected<OrderFigures, ToolError> choose_order(const DrawnRecipe& recipe, std::span<const Image> used,
-                                                   const Threads& threads, AssetContents& contents,
+                                                   const platform::Threads& threads, AssetContents& contents,
                                                    Findings& findings) {
   if (recipe.order_method == OrderMethod::kHead || !is_blended(contents)) return {};
   const std::size_t triangles = contents.indices.size() / 3;
@@ -250,13 +253,13 @@ tl::expected<OrderFigures, ToolError> choose_order(const DrawnRecipe& recipe, st
                     triangles, kMostTriangles));
     return {};
   }
-  std::optional<OpenedAsset> opened(std::in_place, contents);
+  std::optional<lab::OpenedAsset> opened(std::in_place, contents);
   if (!opened->asset().is_open()) return {};  // the cooker says why where it opens what it wrote
   auto poses = find_order_poses(opened->asset(), recipe.order_solver);
   if (!poses) return tl::unexpected(poses.error());
-  ThresholdAlpha alpha(contents, used, AlphaTexture(opened->asset()), threads);
+  ThresholdAlpha alpha(contents, used, visibility::AlphaTexture(opened->asset()), threads);
   std::optional<OrderChoice> choice(std::in_place, recipe, threads, contents, opened->asset(), *poses, alpha);
-  FoundOrders quick = choice->quick_search();
+  visibility::FoundOrders quick = choice->quick_search();
   const float threshold = choice->threshold_for(quick);
   Crossings crossings = choice->find_crossings(quick, threshold);
   note_crossings(crossings, finest_triangle_count(contents), findings);
@@ -268,7 +271,7 @@ tl::expected<OrderFigures, ToolError> choose_order(const DrawnRecipe& recipe, st
     if (!poses) return tl::unexpected(poses.error());
     choice.emplace(recipe, threads, contents, opened->asset(), *poses, alpha);
   }
-  const FoundOrders found = choice->refine(quick, threshold, crossings.votes);
+  const visibility::FoundOrders found = choice->refine(quick, threshold, crossings.votes);
   apply_orders(found, contents);
   note_orders(found, choice->usual_threshold(), findings);
   if (choice->share_of_lines() < 1) {
@@ -280,4 +283,4 @@ tl::expected<OrderFigures, ToolError> choose_order(const DrawnRecipe& recipe, st
   return figures_of(found, crossings);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct DrawnRecipe;
 
@@ -32,7 +32,7 @@ struct PatchOrder {
 /// Puts the patches of every level of detail into the order found for the finest one, and their triangles with them;
 /// writes the orders by direction, and in the material how they are to be drawn. Patches of coarser levels go where
 /// those of the finest with the same place in the file are; in orders of triangles, where these are on average.
-void apply_orders(const FoundOrders& found, AssetContents& contents);
+void apply_orders(const visibility::FoundOrders& found, AssetContents& contents);
 
 /// Looks for the orders in which the packed hair is best drawn (search_orders()), at rest and in motion, and writes
 /// them, and the opaque threshold where the recipe leaves it open. What is drawn is never worse, as far as the search
@@ -41,7 +41,8 @@ void apply_orders(const FoundOrders& found, AssetContents& contents);
 /// triangles of the finest level where they cross (cook/cuts), as far as "order.cut_budget" allows. Notes what was
 /// chosen, with figures. Errors: kBadInput for hair that the runtime cannot simulate.
 tl::expected<OrderFigures, ToolError> choose_order(const DrawnRecipe& recipe, std::span<const Image> used,
-                                                   const Threads& threads, AssetContents& contents, Findings& findings);
+                                                   const platform::Threads& threads, AssetContents& contents,
+                                                   Findings& findings);
 
 /// Writes into each vertex which share of the light from everywhere reaches it in the rest pose
 /// (VertexRecord::normal[3]): over the 96 directions of view_cells.h, each as wide as its cell, the mean of what the
@@ -50,6 +51,7 @@ tl::expected<OrderFigures, ToolError> choose_order(const DrawnRecipe& recipe, st
 /// painted, so this comes before keep_coverage(). Recipe: "occlusion.strength". Notes the mean and the least.
 ///
 /// Source of the idea: Zhukov, Iones, Kronin 1998, "An ambient light illumination model".
-void bake_occlusion(const DrawnRecipe& recipe, const Threads& threads, AssetContents& contents, Findings& findings);
+void bake_occlusion(const DrawnRecipe& recipe, const platform::Threads& threads, AssetContents& contents,
+                    Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

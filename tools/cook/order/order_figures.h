@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace coif {
+namespace coif::cook {
 
 /// What choose_order() made; all 0 where nothing is blended or looked for.
 struct OrderFigures {
@@ -17,4 +17,4 @@ struct OrderFigures {
   double cut_gain = 0;          ///< Expected of the cuts, dB.
 };
 
-}  // namespace coif
+}  // namespace coif::cook

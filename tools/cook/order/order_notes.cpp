@@ -4,10 +4,10 @@
 
 #include <string>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
-std::string quality_text(const OrderQuality& quality) {
+std::string quality_text(const visibility::OrderQuality& quality) {
   return fmt::format("{:.1f} dB (median {:.1f}, worst {:.1f}, moving {:.1f})", quality.psnr, quality.median,
                      quality.worst, quality.moving);
 }
@@ -29,7 +29,7 @@ void note_crossings(const Crossings& crossings, std::size_t triangles, Findings&
   findings.note(text);
 }
 
-void note_orders(const FoundOrders& found, float usual_threshold, Findings& findings) {
+void note_orders(const visibility::FoundOrders& found, float usual_threshold, Findings& findings) {
   const std::size_t count = found.by_view.orders.size();
   const std::string what = count > 0 ? fmt::format("{} orders of triangles by direction", count)
                                      : std::string("one order of patches for all directions");
@@ -46,7 +46,7 @@ void note_orders(const FoundOrders& found, float usual_threshold, Findings& find
   }
 }
 
-OrderFigures figures_of(const FoundOrders& found, const Crossings& crossings) {
+OrderFigures figures_of(const visibility::FoundOrders& found, const Crossings& crossings) {
   OrderFigures figures;
   figures.orders = std::uint32_t(1 + found.by_view.orders.size());
   figures.psnr = found.found.psnr;
@@ -62,4 +62,4 @@ OrderFigures figures_of(const FoundOrders& found, const Crossings& crossings) {
   return figures;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

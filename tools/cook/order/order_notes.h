@@ -7,7 +7,7 @@
 
 #include <cstddef>
 
-namespace coif {
+namespace coif::cook {
 
 /// dB that each further layer of a pixel must gain that is blended instead of drawn solid: it is shaded and written
 /// once more, where a solid one hides what is behind it.
@@ -16,8 +16,8 @@ inline constexpr double kGainPerLayer = 0.5;
 /// `triangles`: of the finest level before.
 void note_crossings(const Crossings& crossings, std::size_t triangles, Findings& findings);
 /// `usual_threshold`: what the material had.
-void note_orders(const FoundOrders& found, float usual_threshold, Findings& findings);
+void note_orders(const visibility::FoundOrders& found, float usual_threshold, Findings& findings);
 
-[[nodiscard]] OrderFigures figures_of(const FoundOrders& found, const Crossings& crossings);
+[[nodiscard]] OrderFigures figures_of(const visibility::FoundOrders& found, const Crossings& crossings);
 
-}  // namespace coif
+}  // namespace coif::cook

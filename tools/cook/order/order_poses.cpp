@@ -3,17 +3,20 @@
 #include "lab/rig.h"
 #include "motion/head_path.h"
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 struct Moment {
-  Motion motion;
+  motion::Motion motion;
   double seconds;
 };
 
 /// Besides rest: hair thrown to both sides and back, and hair blown back.
-constexpr Moment kMoments[] = {
-    {Motion::kTurn, 0.15}, {Motion::kTurn, 0.35}, {Motion::kTurn, 0.6}, {Motion::kCharge, 0.2}, {Motion::kCharge, 0.5}};
+constexpr Moment kMoments[] = {{motion::Motion::kTurn, 0.15},
+                               {motion::Motion::kTurn, 0.35},
+                               {motion::Motion::kTurn, 0.6},
+                               {motion::Motion::kCharge, 0.2},
+                               {motion::Motion::kCharge, 0.5}};
 
 /// By its name in a recipe.
 const Solver& solver_named(std::string_view name) {
@@ -24,21 +27,22 @@ const Solver& solver_named(std::string_view name) {
 
 }  // namespace
 
-tl::expected<std::vector<HairPositions>, ToolError> find_order_poses(const Asset& asset, std::string_view solver) {
-  std::vector<HairPositions> poses;
-  const auto add = [&](const HeadPath* path, double seconds) -> tl::expected<void, ToolError> {
-    const auto pose = simulate_pose(asset, path, seconds, {}, &solver_named(solver));
+tl::expected<std::vector<visibility::HairPositions>, ToolError> find_order_poses(const Asset& asset,
+                                                                                 std::string_view solver) {
+  std::vector<visibility::HairPositions> poses;
+  const auto add = [&](const motion::HeadPath* path, double seconds) -> tl::expected<void, ToolError> {
+    const auto pose = motion::simulate_pose(asset, path, seconds, {}, &solver_named(solver));
     if (!pose) return tl::unexpected(pose.error());
-    poses.push_back(posed_positions(asset, pose->palette));
+    poses.push_back(visibility::posed_positions(asset, pose->palette));
     return {};
   };
   if (auto rest = add(nullptr, 0); !rest) return tl::unexpected(rest.error());
   if (asset.dynamics().empty()) return poses;
   for (const Moment& moment : kMoments) {
-    const auto path = path_of(moment.motion);
+    const auto path = motion::path_of(moment.motion);
     if (auto moving = add(path.get(), moment.seconds); !moving) return tl::unexpected(moving.error());
   }
   return poses;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -10,10 +10,11 @@
 #include <string_view>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// The hair in the poses that orders are found for: at rest, then, where it moves, thrown to both sides and back, and
 /// blown back. `solver`: by its name in a recipe. Errors: those of simulate_pose().
-tl::expected<std::vector<HairPositions>, ToolError> find_order_poses(const Asset& asset, std::string_view solver);
+tl::expected<std::vector<visibility::HairPositions>, ToolError> find_order_poses(const Asset& asset,
+                                                                                 std::string_view solver);
 
-}  // namespace coif
+}  // namespace coif::cook

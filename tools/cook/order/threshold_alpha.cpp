@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 void ThresholdAlpha::prepare(std::span<const float> thresholds) {
-  std::vector<std::pair<const float, AlphaTexture>*> missing;
+  std::vector<std::pair<const float, visibility::AlphaTexture>*> missing;
   for (const float threshold : thresholds) {
     const auto [place, is_new] = made_.try_emplace(threshold, plain_);
     if (is_new) missing.push_back(&*place);
@@ -21,9 +21,9 @@ void ThresholdAlpha::prepare(std::span<const float> thresholds) {
   });
 }
 
-const AlphaTexture& ThresholdAlpha::at(float threshold) {
+const visibility::AlphaTexture& ThresholdAlpha::at(float threshold) {
   prepare({&threshold, 1});
   return made_.at(threshold);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

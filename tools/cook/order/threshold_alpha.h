@@ -8,27 +8,28 @@
 #include <map>
 #include <span>
 
-namespace coif {
+namespace coif::cook {
 
 /// Alpha of the hair as it is drawn with one or another opaque threshold, for each of which mips keep their coverage
 /// (mips_for_threshold()). Each is made once.
 class ThresholdAlpha {
  public:
   /// `plain`: of the contents as they are. Keeps references to contents and `used`, whose texels must not change.
-  ThresholdAlpha(const AssetContents& contents, std::span<const Image> used, AlphaTexture plain, const Threads& threads)
+  ThresholdAlpha(const AssetContents& contents, std::span<const Image> used, visibility::AlphaTexture plain,
+                 const platform::Threads& threads)
       : contents_(contents), used_(used), plain_(std::move(plain)), threads_(threads) {}
 
   /// Makes those that are missing, beside each other.
   void prepare(std::span<const float> thresholds);
 
-  [[nodiscard]] const AlphaTexture& at(float threshold);
+  [[nodiscard]] const visibility::AlphaTexture& at(float threshold);
 
  private:
   const AssetContents& contents_;
   std::span<const Image> used_;
-  AlphaTexture plain_;
-  Threads threads_;
-  std::map<float, AlphaTexture> made_;
+  visibility::AlphaTexture plain_;
+  platform::Threads threads_;
+  std::map<float, visibility::AlphaTexture> made_;
 };
 
-}  // namespace coif
+}  // namespace coif::cook

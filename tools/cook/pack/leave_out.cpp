@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 /// The last of the textures, so that no other has to move.
@@ -31,4 +31,4 @@ void leave_out_parts(const SceneRecipe& recipe, AssetContents& contents, Finding
   if (!recipe.scene_relief) note("maps of normals and strands", "relief", clear_group("relief", contents));
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct SceneRecipe;
 struct DrawnRecipe;
@@ -42,11 +42,11 @@ void pack_mesh(const HairStrips& hair, const HairRig& rig, std::span<const Detai
 
 /// What a cook by this version of the tool says of its origin. `recipe_hash`: recipe_hash(). `source_hash`: XXH64 of
 /// the source file's bytes.
-[[nodiscard]] ProvenanceRecord make_provenance(const SourceModel& source, std::uint64_t recipe_hash,
+[[nodiscard]] ProvenanceRecord make_provenance(const importer::SourceModel& source, std::uint64_t recipe_hash,
                                                std::uint64_t source_hash);
 
 /// Takes the parts out of `contents` that the recipe's "scene" is without: bone names, quality, provenance, shift and
 /// mask, all that is drawn.
 void leave_out_parts(const SceneRecipe& recipe, AssetContents& contents, Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <numbers>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 template <std::size_t kCount>
@@ -103,7 +103,8 @@ double furnace_bound(const MaterialRecord& material) {
 
 float bounding_cut(const MaterialRecord& material) { return float(1 - 1 / std::max(1.0, furnace_bound(material))); }
 
-ProvenanceRecord make_provenance(const SourceModel& source, std::uint64_t recipe_hash, std::uint64_t source_hash) {
+ProvenanceRecord make_provenance(const importer::SourceModel& source, std::uint64_t recipe_hash,
+                                 std::uint64_t source_hash) {
   ProvenanceRecord record{};
   record.source_hash = source_hash;
   record.recipe_hash = recipe_hash;
@@ -114,4 +115,4 @@ ProvenanceRecord make_provenance(const SourceModel& source, std::uint64_t recipe
   return record;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

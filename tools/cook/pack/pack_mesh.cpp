@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 std::int16_t to_snorm16(float value) { return std::int16_t(std::lround(std::clamp(value, -1.0f, 1.0f) * 32767.0f)); }
@@ -33,13 +33,13 @@ VertexRecord pack_vertex(const HairStrips& hair, const Eigen::Vector3f& origin, 
 /// mesh each patch would cost as much as all of it.
 class CacheOrder {
  public:
-  explicit CacheOrder(std::size_t vertices) : number_(vertices, kNoIndex) {}
+  explicit CacheOrder(std::size_t vertices) : number_(vertices, importer::kNoIndex) {}
 
   std::vector<std::uint32_t> operator()(std::span<const std::uint32_t> triangles) {
     vertices_.clear();
     std::vector<std::uint32_t> order;
     for (std::uint32_t v : triangles) {
-      if (number_[v] == kNoIndex) {
+      if (number_[v] == importer::kNoIndex) {
         number_[v] = std::uint32_t(vertices_.size());
         vertices_.push_back(v);
       }
@@ -47,7 +47,7 @@ class CacheOrder {
     }
     meshopt_optimizeVertexCache(order.data(), order.data(), order.size(), vertices_.size());
     for (std::uint32_t& index : order) index = vertices_[index];
-    for (std::uint32_t v : vertices_) number_[v] = kNoIndex;
+    for (std::uint32_t v : vertices_) number_[v] = importer::kNoIndex;
     return order;
   }
 
@@ -112,7 +112,7 @@ void pack_mesh(const HairStrips& hair, const HairRig& rig, std::span<const Detai
   contents.vertices.resize(used);
   contents.skin.resize(used);
   for (std::uint32_t v = 0; v < vertices; ++v) {
-    if (new_place[v] == kNoIndex) continue;
+    if (new_place[v] == importer::kNoIndex) continue;
     contents.vertices[new_place[v]] = pack_vertex(hair, origin, v);
     contents.skin[new_place[v]] = skin[v];
   }
@@ -121,4 +121,4 @@ void pack_mesh(const HairStrips& hair, const HairRig& rig, std::span<const Detai
   for (PatchRecord& patch : contents.patches) patch.bone = heaviest_bone(contents, patch);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

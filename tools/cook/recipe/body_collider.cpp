@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using nlohmann::json;
@@ -97,4 +97,4 @@ json write_body_colliders(const std::vector<RecipeBodyCollider>& colliders) {
   return list;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

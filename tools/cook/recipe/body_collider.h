@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// A collider on a bone of the body, in the rest pose: a ball, a capsule where it has a tail, a tapered one where the
 /// tail has a radius of its own, or a plane where it has a normal. Model space, metres, Y up.
@@ -22,4 +22,4 @@ struct RecipeBodyCollider {
   std::vector<std::string> hair;  ///< Patterns of the hair's bones that may touch it; empty: all.
 };
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using nlohmann::json;
@@ -81,4 +81,4 @@ json write_bone_limits(const std::vector<RecipeBoneLimit>& limits) {
   return list;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// A limit around the direction in which a bone was modelled. What the kinds bound: LimitRecord.
 struct RecipeBoneLimit {
@@ -17,4 +17,4 @@ struct RecipeBoneLimit {
   std::array<double, 3> axis{1, 0, 0};  ///< Model space: what a hinge turns about, and the pitch; not 0.
 };
 
-}  // namespace coif
+}  // namespace coif::cook

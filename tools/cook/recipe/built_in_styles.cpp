@@ -1,6 +1,6 @@
 #include "cook/recipe/hair_style.h"
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr BuiltInStyle kStyles[] = {
@@ -50,4 +50,4 @@ constexpr BuiltInStyle kStyles[] = {
 
 std::span<const BuiltInStyle> built_in_styles() { return kStyles; }
 
-}  // namespace coif
+}  // namespace coif::cook

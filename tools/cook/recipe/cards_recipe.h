@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace coif {
+namespace coif::cook {
 
 /// What a recipe says of the cards that strands become.
 struct CardsRecipe {
@@ -18,4 +18,4 @@ struct CardsRecipe {
   double cards_follow_radius = 0;                   ///< Metres; 0: from how far apart the strands are.
 };
 
-}  // namespace coif
+}  // namespace coif::cook

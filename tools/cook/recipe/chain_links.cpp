@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using nlohmann::json;
@@ -41,4 +41,4 @@ json write_chain_links(const RecipeLinks& links) {
   return links.pairs;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

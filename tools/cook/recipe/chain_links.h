@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// Which chains are linked: by a word, or by pairs of names.
 struct RecipeLinks {
@@ -15,4 +15,4 @@ struct RecipeLinks {
   std::vector<std::array<std::string, 2>> pairs{};
 };
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <functional>
 
-namespace coif {
+namespace coif::cook {
 
 /// What the caller of a cook says beside the recipe.
 struct CookSettings {
-  Threads threads = 1;                               ///< The result's bytes do not depend on it.
+  platform::Threads threads = 1;                     ///< The result's bytes do not depend on it.
   std::filesystem::path recipe_directory{};          ///< Where texture paths of the recipe start.
   std::uint64_t source_hash = 0;                     ///< XXH64 of the source file, for the provenance record.
   std::function<void(const char* pass)> progress{};  ///< Called before each pass, where set.
@@ -18,4 +18,4 @@ struct CookSettings {
   bool draft = false;                                ///< Cook draft_of() the recipe, and do without what takes long.
 };
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace coif {
+namespace coif::cook {
 
 enum class OrderMethod { kAuto, kHead, kSingle, kViews };
 enum class VertexColors { kAuto, kMultiply, kIgnore };
@@ -75,4 +75,4 @@ struct DrawnRecipe {
   return recipe.texture_max_size.value_or(1024);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::cook {
 
 std::string LeftOut::text() const {
   std::vector<std::string> savings;
@@ -44,4 +44,4 @@ double nominal_passive_cost(std::size_t bones, std::uint32_t parts) { return dou
 
 double nominal_twist_cost(std::size_t bones, std::uint32_t parts) { return double(bones) * kTwistCost * parts; }
 
-}  // namespace coif
+}  // namespace coif::cook

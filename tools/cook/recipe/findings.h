@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// Something that is not in the asset.
 struct LeftOut {
@@ -47,4 +47,4 @@ struct Findings {
 /// What a twist adds to that for each bone that carries one.
 [[nodiscard]] double nominal_twist_cost(std::size_t bones, std::uint32_t parts);
 
-}  // namespace coif
+}  // namespace coif::cook

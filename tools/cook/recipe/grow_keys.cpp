@@ -1,6 +1,6 @@
 #include "cook/recipe/recipe_keys.h"
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using G = Recipe;
@@ -117,4 +117,4 @@ const RecipeKey kGrowKeys[] = {
 
 std::span<const RecipeKey> grow_keys() { return kGrowKeys; }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr HairPreset kPresets[] = {{"natural", 0.08, 0.45, 2.2},
@@ -22,4 +22,4 @@ const HairPreset& preset_of(const RigRecipe& recipe) {
   return found != std::end(kPresets) ? *found : kPresets[0];
 }
 
-}  // namespace coif
+}  // namespace coif::cook

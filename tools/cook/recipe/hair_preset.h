@@ -4,7 +4,7 @@
 
 #include <span>
 
-namespace coif {
+namespace coif::cook {
 
 /// What "dynamics.preset" means.
 struct HairPreset {
@@ -17,4 +17,4 @@ struct HairPreset {
 [[nodiscard]] std::span<const HairPreset> hair_presets();
 [[nodiscard]] const HairPreset& preset_of(const RigRecipe& recipe);
 
-}  // namespace coif
+}  // namespace coif::cook

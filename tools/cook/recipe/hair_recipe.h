@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// What hair stays out of.
 enum class HeadShape { kAuto, kEllipsoid, kSphere, kCapsule, kNothing };
@@ -23,4 +23,4 @@ struct HairRecipe {
   std::optional<std::array<double, 3>> head_radii;   ///< Metres.
 };
 
-}  // namespace coif
+}  // namespace coif::cook

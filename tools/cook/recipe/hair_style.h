@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace coif {
+namespace coif::cook {
 
 /// What hair that is grown looks like: the recipe's section "grow", whose meanings, defaults and ranges stand in
 /// grow_keys.cpp. Angles are degrees about the middle of the head: elevations above it, azimuths 0 at the face and 90
@@ -86,4 +86,4 @@ struct BuiltInStyle {
 /// What "grow.style" may be: "none" and their names.
 inline constexpr const char* kStyleWords = "none|bob|fringe_bob|locks|long|wavy|curly|afro|short|spiky|slick|ponytail";
 
-}  // namespace coif
+}  // namespace coif::cook

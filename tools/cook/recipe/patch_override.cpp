@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using nlohmann::json;
@@ -214,4 +214,4 @@ json write_overrides(const std::vector<PatchOverride>& overrides) {
   return list;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct RigRecipe;
 
@@ -53,4 +53,4 @@ struct PatchOverride {
   void apply_motion(RigRecipe& recipe) const;
 };
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -15,7 +15,7 @@
 #include <span>
 #include <sstream>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using nlohmann::json;
@@ -197,4 +197,4 @@ std::uint64_t recipe_hash(const Recipe& recipe) {
   return xxh64(std::as_bytes(std::span(text.data(), text.size())));
 }
 
-}  // namespace coif
+}  // namespace coif::cook

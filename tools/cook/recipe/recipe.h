@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// All values of a recipe: what it says of each stage of a cook, which knows its own part alone. Their defaults and
 /// ranges stand in the table of recipe_keys.cpp: start from default_recipe().
@@ -64,4 +64,4 @@ tl::expected<std::string, ToolError> read_recipe_text(const std::filesystem::pat
 /// XXH64 of canonical_recipe().
 [[nodiscard]] std::uint64_t recipe_hash(const Recipe& recipe);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -3,7 +3,7 @@
 #include "base/hair_runtime.h"
 #include "cook/recipe/recipe_preset.h"
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using R = Recipe;
@@ -297,4 +297,4 @@ std::span<const RecipeKey> recipe_keys() {
   return keys;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

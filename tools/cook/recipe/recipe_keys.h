@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// A value that is one of a few words: an enumeration, whose numbers are the words' places in RecipeKey::choices.
 struct ChoiceField {
@@ -127,4 +127,4 @@ tl::expected<void, std::string> read_recipe_texture(const nlohmann::json& json, 
 tl::expected<void, std::string> read_chain_links(const nlohmann::json& json, RecipeLinks& out);
 [[nodiscard]] nlohmann::json write_chain_links(const RecipeLinks& links);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -5,7 +5,7 @@
 #include <string>
 #include <variant>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 const char* kind_of(const RecipeKey& key) {
@@ -47,4 +47,4 @@ std::vector<std::string> files_named_by(const Recipe& recipe) {
   return files;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

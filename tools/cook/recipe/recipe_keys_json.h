@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace coif {
+namespace coif::cook {
 
 /// The table of a recipe's keys, for who offers them to people: [{"path", "section", "name", "kind", "default", "low",
 /// "high", "choices", "unit", "meaning"}]. "kind": "switch", "number", "whole", "choice", or "other" for texts, lists,
@@ -10,4 +10,4 @@ namespace coif {
 /// "high" are equal where values are no numbers.
 [[nodiscard]] std::string recipe_keys_json();
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -1,6 +1,6 @@
 #include "cook/recipe/recipe_preset.h"
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr RecipePreset kRecipePresets[] = {
@@ -36,4 +36,4 @@ constexpr RecipePreset kRecipePresets[] = {
 
 std::span<const RecipePreset> recipe_presets() { return kRecipePresets; }
 
-}  // namespace coif
+}  // namespace coif::cook

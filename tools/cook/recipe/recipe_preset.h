@@ -2,7 +2,7 @@
 
 #include <span>
 
-namespace coif {
+namespace coif::cook {
 
 /// A recipe for a kind of hair, from which an artist's own begins.
 struct RecipePreset {
@@ -17,4 +17,4 @@ struct RecipePreset {
 /// What "look.preset" may be: "none" and their names.
 inline constexpr const char* kPresetWords = "none|realistic|anime|stylised|ponytail|curly|short";
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using nlohmann::json;
@@ -60,4 +60,4 @@ json write_recipe_texture(const RecipeTexture& texture) {
   return value;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace coif {
+namespace coif::cook {
 
 /// An image that the recipe names, and which of its numbers are meant. In JSON a path alone, or
 /// {"file": "hair_packed.png", "channel": "g", "invert": true}.
@@ -19,4 +19,4 @@ struct RecipeTexture {
 /// "r", "g", "b", "a", "luminance" or "auto".
 [[nodiscard]] const char* channel_word(TextureChannel channel);
 
-}  // namespace coif
+}  // namespace coif::cook

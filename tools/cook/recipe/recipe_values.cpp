@@ -7,7 +7,7 @@
 #include <sstream>
 #include <type_traits>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using nlohmann::json;
@@ -214,4 +214,4 @@ json write_value(const RecipeKey& key, const Recipe& recipe) {
   return std::visit(write_field, key.field);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

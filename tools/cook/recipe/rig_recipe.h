@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// Which bones are rigid with the head, as a scalp is: the thesis's rule, none, or those of `scalp_bones`.
 enum class ScalpRule { kThesis, kNoScalp, kPattern };
@@ -64,4 +64,4 @@ struct RigRecipe {
   double fastest_rate = 0;
 };
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -1,6 +1,6 @@
 #include "cook/recipe/root_tip_curve.h"
 
-namespace coif {
+namespace coif::cook {
 
 double evaluate_curve(std::span<const CurvePoint> curve, double at) {
   if (at <= curve.front().at) return curve.front().value;
@@ -17,4 +17,4 @@ double evaluate(const NumberOrCurve& value, double at) {
   return number != nullptr ? *number : evaluate_curve(std::get<std::vector<CurvePoint>>(value), at);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// One point of a root-to-tip curve: `at` 0 root .. 1 tip.
 struct CurvePoint {
@@ -24,4 +24,4 @@ using NumberOrCurve = std::variant<double, std::vector<CurvePoint>>;
 
 [[nodiscard]] double evaluate(const NumberOrCurve& value, double at);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace coif {
+namespace coif::cook {
 
 /// What a recipe says that a game's scene needs of an asset.
 struct SceneRecipe {
@@ -12,4 +12,4 @@ struct SceneRecipe {
   bool scene_relief = false;
 };
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace coif {
+namespace coif::cook {
 
 enum class RecipeUpAxis { kFile, kX, kY, kZ };
 
@@ -13,4 +13,4 @@ struct SourceRecipe {
   std::string source_variant;  ///< KHR_materials_variants; "": none.
 };
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// What makes triangles one patch.
 enum class Connectivity { kAuto, kIsland, kIndex, kPosition };
@@ -20,4 +20,4 @@ struct StripRecipe {
   std::string strand_root;                     ///< "auto", "low_u", "high_u", "low_v" or "high_v".
 };
 
-}  // namespace coif
+}  // namespace coif::cook

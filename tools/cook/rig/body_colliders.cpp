@@ -13,7 +13,7 @@
 #include <map>
 #include <set>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3d;
@@ -74,8 +74,8 @@ void grow(HeadCollider& shape, double hit_radius) {
 
 class BodyPass {
  public:
-  BodyPass(const SourceModel& source, const HeadBone& head_bone, const Skeleton& skeleton, const Colliders& of_head,
-           const RigRecipe& recipe, Findings& findings)
+  BodyPass(const importer::SourceModel& source, const HeadBone& head_bone, const Skeleton& skeleton,
+           const Colliders& of_head, const RigRecipe& recipe, Findings& findings)
       : source_(source),
         head_node_(head_bone.node),
         skeleton_(skeleton),
@@ -107,7 +107,7 @@ class BodyPass {
   [[nodiscard]] std::string offer(const std::string& name) const {
     std::vector<std::string> names;
     for (std::uint32_t n = 0; n < source_.nodes.size(); ++n) {
-      const bool of_head = head_node_ != kNoIndex && is_on_head(source_, head_node_, on_node(n));
+      const bool of_head = head_node_ != importer::kNoIndex && is_on_head(source_, head_node_, on_node(n));
       if (!of_head && !source_.nodes[n].name.empty()) names.push_back(source_.nodes[n].name);
     }
     const std::string nearest = nearest_word(name, names);
@@ -117,22 +117,22 @@ class BodyPass {
                        names.size() > most ? ", ..." : "");
   }
 
-  static SourceCollider on_node(std::uint32_t node) {
-    SourceCollider collider;
+  static importer::SourceCollider on_node(std::uint32_t node) {
+    importer::SourceCollider collider;
     collider.node = node;
     return collider;
   }
 
   Done add_recipe(const RecipeBodyCollider& from, std::size_t entry) {
     std::uint32_t node = 0;
-    const auto is_it = [&](const SourceNode& n) {
+    const auto is_it = [&](const importer::SourceNode& n) {
       return std::ranges::equal(n.name, from.bone, {}, to_lower, to_lower);
     };
     while (node < source_.nodes.size() && !is_it(source_.nodes[node])) ++node;
     if (node == source_.nodes.size()) {
       return bad(entry, fmt::format("no bone is called '{}'; {}", excerpt(from.bone), offer(from.bone)));
     }
-    if (head_node_ != kNoIndex && is_on_head(source_, head_node_, on_node(node))) {
+    if (head_node_ != importer::kNoIndex && is_on_head(source_, head_node_, on_node(node))) {
       return bad(entry, fmt::format("'{}' moves with the head or is hair; the body is what the head does not carry",
                                     from.bone));
     }
@@ -165,7 +165,7 @@ class BodyPass {
       }
     }
     for (auto& [number, bones] : bones_of) {
-      const SourceCollider& collider = source_.colliders[number];
+      const importer::SourceCollider& collider = source_.colliders[number];
       const std::string& name = source_.nodes[collider.node].name;
       BodyCandidate candidate;
       candidate.shape = shape_of(collider);
@@ -223,7 +223,7 @@ class BodyPass {
   void keep(const BodyCandidate& candidate) {
     const auto [known, is_new] = bone_of_.try_emplace(candidate.node, std::uint32_t(out_.bones.size()));
     if (is_new) {
-      const SourceNode& node = source_.nodes[candidate.node];
+      const importer::SourceNode& node = source_.nodes[candidate.node];
       out_.bones.push_back({node.name, node.model_from_node.translation(),
                             Eigen::Quaterniond(rotation_part(node.model_from_node)).normalized()});
     }
@@ -248,7 +248,7 @@ class BodyPass {
                     *twice));
   }
 
-  const SourceModel& source_;
+  const importer::SourceModel& source_;
   std::uint32_t head_node_;
   const Skeleton& skeleton_;
   bool is_thick_;  // bones have hit radii
@@ -261,9 +261,10 @@ class BodyPass {
 
 }  // namespace
 
-tl::expected<BodyColliders, ToolError> find_body_colliders(const SourceModel& source, const HeadBone& head_bone,
-                                                           const Skeleton& skeleton, const Colliders& of_head,
-                                                           const RigRecipe& recipe, Findings& findings) {
+tl::expected<BodyColliders, ToolError> find_body_colliders(const importer::SourceModel& source,
+                                                           const HeadBone& head_bone, const Skeleton& skeleton,
+                                                           const Colliders& of_head, const RigRecipe& recipe,
+                                                           Findings& findings) {
   tl::expected<BodyColliders, ToolError> body = BodyPass(source, head_bone, skeleton, of_head, recipe, findings).run();
   if (body && !body->shapes.empty()) {
     body->hit_radius = of_head.hit_radius;
@@ -272,4 +273,4 @@ tl::expected<BodyColliders, ToolError> find_body_colliders(const SourceModel& so
   return body;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct RigRecipe;
 
@@ -32,7 +32,7 @@ struct BodyColliders : Colliders {
 /// of reach; but where there are more than kMaxBodyColliders those are kept that are nearest to where hair can be, of
 /// the body at rest, the recipe's before the file's. Errors (kBadInput): the recipe names bones that are not there, or
 /// bones of the head or the hair.
-[[nodiscard]] tl::expected<BodyColliders, ToolError> find_body_colliders(const SourceModel& source,
+[[nodiscard]] tl::expected<BodyColliders, ToolError> find_body_colliders(const importer::SourceModel& source,
                                                                          const HeadBone& head_bone,
                                                                          const Skeleton& skeleton,
                                                                          const Colliders& of_head,
@@ -41,4 +41,4 @@ struct BodyColliders : Colliders {
 /// Writes body bones, their names, colliders and sets of `contents`, in head space. Does nothing without a collider.
 void pack_body(const Skeleton& skeleton, const BodyColliders& body, AssetContents& contents);
 
-}  // namespace coif
+}  // namespace coif::cook

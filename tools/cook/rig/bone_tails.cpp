@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr double kShortestBone = 1.0e-3;  ///< Metres; shorter ones have no direction to speak of.
@@ -12,12 +12,12 @@ constexpr double kShortestBone = 1.0e-3;  ///< Metres; shorter ones have no dire
 constexpr double kLeastOfHair = 0.4;
 
 /// Nodes in the tree below `node`, itself included.
-std::size_t tree_size(const SourceModel& source, std::uint32_t node) {
+std::size_t tree_size(const importer::SourceModel& source, std::uint32_t node) {
   std::vector<bool> inside(source.nodes.size(), false);
   inside[node] = true;
   std::size_t count = 1;
   for (std::uint32_t n = node + 1; n < source.nodes.size(); ++n) {
-    if (source.nodes[n].parent == kNoIndex || !inside[source.nodes[n].parent]) continue;
+    if (source.nodes[n].parent == importer::kNoIndex || !inside[source.nodes[n].parent]) continue;
     inside[n] = true;
     ++count;
   }
@@ -25,7 +25,7 @@ std::size_t tree_size(const SourceModel& source, std::uint32_t node) {
 }
 
 /// The child that continues the chain: with most nodes below it, of equals the first.
-std::uint32_t main_child(const SourceModel& source, std::span<const std::uint32_t> children) {
+std::uint32_t main_child(const importer::SourceModel& source, std::span<const std::uint32_t> children) {
   std::uint32_t best = children.front();
   std::size_t best_size = 0;
   for (std::uint32_t child : children) {
@@ -38,8 +38,8 @@ std::uint32_t main_child(const SourceModel& source, std::span<const std::uint32_
   return best;
 }
 
-std::optional<Eigen::Vector3d> end_marker(const SourceModel& source, std::uint32_t node) {
-  for (const SourceNode& child : source.nodes) {
+std::optional<Eigen::Vector3d> end_marker(const importer::SourceModel& source, std::uint32_t node) {
+  for (const importer::SourceNode& child : source.nodes) {
     if (child.parent == node) return child.model_from_node.translation();
   }
   return std::nullopt;
@@ -49,7 +49,7 @@ std::optional<Eigen::Vector3d> end_marker(const SourceModel& source, std::uint32
 float carrying_weight(const HairMesh& hair, std::uint32_t node) {
   float heaviest = 0;
   for (std::uint32_t v = 0; v < hair.positions.size(); ++v) {
-    for (const SourceInfluence& influence : hair.influences_of(v)) {
+    for (const importer::SourceInfluence& influence : hair.influences_of(v)) {
       if (influence.node == node) heaviest = std::max(heaviest, influence.weight);
     }
   }
@@ -63,7 +63,7 @@ std::optional<Eigen::Vector3d> end_of_vertices(const HairMesh& hair, std::uint32
   std::vector<Eigen::Vector3d> carried;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::uint32_t v = 0; v < hair.positions.size(); ++v) {
-    for (const SourceInfluence& influence : hair.influences_of(v)) {
+    for (const importer::SourceInfluence& influence : hair.influences_of(v)) {
       if (influence.node != node || influence.weight < least) continue;
       carried.push_back(hair.positions[v].cast<double>());
       sum += carried.back();
@@ -80,8 +80,8 @@ std::optional<Eigen::Vector3d> end_of_vertices(const HairMesh& hair, std::uint32
 
 /// Its marker, unless that lies far before the end of its hair; the file's spring bones say how long those are that
 /// they turn.
-std::optional<Eigen::Vector3d> end_of_leaf(const SourceModel& source, const HairMesh& hair, std::uint32_t node,
-                                           const Eigen::Vector3d& start, bool is_spring) {
+std::optional<Eigen::Vector3d> end_of_leaf(const importer::SourceModel& source, const HairMesh& hair,
+                                           std::uint32_t node, const Eigen::Vector3d& start, bool is_spring) {
   const std::optional<Eigen::Vector3d> marker = end_marker(source, node);
   if (marker && is_spring) return marker;
   const std::optional<Eigen::Vector3d> end = end_of_vertices(hair, node, start);
@@ -91,7 +91,7 @@ std::optional<Eigen::Vector3d> end_of_leaf(const SourceModel& source, const Hair
 
 }  // namespace
 
-Eigen::Vector3d find_bone_tail(const SourceModel& source, const HairMesh& hair, std::uint32_t node,
+Eigen::Vector3d find_bone_tail(const importer::SourceModel& source, const HairMesh& hair, std::uint32_t node,
                                std::span<const std::uint32_t> hair_children, const Eigen::Vector3d& start,
                                const SkeletonBone& parent, bool is_spring) {
   std::optional<Eigen::Vector3d> tail;
@@ -114,7 +114,7 @@ bool only_marks_an_end(const HairMesh& hair, std::uint32_t node, const Eigen::Ve
                        const Eigen::Vector3d& above) {
   for (std::uint32_t v = 0; v < hair.positions.size(); ++v) {
     float own = 0, most = 0;
-    for (const SourceInfluence& influence : hair.influences_of(v)) {
+    for (const importer::SourceInfluence& influence : hair.influences_of(v)) {
       float& whose = influence.node == node ? own : most;
       whose = std::max(whose, influence.weight);
     }
@@ -127,20 +127,20 @@ bool only_marks_an_end(const HairMesh& hair, std::uint32_t node, const Eigen::Ve
 namespace {
 
 /// The bone that is this node and not only carries its vertices; kNone: there is none.
-std::uint32_t own_bone(const SourceModel& source, const Skeleton& skeleton, std::uint32_t node) {
+std::uint32_t own_bone(const importer::SourceModel& source, const Skeleton& skeleton, std::uint32_t node) {
   if (node >= skeleton.bone_of_node.size()) return kNone;
   const std::uint32_t bone = skeleton.bone_of_node[node];
   const std::uint32_t parent = source.nodes[node].parent;
-  const bool inherited = parent != kNoIndex && skeleton.bone_of_node[parent] == bone;
+  const bool inherited = parent != importer::kNoIndex && skeleton.bone_of_node[parent] == bone;
   return inherited ? kNone : bone;
 }
 
 }  // namespace
 
-std::vector<BoneJoint> joints_of_bones(const SourceModel& source, const Skeleton& skeleton) {
+std::vector<BoneJoint> joints_of_bones(const importer::SourceModel& source, const Skeleton& skeleton) {
   std::vector<BoneJoint> joints(skeleton.bones.size());
-  for (const SourceSpring& spring : source.springs) {
-    for (const SourceSpringJoint& joint : spring.joints) {
+  for (const importer::SourceSpring& spring : source.springs) {
+    for (const importer::SourceSpringJoint& joint : spring.joints) {
       const std::uint32_t bone = own_bone(source, skeleton, joint.node);
       if (bone == kNone || skeleton.bones[bone].kind != BoneKind::kSimulated || !(joint.length > 0)) continue;
       joints[bone] = {&spring, &joint};
@@ -149,4 +149,4 @@ std::vector<BoneJoint> joints_of_bones(const SourceModel& source, const Skeleton
   return joints;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -8,57 +8,57 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Children = std::vector<std::vector<std::uint32_t>>;
 
 /// Nodes that only place a rigid mesh: theirs is the modeller's origin, away from the mesh, and nothing could turn
 /// about it.
-std::vector<bool> only_place_meshes(const SourceModel& source) {
+std::vector<bool> only_place_meshes(const importer::SourceModel& source) {
   std::vector<bool> only(source.nodes.size(), false);
-  for (const SourceMesh& mesh : source.meshes) {
+  for (const importer::SourceMesh& mesh : source.meshes) {
     if (!mesh.influence_begin.empty()) continue;
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3f& position : mesh.positions) box.extend(position.cast<double>());
     only[mesh.node] = !box.contains(source.nodes[mesh.node].model_from_node.translation());
   }
-  for (const SourceMesh& mesh : source.meshes) {
-    for (const SourceInfluence& influence : mesh.influences) only[influence.node] = false;
+  for (const importer::SourceMesh& mesh : source.meshes) {
+    for (const importer::SourceInfluence& influence : mesh.influences) only[influence.node] = false;
   }
-  for (const SourceNode& node : source.nodes) {
-    if (node.parent != kNoIndex) only[node.parent] = false;
+  for (const importer::SourceNode& node : source.nodes) {
+    if (node.parent != importer::kNoIndex) only[node.parent] = false;
   }
-  for (const SourceSpring& spring : source.springs) {
-    for (const SourceSpringJoint& joint : spring.joints) only[joint.node] = false;
+  for (const importer::SourceSpring& spring : source.springs) {
+    for (const importer::SourceSpringJoint& joint : spring.joints) only[joint.node] = false;
   }
   return only;
 }
 
 /// Children of each node that carry hair, themselves or below.
-Children hair_children(const SourceModel& source, const NodeWeights& below) {
+Children hair_children(const importer::SourceModel& source, const NodeWeights& below) {
   std::vector<bool> carriers = find_carriers(source);
   const std::vector<bool> only_meshes = only_place_meshes(source);
   for (std::size_t n = 0; n < carriers.size(); ++n) carriers[n] = carriers[n] && !only_meshes[n];
   Children children(source.nodes.size());
   for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
-    if (carriers[n] && below[n] > 0 && source.nodes[n].parent != kNoIndex)
+    if (carriers[n] && below[n] > 0 && source.nodes[n].parent != importer::kNoIndex)
       children[source.nodes[n].parent].push_back(n);
   }
   return children;
 }
 
 /// Nodes that the file's spring bones turn.
-std::vector<bool> turned_by_springs(const SourceModel& source) {
+std::vector<bool> turned_by_springs(const importer::SourceModel& source) {
   std::vector<bool> turned(source.nodes.size(), false);
-  for (const SourceSpring& spring : source.springs) {
-    for (const SourceSpringJoint& joint : spring.joints) turned[joint.node] = joint.length > 0;
+  for (const importer::SourceSpring& spring : source.springs) {
+    for (const importer::SourceSpringJoint& joint : spring.joints) turned[joint.node] = joint.length > 0;
   }
   return turned;
 }
 
 /// The head bone; no other node has a bone yet.
-Skeleton only_head(const SourceModel& source, const HeadBone& head) {
+Skeleton only_head(const importer::SourceModel& source, const HeadBone& head) {
   Skeleton skeleton;
   SkeletonBone bone;
   bone.kind = BoneKind::kHead;
@@ -67,20 +67,21 @@ Skeleton only_head(const SourceModel& source, const HeadBone& head) {
   skeleton.bones.push_back(bone);
   skeleton.head_rotation = head.rotation;
   skeleton.bone_of_node.assign(source.nodes.size(), kNone);
-  if (head.node != kNoIndex) skeleton.bone_of_node[head.node] = 0;
+  if (head.node != importer::kNoIndex) skeleton.bone_of_node[head.node] = 0;
   return skeleton;
 }
 
 class SkeletonBuilder {
  public:
-  SkeletonBuilder(const SourceModel& source, const HairMesh& hair, const RigRecipe& recipe, const HeadBone& head)
+  SkeletonBuilder(const importer::SourceModel& source, const HairMesh& hair, const RigRecipe& recipe,
+                  const HeadBone& head)
       : source_(source),
         hair_(hair),
         recipe_(recipe),
         is_spring_(turned_by_springs(source)),
         children_(hair_children(source, weights_below(source, hair_weights(source, hair)))) {
     skeleton_ = only_head(source, head);
-    if (head.node != kNoIndex) {
+    if (head.node != importer::kNoIndex) {
       collect_rigid(head.node, 0);
       for (const auto& [node, root] : chain_roots_) add_chain(node, root);
     }
@@ -168,11 +169,11 @@ class SkeletonBuilder {
     for (std::uint32_t n = 0; n < source_.nodes.size(); ++n) {
       if (skeleton_.bone_of_node[n] != kNone) continue;
       const std::uint32_t parent = source_.nodes[n].parent;
-      skeleton_.bone_of_node[n] = parent == kNoIndex ? 0 : skeleton_.bone_of_node[parent];
+      skeleton_.bone_of_node[n] = parent == importer::kNoIndex ? 0 : skeleton_.bone_of_node[parent];
     }
   }
 
-  const SourceModel& source_;
+  const importer::SourceModel& source_;
   const HairMesh& hair_;
   const RigRecipe& recipe_;
   std::vector<bool> is_spring_;
@@ -181,9 +182,9 @@ class SkeletonBuilder {
   Skeleton skeleton_;
 };
 
-void warn_of_foreign_weight(const SourceModel& source, const NodeWeights& weights, std::uint32_t head,
+void warn_of_foreign_weight(const importer::SourceModel& source, const NodeWeights& weights, std::uint32_t head,
                             const Skeleton& skeleton, Findings& findings) {
-  if (head == kNoIndex) {
+  if (head == importer::kNoIndex) {
     findings.warn("C112", "no bone carries the hair; it follows the head rigidly");
     return;
   }
@@ -192,7 +193,7 @@ void warn_of_foreign_weight(const SourceModel& source, const NodeWeights& weight
   double heaviest_weight = 0;
   for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
     std::uint32_t above = n;
-    while (above != kNoIndex && above != head) above = source.nodes[above].parent;
+    while (above != importer::kNoIndex && above != head) above = source.nodes[above].parent;
     total += weights[n];
     if (above == head) continue;
     foreign += weights[n];
@@ -217,8 +218,8 @@ void warn_of_foreign_weight(const SourceModel& source, const NodeWeights& weight
 
 }  // namespace
 
-tl::expected<Skeleton, ToolError> build_skeleton(const SourceModel& source, const HairMesh& hair, const HeadBone& head,
-                                                 const RigRecipe& recipe, Findings& findings) {
+tl::expected<Skeleton, ToolError> build_skeleton(const importer::SourceModel& source, const HairMesh& hair,
+                                                 const HeadBone& head, const RigRecipe& recipe, Findings& findings) {
   Skeleton skeleton = SkeletonBuilder(source, hair, recipe, head).finish();
   if (skeleton.bones.size() > kMaxBones) {
     return tl::unexpected(ToolError{
@@ -230,10 +231,10 @@ tl::expected<Skeleton, ToolError> build_skeleton(const SourceModel& source, cons
   return skeleton;
 }
 
-Skeleton head_alone(const SourceModel& source, const HeadBone& head) {
+Skeleton head_alone(const importer::SourceModel& source, const HeadBone& head) {
   Skeleton skeleton = only_head(source, head);
   skeleton.bone_of_node.assign(source.nodes.size(), 0);
   return skeleton;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

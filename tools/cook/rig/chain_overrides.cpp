@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <map>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr double kMostly = 0.5;  ///< Of what a chain carries, or of a patch.
@@ -85,4 +85,4 @@ std::vector<std::uint32_t> chain_of_patches(const HairStrips& hair, const HairRi
   return chains;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

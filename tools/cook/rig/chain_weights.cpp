@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <queue>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr std::size_t kMostLocks = 4;  ///< That can meet in one cell.
@@ -167,7 +167,7 @@ SkinWeights blend_chain_weights(const HairStrips& strips, const HangingHair& hai
     const std::uint32_t cell = hair.cells.of_vertex[v];
     if (const std::uint32_t first = strips.welded[v]; first != v) {
       weights[v] = weights[first];
-    } else if (rigid[v] || cell == kNoIndex) {
+    } else if (rigid[v] || cell == importer::kNoIndex) {
       weights[v] = {{0, 1.0}};
     } else {
       weights[v] = blender.at(cell, strips.mesh.positions[v].cast<double>());
@@ -176,4 +176,4 @@ SkinWeights blend_chain_weights(const HairStrips& strips, const HangingHair& hai
   return weights;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

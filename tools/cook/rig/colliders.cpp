@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3d;
@@ -162,7 +162,7 @@ void leave_out_colliders(Colliders& colliders, Findings& findings) {
   colliders.of_bone = std::move(sets);
 }
 
-Colliders find_colliders(const SourceModel& source, const HeadBone& head_bone, const FittedHead& head,
+Colliders find_colliders(const importer::SourceModel& source, const HeadBone& head_bone, const FittedHead& head,
                          const Skeleton& skeleton, const RigRecipe& recipe, Findings& findings) {
   Findings told;
   Colliders colliders;
@@ -184,4 +184,4 @@ Colliders find_colliders(const SourceModel& source, const HeadBone& head_bone, c
   return colliders;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct RigRecipe;
 
@@ -36,17 +36,18 @@ struct Colliders {
 /// Shapes that are not on the head bone or below it are the body's (body_colliders.h); the others move with the nearest
 /// rigid bone, since a shape that swings with the hair has no counterpart. `head_node` may be kNoIndex: nothing is on
 /// it. A shape whose radius is 0 is left out: only its surface could be hit.
-[[nodiscard]] Colliders spring_colliders(const SourceModel& source, std::uint32_t head_node, const Skeleton& skeleton,
-                                         Findings& findings);
+[[nodiscard]] Colliders spring_colliders(const importer::SourceModel& source, std::uint32_t head_node,
+                                         const Skeleton& skeleton, Findings& findings);
 
 /// True where the head carries this collider of the source.
-[[nodiscard]] bool is_on_head(const SourceModel& source, std::uint32_t head_node, const SourceCollider& collider);
+[[nodiscard]] bool is_on_head(const importer::SourceModel& source, std::uint32_t head_node,
+                              const importer::SourceCollider& collider);
 
 /// True for what can be hit and stored: a plane, or a shape with a radius.
-[[nodiscard]] bool has_size(const SourceCollider& collider);
+[[nodiscard]] bool has_size(const importer::SourceCollider& collider);
 
 /// The shape as it is in the source, on bone 0.
-[[nodiscard]] HeadCollider shape_of(const SourceCollider& collider);
+[[nodiscard]] HeadCollider shape_of(const importer::SourceCollider& collider);
 
 /// How far from where its chain begins a bone's particle can ever be, metres.
 struct BoneReach {
@@ -73,11 +74,12 @@ void report_rest_penetration(const Skeleton& skeleton, const Colliders& collider
 void leave_out_colliders(Colliders& colliders, Findings& findings);
 
 /// All of the above: the file's own colliders where its springs use any that the head carries, else the head as fitted.
-[[nodiscard]] Colliders find_colliders(const SourceModel& source, const HeadBone& head_bone, const FittedHead& head,
-                                       const Skeleton& skeleton, const RigRecipe& recipe, Findings& findings);
+[[nodiscard]] Colliders find_colliders(const importer::SourceModel& source, const HeadBone& head_bone,
+                                       const FittedHead& head, const Skeleton& skeleton, const RigRecipe& recipe,
+                                       Findings& findings);
 
 /// Writes skeleton, bones, names, chains and colliders of `contents`, in head space, and the hit radius of the dynamics
 /// that are there. Rest directions are in the parent's frame, which at rest has the axes of the model.
 void pack_skeleton(const Skeleton& skeleton, const Colliders& colliders, AssetContents& contents);
 
-}  // namespace coif
+}  // namespace coif::cook

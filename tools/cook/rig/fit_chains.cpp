@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <map>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3d;
@@ -20,12 +20,13 @@ constexpr double kDiagonal = 0.41;  ///< Tangent of 22.5 degrees: eight directio
 constexpr double kBlend = 0.3;      ///< Of the head's radius: width over which one lock's weights become the next's.
 
 /// Triangles of meshes, materials and patches that the recipe gives chains.
-std::vector<bool> movable_triangles(const SourceModel& source, const HairStrips& strips, const RigRecipe& recipe) {
+std::vector<bool> movable_triangles(const importer::SourceModel& source, const HairStrips& strips,
+                                    const RigRecipe& recipe) {
   const HairMesh& hair = strips.mesh;
   std::vector<bool> of_mesh(source.meshes.size(), true);
   for (std::size_t m = 0; m < source.meshes.size(); ++m) {
-    const SourceMesh& mesh = source.meshes[m];
-    const std::string material = material_name(source, mesh);
+    const importer::SourceMesh& mesh = source.meshes[m];
+    const std::string material = importer::material_name(source, mesh);
     const auto named = [&](const std::vector<std::string>& patterns) {
       return matches_any(mesh.name, patterns) || matches_any(material, patterns);
     };
@@ -55,7 +56,7 @@ std::vector<bool> rigid_vertices(const HairStrips& hair, const std::vector<bool>
 std::vector<std::uint32_t> held_cells(const HairCells& cells, const std::vector<bool>& rigid) {
   std::vector<std::uint32_t> held;
   for (std::size_t v = 0; v < rigid.size(); ++v) {
-    if (rigid[v] && cells.of_vertex[v] != kNoIndex) held.push_back(cells.of_vertex[v]);
+    if (rigid[v] && cells.of_vertex[v] != importer::kNoIndex) held.push_back(cells.of_vertex[v]);
   }
   return held;
 }
@@ -131,8 +132,8 @@ std::string describe(const FittedChain& chain) {
 
 }  // namespace
 
-HairRig fit_chains(const SourceModel& source, const HairStrips& hair, const FittedHead& head, const Skeleton& rigid,
-                   const RigRecipe& recipe, Findings& findings, const std::stop_token& stop) {
+HairRig fit_chains(const importer::SourceModel& source, const HairStrips& hair, const FittedHead& head,
+                   const Skeleton& rigid, const RigRecipe& recipe, Findings& findings, const std::stop_token& stop) {
   const double radius = head.radii.mean();
   const std::vector<bool> movable = movable_triangles(source, hair, recipe);
   const std::vector<bool> is_rigid = rigid_vertices(hair, movable);
@@ -157,4 +158,4 @@ HairRig fit_chains(const SourceModel& source, const HairStrips& hair, const Fitt
   return rig;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

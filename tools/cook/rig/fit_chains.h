@@ -8,7 +8,7 @@
 #include <stop_token>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct RigRecipe;
 
@@ -53,8 +53,8 @@ struct LockCurve {
 /// Bones for hair that has none: groups what hangs free into locks, fits a chain to each from where it leaves the scalp
 /// to its tip, and blends skin weights along and between chains. `rigid` has the head bone, the file's map from nodes
 /// to it, and nothing that moves. Notes what was fitted where.
-[[nodiscard]] HairRig fit_chains(const SourceModel& source, const HairStrips& hair, const FittedHead& head,
+[[nodiscard]] HairRig fit_chains(const importer::SourceModel& source, const HairStrips& hair, const FittedHead& head,
                                  const Skeleton& rigid, const RigRecipe& recipe, Findings& findings,
                                  const std::stop_token& stop = {});
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -8,7 +8,7 @@
 #include <array>
 #include <limits>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3d;
@@ -46,7 +46,7 @@ std::vector<std::uint32_t> pieces_of_levels(const HangingHair& hair, double step
 Strand strand_of(const HangingHair& hair, const std::vector<std::uint32_t>& piece, std::uint32_t tip, double step) {
   Strand strand;
   std::size_t lowest = kLevels;
-  for (std::uint32_t c = tip; c != kNoIndex && hair.depth[c] > 0; c = hair.from[c]) {
+  for (std::uint32_t c = tip; c != importer::kNoIndex && hair.depth[c] > 0; c = hair.from[c]) {
     const auto level = std::min(std::size_t(hair.depth[c] / step), kLevels - 1);
     if (strand.levels == 0) strand.levels = level + 1;
     // Levels that no cell of the way falls into take the one below.
@@ -91,14 +91,14 @@ class StrandGroups {
 
   void merge_up_to(double limit) {
     const auto distance = [&](std::size_t i, std::size_t j) { return at(i, j); };
-    while (merge_best(distance, limit, 0)) throw_if_stopped(stop_);
+    while (merge_best(distance, limit, 0)) platform::throw_if_stopped(stop_);
   }
 
   /// Merges what is near and short first until at most `most` groups are longer than `shortest`.
   void merge_down_to(std::size_t most, double shortest) {
     const auto loss = [&](std::size_t i, std::size_t j) { return at(i, j) * std::min(length_[i], length_[j]); };
     while (count_longer(shortest) > most && merge_best(loss, std::numeric_limits<double>::max(), shortest))
-      throw_if_stopped(stop_);
+      platform::throw_if_stopped(stop_);
   }
 
   [[nodiscard]] std::size_t group_of(std::size_t strand) const { return group_[strand]; }
@@ -151,18 +151,18 @@ class StrandGroups {
 std::vector<HairLock> collect_locks(const HangingHair& hair, const StrandTips& tips, const StrandGroups& groups,
                                     double shortest) {
   std::vector<HairLock> locks;
-  std::vector<std::uint32_t> lock_of_group(tips.cell.size(), kNoIndex), lock_of_tip;
+  std::vector<std::uint32_t> lock_of_group(tips.cell.size(), importer::kNoIndex), lock_of_tip;
   for (std::size_t t = 0; t < tips.cell.size(); ++t) {
     std::uint32_t& lock = lock_of_group[groups.group_of(t)];
-    if (lock == kNoIndex) {
+    if (lock == importer::kNoIndex) {
       lock = std::uint32_t(locks.size());
       locks.emplace_back();
     }
     lock_of_tip.push_back(lock);
-    for (std::uint32_t c = tips.cell[t]; c != kNoIndex; c = hair.from[c]) locks[lock].ways.push_back(c);
+    for (std::uint32_t c = tips.cell[t]; c != importer::kNoIndex; c = hair.from[c]) locks[lock].ways.push_back(c);
   }
   for (std::uint32_t c = 0; c < hair.cells.count(); ++c) {
-    if (tips.of_cell[c] != kNoIndex) locks[lock_of_tip[tips.of_cell[c]]].cells.push_back(c);
+    if (tips.of_cell[c] != importer::kNoIndex) locks[lock_of_tip[tips.of_cell[c]]].cells.push_back(c);
   }
   for (HairLock& lock : locks) {
     std::ranges::sort(lock.ways);
@@ -195,4 +195,4 @@ std::vector<HairLock> group_locks(const HangingHair& hair, double head_radius, c
   return collect_locks(hair, tips, groups, recipe.chain_shortest);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

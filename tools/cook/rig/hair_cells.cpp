@@ -11,7 +11,7 @@
 #include <map>
 #include <unordered_map>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3d;
@@ -66,7 +66,7 @@ class CellBuilder {
       : hair_(hair), movable_(movable), stop_(stop) {
     cells_.origin = origin;
     cells_.size = std::max({size, std::sqrt(total_area() / kMostCells), total_length() / kMostSteps});
-    cells_.of_vertex.assign(hair.mesh.positions.size(), kNoIndex);
+    cells_.of_vertex.assign(hair.mesh.positions.size(), importer::kNoIndex);
   }
 
   HairCells build() && {
@@ -129,7 +129,7 @@ class CellBuilder {
     const auto columns = std::max(1, int(std::ceil(base / step)));
     const auto rows = base > 0 ? std::max(1, int(std::ceil(doubled / base / step))) : 1;
     for (int row = 0; row < rows; ++row) {
-      throw_if_stopped(stop_);
+      platform::throw_if_stopped(stop_);
       const double up = (row + 0.5) / rows;
       for (int column = 0; column < columns; ++column) {
         const Corner sample = between(between(a, b, (column + 0.5) / columns), c, up);
@@ -196,7 +196,7 @@ class ReachGrid {
 
   /// The nearest cell of another piece within reach; length 0 and kNoIndex without any.
   [[nodiscard]] CellLink nearest_of_others(std::uint32_t cell, const std::vector<std::uint32_t>& piece) const {
-    CellLink best{kNoIndex, reach_};
+    CellLink best{importer::kNoIndex, reach_};
     const Cube home = cube_of(cell);
     for (int n = 0; n < 27; ++n) {
       const auto cube = members_.find({home[0] + n % 3 - 1, home[1] + n / 3 % 3 - 1, home[2] + n / 9 - 1});
@@ -258,9 +258,9 @@ void bridge_pieces(HairCells& cells, const std::vector<bool>& is_root, double re
   for (std::uint32_t c = 0; c < cells.count(); ++c) {
     if (!is_root[c]) continue;
     const CellLink link = grid.nearest_of_others(c, piece);
-    if (link.to != kNoIndex) bridges.emplace_back(c, link);
+    if (link.to != importer::kNoIndex) bridges.emplace_back(c, link);
   }
   if (!bridges.empty()) add_links(cells, bridges);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

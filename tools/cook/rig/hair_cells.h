@@ -7,7 +7,7 @@
 #include <stop_token>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct CellLink {
   std::uint32_t to = 0;
@@ -73,4 +73,4 @@ struct StrandTips {
 /// only ripples of one edge the shorter is none, and of more than `most` only those with most hair are.
 [[nodiscard]] StrandTips find_strand_tips(const HangingHair& hair, double apart, std::size_t most);
 
-}  // namespace coif
+}  // namespace coif::cook

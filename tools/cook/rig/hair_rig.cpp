@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 /// Heaviest first, at most four, adding up to one.
@@ -55,7 +55,7 @@ void add_weight(std::vector<BoneWeight>& weights, std::uint32_t bone, double wei
 SkinWeights weights_of_source(const HairMesh& mesh, const Skeleton& skeleton) {
   SkinWeights weights(mesh.positions.size());
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    for (const SourceInfluence& influence : mesh.influences_of(v)) {
+    for (const importer::SourceInfluence& influence : mesh.influences_of(v)) {
       add_weight(weights[v], skeleton.bone_of_node[influence.node], influence.weight);
     }
   }
@@ -96,8 +96,8 @@ std::vector<bool> held_patches(const HairStrips& hair) {
   return held;
 }
 
-tl::expected<HairRig, ToolError> rig_of_file(const SourceModel& source, const HairStrips& hair, const HeadBone& head,
-                                             const RigRecipe& recipe, Findings& findings) {
+tl::expected<HairRig, ToolError> rig_of_file(const importer::SourceModel& source, const HairStrips& hair,
+                                             const HeadBone& head, const RigRecipe& recipe, Findings& findings) {
   Findings of_file;
   auto skeleton = build_skeleton(source, hair.mesh, head, recipe, of_file);
   if (!skeleton) return tl::unexpected(skeleton.error());
@@ -145,4 +145,4 @@ void settle_rig(const RigRecipe& recipe, HairRig& rig, Findings& findings) {
   }
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <queue>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr double kOnScalp = 0.25;      ///< Of the head's radius: hair this close to it does not swing.
@@ -86,7 +86,7 @@ double way(const HairCells& cells, std::uint32_t from, const CellLink& link) {
 HangingHair measure_from(const HairCells& cells, const std::vector<std::uint32_t>& seeds) {
   HangingHair hair;
   hair.depth.assign(cells.count(), std::numeric_limits<double>::max());
-  hair.from.assign(cells.count(), kNoIndex);
+  hair.from.assign(cells.count(), importer::kNoIndex);
   using Entry = std::pair<double, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   for (std::uint32_t seed : seeds) {
@@ -140,7 +140,7 @@ std::vector<std::uint32_t> by_depth(const HangingHair& hair) {
 
 /// The neighbour towards which depth grows fastest, or kNoIndex at a tip.
 std::uint32_t next_towards_tip(const HangingHair& hair, std::uint32_t cell) {
-  std::uint32_t best = kNoIndex;
+  std::uint32_t best = importer::kNoIndex;
   double steepest = 0;
   for (const CellLink& link : hair.cells.links_of(cell)) {
     const double slope = (hair.depth[link.to] - hair.depth[cell]) / std::max(link.length, 1.0e-9);
@@ -155,7 +155,7 @@ std::uint32_t next_towards_tip(const HangingHair& hair, std::uint32_t cell) {
 /// sides meet in a maximum in the middle of a strand: there the hair goes on.
 bool is_end(const HangingHair& hair, std::uint32_t cell) {
   std::uint32_t back = cell;
-  for (int i = 0; i < kWayBack && hair.from[back] != kNoIndex; ++i) back = hair.from[back];
+  for (int i = 0; i < kWayBack && hair.from[back] != importer::kNoIndex; ++i) back = hair.from[back];
   const Eigen::Vector3d way = (hair.cells.middle[cell] - hair.cells.middle[back]).normalized();
   return std::ranges::none_of(hair.cells.links_of(cell), [&](const CellLink& link) {
     return (hair.cells.middle[link.to] - hair.cells.middle[cell]).dot(way) > kGoesOn * hair.cells.size;
@@ -169,16 +169,16 @@ class Basins {
       : hair_(hair),
         apart_(apart),
         sets_(hair.cells.count()),
-        tip_(hair.cells.count(), kNoIndex),
+        tip_(hair.cells.count(), importer::kNoIndex),
         ends_(hair.cells.count(), false) {}
 
   void add(std::uint32_t cell) {
     tip_[cell] = cell;
     const std::uint32_t next = next_towards_tip(hair_, cell);
-    ends_[cell] = next == kNoIndex && is_end(hair_, cell);
-    if (next != kNoIndex) unite(cell, next);
+    ends_[cell] = next == importer::kNoIndex && is_end(hair_, cell);
+    if (next != importer::kNoIndex) unite(cell, next);
     for (const CellLink& link : hair_.cells.links_of(cell)) {
-      if (tip_[link.to] != kNoIndex) merge_ripples(cell, link.to);
+      if (tip_[link.to] != importer::kNoIndex) merge_ripples(cell, link.to);
     }
   }
 
@@ -215,7 +215,7 @@ std::vector<std::uint32_t> chosen_tips(const HangingHair& hair, const std::vecto
   std::vector<double> area(hair.cells.count(), 0);
   std::vector<std::uint32_t> tips;
   for (std::uint32_t c = 0; c < hair.cells.count(); ++c) {
-    if (tip_of_cell[c] == kNoIndex) continue;
+    if (tip_of_cell[c] == importer::kNoIndex) continue;
     if (tip_of_cell[c] == c) tips.push_back(c);
     area[tip_of_cell[c]] += hair.cells.area[c] * hair.depth[c];
   }
@@ -242,20 +242,20 @@ StrandTips find_strand_tips(const HangingHair& hair, double apart, std::size_t m
   Basins basins(hair, apart);
   const std::vector<std::uint32_t> order = by_depth(hair);
   for (std::uint32_t c : order) basins.add(c);
-  std::vector<std::uint32_t> tip_of_cell(hair.cells.count(), kNoIndex);
+  std::vector<std::uint32_t> tip_of_cell(hair.cells.count(), importer::kNoIndex);
   for (std::uint32_t c : order) tip_of_cell[c] = basins.tip_of(c);
 
   StrandTips tips;
   tips.cell = chosen_tips(hair, tip_of_cell, most);
-  std::vector<std::uint32_t> number(hair.cells.count(), kNoIndex);
+  std::vector<std::uint32_t> number(hair.cells.count(), importer::kNoIndex);
   for (std::uint32_t t = 0; t < tips.cell.size(); ++t) number[tips.cell[t]] = t;
-  tips.of_cell.assign(hair.cells.count(), kNoIndex);
+  tips.of_cell.assign(hair.cells.count(), importer::kNoIndex);
   for (std::uint32_t c : order) {
     std::uint32_t& of_tip = number[tip_of_cell[c]];
-    if (of_tip == kNoIndex) of_tip = nearest_tip(hair.cells, tips.cell, tip_of_cell[c]);
+    if (of_tip == importer::kNoIndex) of_tip = nearest_tip(hair.cells, tips.cell, tip_of_cell[c]);
     tips.of_cell[c] = of_tip;
   }
   return tips;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3d;
@@ -130,4 +130,4 @@ LockCurve fit_lock_curve(const HangingHair& hair, const HairLock& lock, const Fi
   return result;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 /// A chain in its new order. Parents count from the chain's first bone; kNone: the rigid bone that carries it.
@@ -115,4 +115,4 @@ std::vector<std::uint32_t> order_bones(Skeleton& skeleton) {
   return store(chains, skeleton);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

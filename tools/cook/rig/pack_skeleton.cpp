@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 void store(const Eigen::Vector3d& value, float (&out)[3]) {
@@ -68,4 +68,4 @@ void pack_body(const Skeleton& skeleton, const BodyColliders& body, AssetContent
   contents.body_sets = body.of_bone;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct RigRecipe;
 
@@ -50,18 +50,19 @@ struct Skeleton {
 /// bone would only make the hair stiff, and one that the file's spring bones turn, unless the recipe wants curves.
 /// Nodes that carry no hair are left out, but a last joint below a hair bone says where that bone ends. Warns of hair
 /// that follows the head rigidly. Errors: kBadInput for patterns without a match, kUnsupported above kMaxBones bones.
-tl::expected<Skeleton, ToolError> build_skeleton(const SourceModel& source, const HairMesh& hair, const HeadBone& head,
-                                                 const RigRecipe& recipe, Findings& findings);
+tl::expected<Skeleton, ToolError> build_skeleton(const importer::SourceModel& source, const HairMesh& hair,
+                                                 const HeadBone& head, const RigRecipe& recipe, Findings& findings);
 
 /// The head bone, everything rigid to it: what chains are fitted to.
-[[nodiscard]] Skeleton head_alone(const SourceModel& source, const HeadBone& head);
+[[nodiscard]] Skeleton head_alone(const importer::SourceModel& source, const HeadBone& head);
 
 /// Where the bone of `node` ends, model space: at its heaviest hair child; without one at the last joint below it;
 /// without that, or where it lies far before them, where the vertices end that it carries; without those as far again
 /// as its parent. At least 1 mm from `start`. `is_spring`: the file's spring bones turn it, and its marker holds.
-[[nodiscard]] Eigen::Vector3d find_bone_tail(const SourceModel& source, const HairMesh& hair, std::uint32_t node,
-                                             std::span<const std::uint32_t> hair_children, const Eigen::Vector3d& start,
-                                             const SkeletonBone& parent, bool is_spring = false);
+[[nodiscard]] Eigen::Vector3d find_bone_tail(const importer::SourceModel& source, const HairMesh& hair,
+                                             std::uint32_t node, std::span<const std::uint32_t> hair_children,
+                                             const Eigen::Vector3d& start, const SkeletonBone& parent,
+                                             bool is_spring = false);
 
 /// True for a last joint that only says where the bone above it, which lies along `above`, ends, though smoothing has
 /// given it a little of the skin: no vertex is mostly its own, and what it shares lies behind it, along that bone.
@@ -107,8 +108,8 @@ struct HairRig {
 
 /// The file's bones with the artist's weights, but for patches that are held; the head alone where the recipe wants no
 /// chains, or fitted ones. Errors and warnings are build_skeleton()'s.
-tl::expected<HairRig, ToolError> rig_of_file(const SourceModel& source, const HairStrips& hair, const HeadBone& head,
-                                             const RigRecipe& recipe, Findings& findings);
+tl::expected<HairRig, ToolError> rig_of_file(const importer::SourceModel& source, const HairStrips& hair,
+                                             const HeadBone& head, const RigRecipe& recipe, Findings& findings);
 
 /// For each chain what the recipe says of the motion of patches that are more than half of the hair that it carries, by
 /// weight and area; empty where nothing is said. Warns of what is said in vain.
@@ -125,8 +126,8 @@ void settle_rig(const RigRecipe& recipe, HairRig& rig, Findings& findings);
 
 /// What swings a bone in a file with spring bones.
 struct BoneJoint {
-  const SourceSpring* spring = nullptr;  ///< Null: the file has no spring for this bone.
-  const SourceSpringJoint* joint = nullptr;
+  const importer::SourceSpring* spring = nullptr;  ///< Null: the file has no spring for this bone.
+  const importer::SourceSpringJoint* joint = nullptr;
 
   explicit operator bool() const { return joint != nullptr; }
 };
@@ -135,7 +136,7 @@ struct BoneJoint {
 /// joint, swings; the particle of the bone that the node became is that tail. So a joint's settings, hit radius
 /// included, belong to its own node's bone. Rigid bones and fitted chains, which are not the file's nodes, have none;
 /// neither has the last joint of a spring, which in VRM 1.0 turns nothing.
-[[nodiscard]] std::vector<BoneJoint> joints_of_bones(const SourceModel& source, const Skeleton& skeleton);
+[[nodiscard]] std::vector<BoneJoint> joints_of_bones(const importer::SourceModel& source, const Skeleton& skeleton);
 
 /// Which bones still move on their own where hair shorter than `still_length` (metres) may hang rigidly: those from
 /// whose start it is farther than that to some tip below. So chains lose bones from their tips upwards, short ones all
@@ -143,4 +144,4 @@ struct BoneJoint {
 /// value per bone.
 [[nodiscard]] std::vector<bool> moving_bones(const Skeleton& skeleton, double still_length);
 
-}  // namespace coif
+}  // namespace coif::cook

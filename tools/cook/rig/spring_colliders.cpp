@@ -2,38 +2,39 @@
 
 #include <fmt/format.h>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr double kShortestCapsule = 1.0e-5;  ///< Metres between its ends; shorter ones are spheres.
 constexpr double kSmallestSize = 1.0e-5;     ///< Metres; an asset has none below a tenth of it.
 
-bool is_below(const SourceModel& source, std::uint32_t node, std::uint32_t ancestor) {
-  while (node != kNoIndex && node != ancestor) node = source.nodes[node].parent;
-  return node != kNoIndex;
+bool is_below(const importer::SourceModel& source, std::uint32_t node, std::uint32_t ancestor) {
+  while (node != importer::kNoIndex && node != ancestor) node = source.nodes[node].parent;
+  return node != importer::kNoIndex;
 }
 
 }  // namespace
 
-bool is_on_head(const SourceModel& source, std::uint32_t head_node, const SourceCollider& collider) {
-  return head_node != kNoIndex && is_below(source, collider.node, head_node);
+bool is_on_head(const importer::SourceModel& source, std::uint32_t head_node,
+                const importer::SourceCollider& collider) {
+  return head_node != importer::kNoIndex && is_below(source, collider.node, head_node);
 }
 
-bool has_size(const SourceCollider& collider) {
-  return collider.shape == SourceCollider::Shape::kPlane || collider.radius >= kSmallestSize;
+bool has_size(const importer::SourceCollider& collider) {
+  return collider.shape == importer::SourceCollider::Shape::kPlane || collider.radius >= kSmallestSize;
 }
 
-HeadCollider shape_of(const SourceCollider& from) {
+HeadCollider shape_of(const importer::SourceCollider& from) {
   HeadCollider to;
-  to.keeps_inside = from.keeps_inside && from.shape != SourceCollider::Shape::kPlane;
+  to.keeps_inside = from.keeps_inside && from.shape != importer::SourceCollider::Shape::kPlane;
   to.center = from.center;
   to.radii.setConstant(from.radius);
-  if (from.shape == SourceCollider::Shape::kPlane) {
+  if (from.shape == importer::SourceCollider::Shape::kPlane) {
     to.shape = ColliderShape::kPlane;
     to.axis = from.normal;
     to.radii.setZero();
   }
-  const bool is_capsule = from.shape == SourceCollider::Shape::kCapsule;
+  const bool is_capsule = from.shape == importer::SourceCollider::Shape::kCapsule;
   if (is_capsule && (from.tail - from.center).norm() > kShortestCapsule) {
     to.shape = ColliderShape::kCapsule;
     to.axis = from.tail - from.center;
@@ -45,7 +46,8 @@ namespace {
 
 class ColliderPass {
  public:
-  ColliderPass(const SourceModel& source, std::uint32_t head_node, const Skeleton& skeleton, Findings& findings)
+  ColliderPass(const importer::SourceModel& source, std::uint32_t head_node, const Skeleton& skeleton,
+               Findings& findings)
       : source_(source),
         head_node_(head_node),
         skeleton_(skeleton),
@@ -72,7 +74,7 @@ class ColliderPass {
 
   /// The number of the new shape, or kNone.
   std::uint32_t place(std::uint32_t collider) {
-    const SourceCollider& from = source_.colliders[collider];
+    const importer::SourceCollider& from = source_.colliders[collider];
     const auto leave_out = [&](const char* why) {
       findings_.leave_out(
           {fmt::format("the spring bones' collider {} on '{}'", collider, source_.nodes[from.node].name), why});
@@ -87,7 +89,7 @@ class ColliderPass {
     return std::uint32_t(out_.shapes.size() - 1);
   }
 
-  const SourceModel& source_;
+  const importer::SourceModel& source_;
   std::uint32_t head_node_;
   const Skeleton& skeleton_;
   std::vector<std::uint32_t> shape_of_;
@@ -97,9 +99,9 @@ class ColliderPass {
 
 }  // namespace
 
-Colliders spring_colliders(const SourceModel& source, std::uint32_t head_node, const Skeleton& skeleton,
+Colliders spring_colliders(const importer::SourceModel& source, std::uint32_t head_node, const Skeleton& skeleton,
                            Findings& findings) {
   return ColliderPass(source, head_node, skeleton, findings).run();
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3d;
@@ -38,7 +38,7 @@ struct PieceForm {
   [[nodiscard]] bool is_full() const { return open() < kMostOpen && round() > kLeastRound; }
 };
 
-void add_triangle(const SourceMesh& mesh, std::size_t t, PieceForm& piece) {
+void add_triangle(const importer::SourceMesh& mesh, std::size_t t, PieceForm& piece) {
   Vector3d corner[3];
   for (std::size_t k = 0; k < 3; ++k) {
     corner[k] = mesh.positions[mesh.triangles[3 * t + k]].cast<double>();
@@ -50,7 +50,7 @@ void add_triangle(const SourceMesh& mesh, std::size_t t, PieceForm& piece) {
   piece.volume += (corner[0] - piece.first).dot((corner[1] - piece.first).cross(corner[2] - piece.first)) / 6;
 }
 
-void append_forms(const SourceMesh& mesh, double weld_distance, std::vector<PieceForm>& all) {
+void append_forms(const importer::SourceMesh& mesh, double weld_distance, std::vector<PieceForm>& all) {
   const MeshPieces pieces = find_pieces(mesh, weld_distance);
   std::vector<PieceForm> forms(pieces.count);
   for (std::size_t t = 0; t < pieces.piece_of.size(); ++t) add_triangle(mesh, t, forms[pieces.piece_of[t]]);
@@ -73,9 +73,9 @@ bool is_figure(const PieceForm& piece) {
 
 }  // namespace
 
-bool is_bare_body(const SourceModel& source, double weld_distance) {
+bool is_bare_body(const importer::SourceModel& source, double weld_distance) {
   std::vector<PieceForm> forms;
-  for (const SourceMesh& mesh : source.meshes) append_forms(mesh, weld_distance, forms);
+  for (const importer::SourceMesh& mesh : source.meshes) append_forms(mesh, weld_distance, forms);
   if (forms.empty()) return false;
   double all = 0, full = 0;
   for (const PieceForm& piece : forms) {
@@ -86,14 +86,14 @@ bool is_bare_body(const SourceModel& source, double weld_distance) {
   return full >= kNearlyWhole * all || (largest.area >= 0.5 * all && is_figure(largest));
 }
 
-std::string empty_hair_node(const SourceModel& source) {
+std::string empty_hair_node(const importer::SourceModel& source) {
   std::vector<bool> holds(source.nodes.size(), false);
-  for (const SourceNode& node : source.nodes) {
-    if (node.parent != kNoIndex) holds[node.parent] = true;
+  for (const importer::SourceNode& node : source.nodes) {
+    if (node.parent != importer::kNoIndex) holds[node.parent] = true;
   }
-  for (const SourceMesh& mesh : source.meshes) {
+  for (const importer::SourceMesh& mesh : source.meshes) {
     holds[mesh.node] = true;
-    for (const SourceInfluence& influence : mesh.influences) holds[influence.node] = true;
+    for (const importer::SourceInfluence& influence : mesh.influences) holds[influence.node] = true;
   }
   for (std::size_t n = 0; n < source.nodes.size(); ++n) {
     if (!holds[n] && is_called_hair(source.nodes[n].name)) return source.nodes[n].name;
@@ -101,4 +101,4 @@ std::string empty_hair_node(const SourceModel& source) {
   return "";
 }
 
-}  // namespace coif
+}  // namespace coif::cook

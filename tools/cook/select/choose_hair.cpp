@@ -16,23 +16,24 @@
 #include <functional>
 #include <set>
 
-namespace coif {
+namespace coif::cook {
 namespace {
+using importer::SourceMesh, importer::SourceModel;
 
 using Names = std::vector<std::string>;
 
 constexpr double kMovedByHairBones = 0.03;  ///< Share of a piece's weight: a fringe follows the head for the most part.
 constexpr double kSurelyMoved = 0.4;        ///< At some vertex; faces under a fringe have a touch of its bones only.
 
-const SourceMaterial* material_of(const SourceModel& source, const SourceMesh& mesh) {
+const importer::SourceMaterial* material_of(const SourceModel& source, const SourceMesh& mesh) {
   return mesh.material < source.materials.size() ? &source.materials[mesh.material] : nullptr;
 }
 
 /// The file's own name of a texture, without the folders of the artist's machine.
 std::string texture_name(const SourceModel& source, const SourceMesh& mesh) {
-  const SourceMaterial* material = material_of(source, mesh);
+  const importer::SourceMaterial* material = material_of(source, mesh);
   if (!material) return "";
-  const SourceTexture& texture = material->base_texture;
+  const importer::SourceTexture& texture = material->base_texture;
   const std::string& name = texture.image < source.images.size() ? source.images[texture.image].name : texture.path;
   const std::size_t slash = name.find_last_of("/\\");
   return slash == std::string::npos ? name : name.substr(slash + 1);
@@ -59,7 +60,7 @@ tl::expected<void, ToolError> check_all_patterns(const SourceModel& source, cons
     meshes.insert(mesh.name);
     materials.insert(material_name(source, mesh));
   }
-  for (const SourceNode& node : source.nodes) nodes.insert(node.name);
+  for (const importer::SourceNode& node : source.nodes) nodes.insert(node.name);
   if (auto ok = check_patterns(source, "meshes", recipe.hair_meshes, meshes); !ok) return ok;
   if (auto ok = check_patterns(source, "materials", recipe.hair_materials, materials); !ok) return ok;
   return check_patterns(source, "bones", recipe.hair_bones, nodes);
@@ -131,7 +132,7 @@ class Chooser {
 
 void choose_by_recipe(const SourceModel& source, const HairRecipe& recipe, Chooser& chooser) {
   std::vector<bool> bones;
-  for (const SourceNode& node : source.nodes) bones.push_back(matches_any(node.name, recipe.hair_bones));
+  for (const importer::SourceNode& node : source.nodes) bones.push_back(matches_any(node.name, recipe.hair_bones));
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     const SourceMesh& mesh = source.meshes[m];
     if (!recipe.hair_meshes.empty() && !matches_any(mesh.name, recipe.hair_meshes)) continue;
@@ -139,7 +140,7 @@ void choose_by_recipe(const SourceModel& source, const HairRecipe& recipe, Choos
     if (recipe.hair_bones.empty()) {
       chooser.take_mesh(m, "the recipe names it");
     } else {
-      chooser.take_pieces(m, bones, kNoIndex, "pieces that bones named in the recipe move",
+      chooser.take_pieces(m, bones, importer::kNoIndex, "pieces that bones named in the recipe move",
                           [](const PieceEvidence& piece) { return piece.largest_triangle_share > 0.5; });
     }
   }
@@ -181,15 +182,15 @@ void choose_by_bones(const SourceModel& source, const std::vector<bool>& bones, 
 }
 
 bool is_transparent(const SourceModel& source, const SourceMesh& mesh) {
-  const SourceMaterial* material = material_of(source, mesh);
+  const importer::SourceMaterial* material = material_of(source, mesh);
   if (!material) return false;
-  return material->alpha_use == AlphaUse::kBlend || material->alpha_use == AlphaUse::kMask ||
+  return material->alpha_use == importer::AlphaUse::kBlend || material->alpha_use == importer::AlphaUse::kMask ||
          is_called_transparent(material->name) || is_called_transparent(texture_name(source, mesh));
 }
 
 void choose_by_transparency(const SourceModel& source, const std::vector<bool>& bones, std::uint32_t head,
                             Chooser& chooser) {
-  if (head == kNoIndex) return;
+  if (head == importer::kNoIndex) return;
   const double neck = source.nodes[head].model_from_node.translation().y();
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     if (!is_transparent(source, source.meshes[m])) continue;
@@ -245,8 +246,8 @@ tl::unexpected<ToolError> no_hair_in_body(const SourceModel& source) {
     meshes.push_back(fmt::format("mesh '{}' (material '{}')", mesh.name, material_name(source, mesh)));
   }
   const std::string node = empty_hair_node(source);
-  const bool hides_meshes =
-      std::ranges::any_of(source.warnings, [](const Warning& warning) { return warning.code == source_code::kHidden; });
+  const bool hides_meshes = std::ranges::any_of(
+      source.warnings, [](const Warning& warning) { return warning.code == importer::source_code::kHidden; });
   const std::string lost = hides_meshes   ? "the file hides other meshes, which are not read: show the hair; "
                            : node.empty() ? ""
                                           : fmt::format("node '{}' has no mesh, so its hair was not exported; ", node);
@@ -264,7 +265,7 @@ void take_everything(const SourceModel& source, std::uint32_t head, Chooser& cho
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     chooser.take_mesh(m, "nothing in the file says what is hair, so all of it is");
   }
-  if (head == kNoIndex) return;  // A file without a body is a hairstyle.
+  if (head == importer::kNoIndex) return;  // A file without a body is a hairstyle.
   chooser.warn(
       "S202",
       "nothing in the file is called hair, moved by hair bones or transparent on the head; the whole model was taken: "
@@ -296,4 +297,4 @@ tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const
   return std::move(chooser).finish();
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 // Of the head's half sizes: where a face would be, from the chin to the brow, and what hangs before it at most.
@@ -15,8 +15,8 @@ constexpr double kLeastHair = 0.3;  ///< Of the square of the head's radius; wit
 
 }  // namespace
 
-bool faces_backwards(const SourceModel& source, const HairMesh& hair, const FittedHead& head) {
-  if (source.facing != Facing::kUnknown) return source.facing == Facing::kBackwards;
+bool faces_backwards(const importer::SourceModel& source, const HairMesh& hair, const FittedHead& head) {
+  if (source.facing != importer::Facing::kUnknown) return source.facing == importer::Facing::kBackwards;
   double front = 0, back = 0;  // square metres of hair on the side of +Z and -Z
   for (std::size_t t = 0; t < hair.triangle_count(); ++t) {
     const Eigen::Vector3d a = hair.corner(t, 0).cast<double>(), b = hair.corner(t, 1).cast<double>(),
@@ -31,4 +31,4 @@ bool faces_backwards(const SourceModel& source, const HairMesh& hair, const Fitt
   return front > least && front > kClearly * back;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

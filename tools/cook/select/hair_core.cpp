@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <map>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 // Lengths are shares of the head's width.
@@ -26,11 +26,12 @@ struct Island {
   bool is_wrapped = false;  ///< Hair lies close around it.
 };
 
-std::vector<Island> islands_beside(const SourceModel& source, const HairChoice& choice, std::uint32_t head_node) {
+std::vector<Island> islands_beside(const importer::SourceModel& source, const HairChoice& choice,
+                                   std::uint32_t head_node) {
   const std::vector<bool> bones = find_hair_bones(source);
   std::vector<Island> islands;
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
-    const SourceMesh& mesh = source.meshes[m];
+    const importer::SourceMesh& mesh = source.meshes[m];
     if (!choice.taken[m].empty()) continue;
     const MeshPieces pieces = find_islands(mesh, 0);
     const std::vector<PieceEvidence> evidence = weigh_pieces(source, mesh, pieces, bones, head_node);
@@ -65,7 +66,7 @@ double median_of(Eigen::Vector3f sizes) {
 
 /// Of the corners of its triangles, how many `fit`; stops where there are `most`.
 template <typename Fits>
-std::size_t count_corners(const SourceMesh& mesh, const Island& island, std::size_t most, const Fits& fits) {
+std::size_t count_corners(const importer::SourceMesh& mesh, const Island& island, std::size_t most, const Fits& fits) {
   std::size_t count = 0;
   for (const std::size_t t : island.triangles) {
     for (std::size_t k = 0; k < 3 && count < most; ++k) {
@@ -75,7 +76,7 @@ std::size_t count_corners(const SourceMesh& mesh, const Island& island, std::siz
   return count;
 }
 
-bool is_wrapped(const SourceMesh& mesh, const Island& island, const TriangleGrid& hair, double close) {
+bool is_wrapped(const importer::SourceMesh& mesh, const Island& island, const TriangleGrid& hair, double close) {
   const auto too_many = std::size_t((1 - kWrapped) * double(3 * island.triangles.size())) + 1;
   const auto is_apart = [&](const Eigen::Vector3f& p) { return hair.distance(p, close) >= close; };
   return count_corners(mesh, island, too_many, is_apart) < too_many;
@@ -102,7 +103,8 @@ std::vector<std::vector<std::size_t>> groups_of(std::span<const Island> islands,
 }
 
 /// All triangles but those of hair and of wrapped islands.
-TriangleSoup rest_of(const SourceModel& source, std::span<const Island> islands, const Eigen::AlignedBox3f& around) {
+TriangleSoup rest_of(const importer::SourceModel& source, std::span<const Island> islands,
+                     const Eigen::AlignedBox3f& around) {
   TriangleSoup rest;
   for (const Island& island : islands) {
     if (island.is_wrapped || !island.box.intersects(around)) continue;
@@ -113,7 +115,7 @@ TriangleSoup rest_of(const SourceModel& source, std::span<const Island> islands,
 
 class Cores {
  public:
-  Cores(const SourceModel& source, std::span<const Island> islands, double head_width,
+  Cores(const importer::SourceModel& source, std::span<const Island> islands, double head_width,
         const Eigen::AlignedBox3f& around)
       : source_(source),
         islands_(islands),
@@ -135,7 +137,7 @@ class Cores {
     return count_corners(source_.meshes[island.mesh], island, 1, is_far) == 1;
   }
 
-  const SourceModel& source_;
+  const importer::SourceModel& source_;
   std::span<const Island> islands_;
   double width_;
   TriangleSoup rest_;
@@ -151,11 +153,11 @@ void leave_what_is_worn(HairChoice& cores) {
 
 }  // namespace
 
-HairChoice find_hair_cores(const SourceModel& source, const HairChoice& choice, std::uint32_t head_node) {
+HairChoice find_hair_cores(const importer::SourceModel& source, const HairChoice& choice, std::uint32_t head_node) {
   HairChoice cores;
   cores.taken.resize(source.meshes.size());
   const TriangleSoup hair = chosen_hair(source, choice);
-  if (head_node == kNoIndex || hair.triangles.empty()) return cores;
+  if (head_node == importer::kNoIndex || hair.triangles.empty()) return cores;
   std::vector<Island> islands = islands_beside(source, choice, head_node);
   const double width = width_of_head(islands);
   if (!(width > 0)) return cores;
@@ -182,4 +184,4 @@ HairChoice find_hair_cores(const SourceModel& source, const HairChoice& choice, 
   return cores;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <span>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -32,18 +32,18 @@ bool is_called_eye(std::string_view name) {
   return matches_any(name, words);
 }
 
-std::vector<bool> nodes_below(const SourceModel& source, std::uint32_t top) {
-  std::vector<bool> below(source.nodes.size(), top == kNoIndex);
+std::vector<bool> nodes_below(const importer::SourceModel& source, std::uint32_t top) {
+  std::vector<bool> below(source.nodes.size(), top == importer::kNoIndex);
   for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
     const std::uint32_t parent = source.nodes[n].parent;
-    if (n == top || (parent != kNoIndex && below[parent])) below[n] = true;
+    if (n == top || (parent != importer::kNoIndex && below[parent])) below[n] = true;
   }
   return below;
 }
 
-std::vector<bool> nodes_of_meshes(const SourceModel& source) {
+std::vector<bool> nodes_of_meshes(const importer::SourceModel& source) {
   std::vector<bool> carries_mesh(source.nodes.size(), false);
-  for (const SourceMesh& mesh : source.meshes) carries_mesh[mesh.node] = true;
+  for (const importer::SourceMesh& mesh : source.meshes) carries_mesh[mesh.node] = true;
   return carries_mesh;
 }
 
@@ -53,15 +53,15 @@ struct NodeKinds {
   std::vector<bool> of_eyes, of_head;
 };
 
-std::vector<bool> nodes_of_eyes(const SourceModel& source) {
+std::vector<bool> nodes_of_eyes(const importer::SourceModel& source) {
   std::vector<bool> of_eyes;
-  for (const SourceNode& node : source.nodes) of_eyes.push_back(is_called_eye(node.name));
+  for (const importer::SourceNode& node : source.nodes) of_eyes.push_back(is_called_eye(node.name));
   return of_eyes;
 }
 
 /// Adds one vertex of the piece to its evidence; shares are sums until they are divided.
 /// Returns the vertex's share of hair bones.
-double add_vertex(const SourceMesh& mesh, std::uint32_t v, const NodeKinds& kinds, PieceEvidence& piece) {
+double add_vertex(const importer::SourceMesh& mesh, std::uint32_t v, const NodeKinds& kinds, PieceEvidence& piece) {
   double hair = 0;
   const auto add = [&](std::uint32_t node, double weight) {
     if (kinds.hair_bones[node]) hair += weight;
@@ -92,14 +92,14 @@ bool is_called_transparent(std::string_view name) {
   return matches_any(name, words);
 }
 
-bool moves_limbs(const SourceModel& source) {
+bool moves_limbs(const importer::SourceModel& source) {
   constexpr double kGoodPart = 0.02;  // Of all vertices: feet have few.
   static const Names limbs{"*foot*", "*toe*",  "*hand*",  "*finger*",  "*thumb*",    "*thigh*", "*calf*",
                            "*shin*", "*knee*", "*elbow*", "*forearm*", "*upperarm*", "*upleg*", "*lowerleg*"};
   std::vector<bool> is_limb;
-  for (const SourceNode& node : source.nodes) is_limb.push_back(matches_any(node.name, limbs));
+  for (const importer::SourceNode& node : source.nodes) is_limb.push_back(matches_any(node.name, limbs));
   std::size_t moved = 0, all = 0;
-  for (const SourceMesh& mesh : source.meshes) {
+  for (const importer::SourceMesh& mesh : source.meshes) {
     all += mesh.positions.size();
     for (std::size_t v = 0; v + 1 < mesh.influence_begin.size(); ++v) {
       float weight = 0;
@@ -112,41 +112,41 @@ bool moves_limbs(const SourceModel& source) {
   return double(moved) > kGoodPart * double(all);
 }
 
-std::uint32_t guess_head_node(const SourceModel& source) {
-  if (source.head_node != kNoIndex) return source.head_node;
+std::uint32_t guess_head_node(const importer::SourceModel& source) {
+  if (source.head_node != importer::kNoIndex) return source.head_node;
   std::vector<std::size_t> below(source.nodes.size(), 1);
   for (std::size_t n = source.nodes.size(); n-- > 0;) {
-    if (source.nodes[n].parent != kNoIndex) below[source.nodes[n].parent] += below[n];
+    if (source.nodes[n].parent != importer::kNoIndex) below[source.nodes[n].parent] += below[n];
   }
   const std::vector<bool> carries_mesh = nodes_of_meshes(source);
-  std::uint32_t head = kNoIndex;
+  std::uint32_t head = importer::kNoIndex;
   // A mesh called head is none of the bones, unless the skeleton goes on below it.
   for (const bool meshes_too : {false, true}) {
-    for (std::uint32_t n = 0; n < source.nodes.size() && (head == kNoIndex || !meshes_too); ++n) {
+    for (std::uint32_t n = 0; n < source.nodes.size() && (head == importer::kNoIndex || !meshes_too); ++n) {
       const bool is_bone = !carries_mesh[n] || (meshes_too && below[n] > 1);
       if (!is_bone || !is_called_head(source.nodes[n].name)) continue;
-      if (head == kNoIndex || below[n] > below[head]) head = n;
+      if (head == importer::kNoIndex || below[n] > below[head]) head = n;
     }
   }
   return head;
 }
 
-std::vector<bool> find_hair_bones(const SourceModel& source) {
+std::vector<bool> find_hair_bones(const importer::SourceModel& source) {
   const std::vector<bool> below_head = nodes_below(source, guess_head_node(source));
   const std::vector<bool> carries_mesh = nodes_of_meshes(source);
   std::vector<bool> hair(source.nodes.size(), false);
   for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
     hair[n] = below_head[n] && !carries_mesh[n] && is_called_hair(source.nodes[n].name);
   }
-  for (const SourceSpring& spring : source.springs) {
-    for (const SourceSpringJoint& joint : spring.joints) {
+  for (const importer::SourceSpring& spring : source.springs) {
+    for (const importer::SourceSpringJoint& joint : spring.joints) {
       if (below_head[joint.node]) hair[joint.node] = true;
     }
   }
   return hair;
 }
 
-std::vector<bool> find_carriers(const SourceModel& source) {
+std::vector<bool> find_carriers(const importer::SourceModel& source) {
   static const Names face{"*eye*",   "*lid*",    "*brow*",  "*blink*",   "*lash*",  "*jaw*",      "*lip*",
                           "*mouth*", "*tongue*", "*nose*",  "*cheek*",   "*chin*",  "*masseter*", "*ear",
                           "*ear.?",  "*ear_?",   "*teeth*", "*caninus*", "*facial*"};
@@ -155,17 +155,19 @@ std::vector<bool> find_carriers(const SourceModel& source) {
   std::vector<bool> carries = hair;
   for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
     const std::uint32_t parent = source.nodes[n].parent;
-    if (parent != kNoIndex && hair[n] == false && carries[parent] && has_hair_bones) carries[n] = true;
+    if (parent != importer::kNoIndex && hair[n] == false && carries[parent] && has_hair_bones) carries[n] = true;
     if (!has_hair_bones) carries[n] = !matches_any(source.nodes[n].name, face);
   }
   for (std::size_t n = source.nodes.size(); n-- > 0;) {
-    if (carries[n] && has_hair_bones && source.nodes[n].parent != kNoIndex) carries[source.nodes[n].parent] = true;
+    if (carries[n] && has_hair_bones && source.nodes[n].parent != importer::kNoIndex)
+      carries[source.nodes[n].parent] = true;
   }
   return carries;
 }
 
-std::vector<PieceEvidence> weigh_pieces(const SourceModel& source, const SourceMesh& mesh, const MeshPieces& pieces,
-                                        const std::vector<bool>& hair_bones, std::uint32_t head_node) {
+std::vector<PieceEvidence> weigh_pieces(const importer::SourceModel& source, const importer::SourceMesh& mesh,
+                                        const MeshPieces& pieces, const std::vector<bool>& hair_bones,
+                                        std::uint32_t head_node) {
   std::vector<PieceEvidence> evidence(pieces.count);
   for (PieceEvidence& piece : evidence) piece.height = -1.0e30;
   const NodeKinds kinds{hair_bones, nodes_of_eyes(source), nodes_below(source, head_node)};
@@ -187,4 +189,4 @@ std::vector<PieceEvidence> weigh_pieces(const SourceModel& source, const SourceM
   return evidence;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// True for names of hair in the languages that artists name things in ("hair", "Fringe_L", "pony tail", "kami"), and
 /// not for what is worn in it ("hairband") or only spelt like it ("chair").
@@ -23,18 +23,18 @@ namespace coif {
 
 /// Per node, true for hair's own bones: called hair or moved by a spring, and below the head where there is one. The
 /// node of a mesh is no bone, whatever it is called.
-[[nodiscard]] std::vector<bool> find_hair_bones(const SourceModel& source);
+[[nodiscard]] std::vector<bool> find_hair_bones(const importer::SourceModel& source);
 
 /// True where hands, feet, arms or legs move a good part of some mesh: the model is, or has, a body.
-[[nodiscard]] bool moves_limbs(const SourceModel& source);
+[[nodiscard]] bool moves_limbs(const importer::SourceModel& source);
 
 /// The head bone as far as names tell: declared by the file, else the node called head with most nodes below it.
 /// kNoIndex without one.
-[[nodiscard]] std::uint32_t guess_head_node(const SourceModel& source);
+[[nodiscard]] std::uint32_t guess_head_node(const importer::SourceModel& source);
 
 /// Per node, false for what below a head carries something else than hair: eyes, lids, lips, jaw. Where the file has
 /// hair bones, only those, what is above them and what is below them carry hair.
-[[nodiscard]] std::vector<bool> find_carriers(const SourceModel& source);
+[[nodiscard]] std::vector<bool> find_carriers(const importer::SourceModel& source);
 
 /// What is known of one connected piece.
 struct PieceEvidence {
@@ -51,8 +51,8 @@ inline constexpr double kMovedByEyes = 0.15;  ///< Of a piece's weight: then it 
 inline constexpr double kOnHead = 0.3;        ///< Of a piece's weight: long hair reaches the shoulders.
 
 /// One entry per piece of `mesh`.
-[[nodiscard]] std::vector<PieceEvidence> weigh_pieces(const SourceModel& source, const SourceMesh& mesh,
-                                                      const MeshPieces& pieces, const std::vector<bool>& hair_bones,
-                                                      std::uint32_t head_node);
+[[nodiscard]] std::vector<PieceEvidence> weigh_pieces(const importer::SourceModel& source,
+                                                      const importer::SourceMesh& mesh, const MeshPieces& pieces,
+                                                      const std::vector<bool>& hair_bones, std::uint32_t head_node);
 
-}  // namespace coif
+}  // namespace coif::cook

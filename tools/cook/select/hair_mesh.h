@@ -10,21 +10,21 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// One triangle mesh, model space, metres. Per-vertex arrays have the size of `positions`, or are empty.
 struct HairMesh {
   std::vector<Eigen::Vector3f> positions;
   std::vector<Eigen::Vector3f> normals;
   std::vector<Eigen::Vector2f> uvs;
-  std::vector<Eigen::Vector4f> colors;          ///< Linear RGBA, until a texture or a factor has them.
-  std::vector<std::uint32_t> influence_begin;   ///< positions.size() + 1 entries.
-  std::vector<SourceInfluence> influences;      ///< Nodes of the source; each vertex's weights add up to one.
-  std::vector<std::uint32_t> triangles;         ///< Three vertices each.
-  std::vector<std::uint32_t> mesh_of_triangle;  ///< Source mesh that each triangle comes from.
-  bool double_sided = false;                    ///< Both sides of every triangle are hair.
-  std::vector<std::uint32_t> source_meshes;     ///< Those that gave triangles.
-  std::uint32_t material = kNoIndex;            ///< Of the source: the one with most triangles.
+  std::vector<Eigen::Vector4f> colors;                ///< Linear RGBA, until a texture or a factor has them.
+  std::vector<std::uint32_t> influence_begin;         ///< positions.size() + 1 entries.
+  std::vector<importer::SourceInfluence> influences;  ///< Nodes of the source; each vertex's weights add up to one.
+  std::vector<std::uint32_t> triangles;               ///< Three vertices each.
+  std::vector<std::uint32_t> mesh_of_triangle;        ///< Source mesh that each triangle comes from.
+  bool double_sided = false;                          ///< Both sides of every triangle are hair.
+  std::vector<std::uint32_t> source_meshes;           ///< Those that gave triangles.
+  std::uint32_t material = importer::kNoIndex;        ///< Of the source: the one with most triangles.
 
   [[nodiscard]] std::size_t triangle_count() const { return triangles.size() / 3; }
   [[nodiscard]] Eigen::AlignedBox3d box() const {
@@ -43,13 +43,13 @@ struct HairMesh {
     if (!from.uvs.empty()) uvs.push_back(Eigen::Vector2f(from.uvs[vertex]));
     if (!from.colors.empty()) colors.push_back(Eigen::Vector4f(from.colors[vertex]));
     for (std::uint32_t k = from.influence_begin[vertex]; k < from.influence_begin[vertex + 1]; ++k) {
-      influences.push_back(SourceInfluence(from.influences[k]));
+      influences.push_back(importer::SourceInfluence(from.influences[k]));
     }
     influence_begin.push_back(std::uint32_t(influences.size()));
     return std::uint32_t(positions.size() - 1);
   }
 
-  [[nodiscard]] std::span<const SourceInfluence> influences_of(std::uint32_t vertex) const {
+  [[nodiscard]] std::span<const importer::SourceInfluence> influences_of(std::uint32_t vertex) const {
     return std::span(influences)
         .subspan(influence_begin[vertex], influence_begin[vertex + 1] - influence_begin[vertex]);
   }
@@ -79,13 +79,13 @@ struct PatchSet {
   /// Cuts patches: `part_of` names for each triangle the part that it goes to, below their number, no part in two
   /// patches; kNoIndex: its patch stays whole. The first part of each patch keeps its index, the others get new ones.
   void cut(std::span<const std::uint32_t> part_of) {
-    std::vector<std::uint32_t> index(patch_of.size(), kNoIndex);
+    std::vector<std::uint32_t> index(patch_of.size(), importer::kNoIndex);
     std::vector<bool> kept(count, false);
     for (std::size_t t = 0; t < patch_of.size(); ++t) {
-      if (part_of[t] == kNoIndex) continue;
+      if (part_of[t] == importer::kNoIndex) continue;
       std::uint32_t& patch = patch_of[t];
       std::uint32_t& part = index[part_of[t]];
-      if (part == kNoIndex) {
+      if (part == importer::kNoIndex) {
         part = kept[patch] ? add_part_of(patch) : patch;
         if (part == patch) kept[patch] = true;
       }
@@ -94,4 +94,4 @@ struct PatchSet {
   }
 };
 
-}  // namespace coif
+}  // namespace coif::cook

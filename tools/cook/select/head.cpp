@@ -8,23 +8,23 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 /// The node with most weight below it; of equals the one nearest to the root.
-std::uint32_t heaviest(const SourceModel& source, const NodeWeights& below, auto is_candidate) {
-  std::uint32_t best = kNoIndex;
+std::uint32_t heaviest(const importer::SourceModel& source, const NodeWeights& below, auto is_candidate) {
+  std::uint32_t best = importer::kNoIndex;
   for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
     if (!is_candidate(n) || below[n] <= 0) continue;
-    if (best == kNoIndex || below[n] > below[best]) best = n;
+    if (best == importer::kNoIndex || below[n] > below[best]) best = n;
   }
   return best;
 }
 
 /// The lowest node that carries all of the hair, itself or below it.
-std::uint32_t lowest_common_node(const SourceModel& source, const NodeWeights& below) {
+std::uint32_t lowest_common_node(const importer::SourceModel& source, const NodeWeights& below) {
   const double total = *std::ranges::max_element(below);
-  std::uint32_t lowest = kNoIndex;
+  std::uint32_t lowest = importer::kNoIndex;
   for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
     if (total > 0 && below[n] >= total * (1 - 1.0e-9)) lowest = n;
   }
@@ -33,18 +33,19 @@ std::uint32_t lowest_common_node(const SourceModel& source, const NodeWeights& b
 
 /// The node of a rigid mesh, away from the hair: a file without bones has its origin on the floor, not in the head.
 /// Where whole numbers are undone by it, it stands in a corner or the middle of the hair, wherever the artist had it.
-bool is_far_mesh_node(const SourceModel& source, const HairMesh& hair, std::uint32_t node) {
-  if (node == kNoIndex) return false;
-  const bool carries_mesh = std::ranges::any_of(
-      source.meshes, [&](const SourceMesh& mesh) { return mesh.node == node && mesh.influence_begin.empty(); });
+bool is_far_mesh_node(const importer::SourceModel& source, const HairMesh& hair, std::uint32_t node) {
+  if (node == importer::kNoIndex) return false;
+  const bool carries_mesh = std::ranges::any_of(source.meshes, [&](const importer::SourceMesh& mesh) {
+    return mesh.node == node && mesh.influence_begin.empty();
+  });
   return carries_mesh && (source.nodes[node].undoes_quantization ||
                           !hair.box().contains(source.nodes[node].model_from_node.translation()));
 }
 
 /// Without a node of its own the head sits in the middle of the hair.
-HeadBone head_bone_at(const SourceModel& source, const HairMesh& hair, std::uint32_t node) {
+HeadBone head_bone_at(const importer::SourceModel& source, const HairMesh& hair, std::uint32_t node) {
   HeadBone head;
-  if (node == kNoIndex) {
+  if (node == importer::kNoIndex) {
     head.joint = hair.box().center();
     return head;
   }
@@ -63,27 +64,27 @@ bool is_called_head(const std::string& name) {
   return matches(name, "*head*") && !matches_any(name, not_heads);
 }
 
-NodeWeights hair_weights(const SourceModel& source, const HairMesh& hair) {
+NodeWeights hair_weights(const importer::SourceModel& source, const HairMesh& hair) {
   NodeWeights weights(source.nodes.size(), 0.0);
-  for (const SourceInfluence& influence : hair.influences) weights[influence.node] += influence.weight;
+  for (const importer::SourceInfluence& influence : hair.influences) weights[influence.node] += influence.weight;
   return weights;
 }
 
-NodeWeights weights_below(const SourceModel& source, const NodeWeights& weights) {
+NodeWeights weights_below(const importer::SourceModel& source, const NodeWeights& weights) {
   NodeWeights below = weights;
   // Parents come first, so backwards each node is complete before it is added to its parent.
   for (std::size_t n = source.nodes.size(); n-- > 0;) {
-    if (source.nodes[n].parent != kNoIndex) below[source.nodes[n].parent] += below[n];
+    if (source.nodes[n].parent != importer::kNoIndex) below[source.nodes[n].parent] += below[n];
   }
   return below;
 }
 
-tl::expected<HeadBone, ToolError> find_head_bone(const SourceModel& source, const HairMesh& hair,
+tl::expected<HeadBone, ToolError> find_head_bone(const importer::SourceModel& source, const HairMesh& hair,
                                                  const std::string& pattern) {
   const NodeWeights below = weights_below(source, hair_weights(source, hair));
   if (!pattern.empty()) {
     const auto named = [&](std::uint32_t n) { return matches(source.nodes[n].name, pattern); };
-    if (const std::uint32_t head = heaviest(source, below, named); head != kNoIndex) {
+    if (const std::uint32_t head = heaviest(source, below, named); head != importer::kNoIndex) {
       return head_bone_at(source, hair, head);
     }
     for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
@@ -94,13 +95,13 @@ tl::expected<HeadBone, ToolError> find_head_bone(const SourceModel& source, cons
         fmt::format("{}: recipe key \"skeleton.head\": no node is called '{}'; 'coif cook {} --list' names them",
                     source.path, pattern, source.path)});
   }
-  if (source.head_node != kNoIndex) return head_bone_at(source, hair, source.head_node);
+  if (source.head_node != importer::kNoIndex) return head_bone_at(source, hair, source.head_node);
   const auto by_name = [&](std::uint32_t n) { return is_called_head(source.nodes[n].name); };
-  if (const std::uint32_t head = heaviest(source, below, by_name); head != kNoIndex) {
+  if (const std::uint32_t head = heaviest(source, below, by_name); head != importer::kNoIndex) {
     return head_bone_at(source, hair, head);
   }
   const std::uint32_t lowest = lowest_common_node(source, below);
-  return head_bone_at(source, hair, is_far_mesh_node(source, hair, lowest) ? kNoIndex : lowest);
+  return head_bone_at(source, hair, is_far_mesh_node(source, hair, lowest) ? importer::kNoIndex : lowest);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -13,14 +13,14 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct HairRecipe;
 enum class HeadShape;
 
 /// Where the head bone is in the rest pose, model space.
 struct HeadBone {
-  std::uint32_t node = kNoIndex;  ///< Of the source; kNoIndex where the hair follows no node.
+  std::uint32_t node = importer::kNoIndex;  ///< Of the source; kNoIndex where the hair follows no node.
   std::string name = "head";
   Eigen::Vector3d joint = Eigen::Vector3d::Zero();               ///< Metres.
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< Model from the bone's own axes.
@@ -32,17 +32,17 @@ struct HeadBone {
 /// Total skin weight of the hair on each node of the source.
 using NodeWeights = std::vector<double>;
 
-[[nodiscard]] NodeWeights hair_weights(const SourceModel& source, const HairMesh& hair);
+[[nodiscard]] NodeWeights hair_weights(const importer::SourceModel& source, const HairMesh& hair);
 
 /// The head bone: the node called `pattern`; without one the head that the file itself declares; without that the node
 /// called head that carries, with all nodes below it, most of the hair's weight; failing that the lowest node above all
 /// of the hair, unless it only is the node of a mesh far from it. Without any its joint is the middle of the hair.
 /// Error (kBadInput): nothing is called `pattern`.
-tl::expected<HeadBone, ToolError> find_head_bone(const SourceModel& source, const HairMesh& hair,
+tl::expected<HeadBone, ToolError> find_head_bone(const importer::SourceModel& source, const HairMesh& hair,
                                                  const std::string& pattern);
 
 /// Weight on a node and everything below it.
-[[nodiscard]] NodeWeights weights_below(const SourceModel& source, const NodeWeights& weights);
+[[nodiscard]] NodeWeights weights_below(const importer::SourceModel& source, const NodeWeights& weights);
 
 /// The head as the cooker sees it: an ellipsoid. Roots are near it, patches are sorted by the distance from its centre,
 /// and unless there are better colliders hair stays out of it.
@@ -55,7 +55,7 @@ struct FittedHead : HeadEllipsoid {
 
 /// Whether the model looks along -Z: as the file says (VRM); else where hair hangs on the side of +Z at the height of a
 /// face and hardly any on the other.
-[[nodiscard]] bool faces_backwards(const SourceModel& source, const HairMesh& hair, const FittedHead& head);
+[[nodiscard]] bool faces_backwards(const importer::SourceModel& source, const HairMesh& hair, const FittedHead& head);
 
 /// What shows a head before the hair around it is looked at.
 struct HeadSign {
@@ -63,7 +63,8 @@ struct HeadSign {
   bool is_mesh = false;  ///< Vertices that follow the head bone; else only the hair's top.
 };
 
-[[nodiscard]] HeadSign first_sign_of_head(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone);
+[[nodiscard]] HeadSign first_sign_of_head(const importer::SourceModel& source, const HairMesh& hair,
+                                          const HeadBone& head_bone);
 
 /// The hair (not empty) lies on the skull at the top: a sphere through its upper part, made as high and deep as heads
 /// are.
@@ -73,7 +74,7 @@ struct HeadSign {
 /// quarter of the hair is deep inside of them, as in a hood), or without such ones the hair's upper part, say of it,
 /// moved and resized until the hair agrees (fit_head_room()) and then shrunk until hardly any hair is inside. Notes
 /// where it is and how much hair is inside; warns where that is much.
-[[nodiscard]] FittedHead fit_head(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone,
+[[nodiscard]] FittedHead fit_head(const importer::SourceModel& source, const HairMesh& hair, const HeadBone& head_bone,
                                   const HairRecipe& recipe, Findings& findings, const std::stop_token& stop = {});
 
-}  // namespace coif
+}  // namespace coif::cook

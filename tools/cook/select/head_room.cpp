@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3d;
@@ -149,7 +149,7 @@ HeadEllipsoid fit_head_room(const HairMesh& hair, const HeadGuess& guess, const 
   const std::vector<Vector3d> samples = sample_surface(hair);
   HeadEllipsoid head = guess.shape;
   for (int round = 0; round < kRounds; ++round) {
-    throw_if_stopped(stop);
+    platform::throw_if_stopped(stop);
     head = descend(head, look_around(samples, head.center), guess, round == 0 ? kFirstStep : kLaterStep);
   }
   return head;
@@ -199,4 +199,4 @@ double share_with_room(const HairMesh& hair, const HeadEllipsoid& head, const Ha
                    after_share(around.outermost, most.pokes)});
 }
 
-}  // namespace coif
+}  // namespace coif::cook

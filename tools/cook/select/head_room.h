@@ -6,7 +6,7 @@
 
 #include <stop_token>
 
-namespace coif {
+namespace coif::cook {
 
 /// An ellipsoid whose semi-axes lie along the model's axes; metres, model space.
 struct HeadEllipsoid {
@@ -50,4 +50,4 @@ struct HairInside {
 /// The largest share, at most 1, of a head's size that keeps within `most` in each way.
 [[nodiscard]] double share_with_room(const HairMesh& hair, const HeadEllipsoid& head, const HairInside& most);
 
-}  // namespace coif
+}  // namespace coif::cook

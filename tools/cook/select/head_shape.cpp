@@ -12,7 +12,7 @@
 #include <set>
 #include <utility>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3d;
@@ -33,7 +33,8 @@ constexpr double kLeastOfMesh = 0.7;  ///< A head's mesh that has to shrink furt
 constexpr double kLeastOfHair = 0.4;  ///< What hair alone tells may be further off: strips on one side tell little.
 
 /// Share of a vertex's weight on the head bone; one for a mesh that hangs from it.
-float weight_on_head(const SourceModel& source, const SourceMesh& mesh, std::uint32_t v, const std::string& head) {
+float weight_on_head(const importer::SourceModel& source, const importer::SourceMesh& mesh, std::uint32_t v,
+                     const std::string& head) {
   if (mesh.influence_begin.empty()) return source.nodes[mesh.node].name == head ? 1.0f : 0.0f;
   float sum = 0;
   for (std::uint32_t k = mesh.influence_begin[v]; k < mesh.influence_begin[v + 1]; ++k) {
@@ -65,11 +66,12 @@ std::set<std::array<float, 3>> places_of(const HairMesh& hair) {
 }
 
 /// Vertices of other meshes, or of what else a mesh has that gave hair, that follow the head bone and nothing else.
-std::vector<Vector3d> head_vertices(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone) {
+std::vector<Vector3d> head_vertices(const importer::SourceModel& source, const HairMesh& hair,
+                                    const HeadBone& head_bone) {
   std::vector<Vector3d> vertices;
   const std::set<std::array<float, 3>> is_hair = places_of(hair);
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
-    const SourceMesh& mesh = source.meshes[m];
+    const importer::SourceMesh& mesh = source.meshes[m];
     const bool gave_hair = std::ranges::find(hair.source_meshes, m) != hair.source_meshes.end();
     std::vector<Vector3d> of_mesh;
     Box box;
@@ -153,7 +155,7 @@ struct FirstGuess {
   std::string origin;    ///< FittedHead's.
 };
 
-FirstGuess guess_head(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone) {
+FirstGuess guess_head(const importer::SourceModel& source, const HairMesh& hair, const HeadBone& head_bone) {
   const std::vector<Vector3d> vertices = head_vertices(source, hair, head_bone);
   if (vertices.size() >= kFewestVertices) {
     const HeadEllipsoid head = ellipsoid_in_box(vertices);
@@ -184,12 +186,12 @@ void make_room(const HairMesh& hair, double least, FittedHead& head, Findings& f
 
 }  // namespace
 
-HeadSign first_sign_of_head(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone) {
+HeadSign first_sign_of_head(const importer::SourceModel& source, const HairMesh& hair, const HeadBone& head_bone) {
   const FirstGuess guess = guess_head(source, hair, head_bone);
   return {guess.like.shape, guess.is_mesh};
 }
 
-FittedHead fit_head(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone,
+FittedHead fit_head(const importer::SourceModel& source, const HairMesh& hair, const HeadBone& head_bone,
                     const HairRecipe& recipe, Findings& findings, const std::stop_token& stop) {
   FittedHead head;
   head.shape = recipe.head_shape;
@@ -217,4 +219,4 @@ FittedHead fit_head(const SourceModel& source, const HairMesh& hair, const HeadB
   return head;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <unordered_map>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 struct Cell {
@@ -30,7 +30,7 @@ Cell cell_of(const Eigen::Vector3d& position, double size) {
 class CellTable {
  public:
   explicit CellTable(std::size_t vertices)
-      : slots_(std::bit_ceil(2 * vertices + 1)), next_(vertices, kNoIndex), mask_(slots_.size() - 1) {}
+      : slots_(std::bit_ceil(2 * vertices + 1)), next_(vertices, importer::kNoIndex), mask_(slots_.size() - 1) {}
 
   void add(const Cell& cell, std::uint32_t vertex) {
     Slot& slot = slots_[slot_of(cell)];
@@ -41,13 +41,13 @@ class CellTable {
 
   template <typename Visit>
   void for_each_in(const Cell& cell, const Visit& visit) const {
-    for (std::uint32_t v = slots_[slot_of(cell)].first; v != kNoIndex; v = next_[v]) visit(v);
+    for (std::uint32_t v = slots_[slot_of(cell)].first; v != importer::kNoIndex; v = next_[v]) visit(v);
   }
 
  private:
   struct Slot {
     Cell cell{};
-    std::uint32_t first = kNoIndex;
+    std::uint32_t first = importer::kNoIndex;
   };
 
   [[nodiscard]] std::size_t slot_of(const Cell& cell) const {
@@ -57,7 +57,7 @@ class CellTable {
       hash ^= hash >> 32;
     }
     std::size_t slot = hash & mask_;
-    while (slots_[slot].first != kNoIndex && slots_[slot].cell != cell) slot = (slot + 1) & mask_;
+    while (slots_[slot].first != importer::kNoIndex && slots_[slot].cell != cell) slot = (slot + 1) & mask_;
     return slot;
   }
 
@@ -91,7 +91,7 @@ std::string vertex_key(const HairMesh& mesh, std::uint32_t v) {
   if (!mesh.colors.empty()) {
     for (int k = 0; k < 4; ++k) append(mesh.colors[v][k]);
   }
-  for (const SourceInfluence& influence : mesh.influences_of(v)) {
+  for (const importer::SourceInfluence& influence : mesh.influences_of(v)) {
     key.append(reinterpret_cast<const char*>(&influence.node), sizeof influence.node);
     append(influence.weight);
   }
@@ -126,10 +126,10 @@ std::vector<std::uint32_t> weld_places(std::span<const Eigen::Vector3f> position
     // Exact copies add nothing that the first one does not: without them a cell stays small.
     if (!is_copy) cells.add(cell_of(at, side), v);
   }
-  std::vector<std::uint32_t> first(positions.size(), kNoIndex), place(positions.size());
+  std::vector<std::uint32_t> first(positions.size(), importer::kNoIndex), place(positions.size());
   for (std::uint32_t v = 0; v < positions.size(); ++v) {
     std::uint32_t& representative = first[sets.find(v)];
-    if (representative == kNoIndex) representative = v;
+    if (representative == importer::kNoIndex) representative = v;
     place[v] = representative;
   }
   return place;
@@ -232,17 +232,17 @@ bool is_closed(const HairMesh& mesh, std::span<const std::uint32_t> place) {
 namespace {
 
 /// Triangles that share an id at a corner.
-MeshPieces joined_by(const SourceMesh& mesh, std::span<const std::uint32_t> id_of) {
+MeshPieces joined_by(const importer::SourceMesh& mesh, std::span<const std::uint32_t> id_of) {
   DisjointSets sets(mesh.positions.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
     sets.unite(id_of[mesh.triangles[t]], id_of[mesh.triangles[t + 1]]);
     sets.unite(id_of[mesh.triangles[t]], id_of[mesh.triangles[t + 2]]);
   }
   MeshPieces pieces;
-  std::vector<std::uint32_t> number(mesh.positions.size(), kNoIndex);
+  std::vector<std::uint32_t> number(mesh.positions.size(), importer::kNoIndex);
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
     std::uint32_t& piece = number[sets.find(id_of[mesh.triangles[t]])];
-    if (piece == kNoIndex) piece = pieces.count++;
+    if (piece == importer::kNoIndex) piece = pieces.count++;
     pieces.piece_of.push_back(piece);
   }
   return pieces;
@@ -250,11 +250,11 @@ MeshPieces joined_by(const SourceMesh& mesh, std::span<const std::uint32_t> id_o
 
 }  // namespace
 
-MeshPieces find_pieces(const SourceMesh& mesh, double weld_distance) {
+MeshPieces find_pieces(const importer::SourceMesh& mesh, double weld_distance) {
   return joined_by(mesh, weld_places(mesh.positions, weld_distance));
 }
 
-MeshPieces find_islands(const SourceMesh& mesh, double weld_distance) {
+MeshPieces find_islands(const importer::SourceMesh& mesh, double weld_distance) {
   std::vector<std::uint32_t> id_of = weld_places(mesh.positions, weld_distance);
   std::map<std::tuple<std::uint32_t, float, float>, std::uint32_t> first_at;
   for (std::uint32_t v = 0; v < mesh.uvs.size(); ++v) {
@@ -263,4 +263,4 @@ MeshPieces find_islands(const SourceMesh& mesh, double weld_distance) {
   return joined_by(mesh, id_of);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// Union-find with path halving and union by size: near-linear in the number of calls.
 class DisjointSets {
@@ -80,10 +80,10 @@ struct MeshPieces {
   std::uint32_t count = 0;
 };
 
-[[nodiscard]] MeshPieces find_pieces(const SourceMesh& mesh, double weld_distance);
+[[nodiscard]] MeshPieces find_pieces(const importer::SourceMesh& mesh, double weld_distance);
 
 /// The same, of triangles that share places with their texture coordinates too, as far as the mesh has any.
-[[nodiscard]] MeshPieces find_islands(const SourceMesh& mesh, double weld_distance);
+[[nodiscard]] MeshPieces find_islands(const importer::SourceMesh& mesh, double weld_distance);
 
 /// For each vertex the smallest vertex at its place: closer than `distance` metres along a chain of neighbours. 0: a
 /// 50,000th of the diagonal of all positions, so that a model's size does not decide what is joined. Linear time for
@@ -107,4 +107,4 @@ MergedFaces merge_back_faces(HairMesh& mesh, std::span<const std::uint32_t> plac
 /// True where nearly all triangles are part of closed surfaces, whose back faces nobody sees.
 [[nodiscard]] bool is_closed(const HairMesh& mesh, std::span<const std::uint32_t> place);
 
-}  // namespace coif
+}  // namespace coif::cook

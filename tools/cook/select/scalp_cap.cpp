@@ -3,7 +3,7 @@
 #include "cook/select/triangle_distance.h"
 #include "cook/select/triangle_soup.h"
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr double kClose = 0.1;         ///< Of the hair's width: so far from hair a cap may lie,
@@ -12,7 +12,7 @@ constexpr double kLeastWidth = 0.4;    ///< Of the hair's smaller horizontal siz
 constexpr double kLeastHeight = 0.25;  ///< and in height.
 constexpr std::size_t kLooked = 2000;  ///< Vertices of a mesh that are looked at.
 
-bool is_cap(const SourceMesh& mesh, const TriangleSoup& hair, const TriangleGrid& grid, double reach) {
+bool is_cap(const importer::SourceMesh& mesh, const TriangleSoup& hair, const TriangleGrid& grid, double reach) {
   Eigen::AlignedBox3f box;
   for (const Eigen::Vector3f& p : mesh.positions) box.extend(p);
   const Eigen::Vector3f size = box.sizes(), all = hair.box.sizes();
@@ -29,7 +29,7 @@ bool is_cap(const SourceMesh& mesh, const TriangleSoup& hair, const TriangleGrid
 
 }  // namespace
 
-std::vector<bool> find_scalp_caps(const SourceModel& source, const HairChoice& choice) {
+std::vector<bool> find_scalp_caps(const importer::SourceModel& source, const HairChoice& choice) {
   std::vector<bool> caps(source.meshes.size(), false);
   const TriangleSoup hair = chosen_hair(source, choice);
   if (hair.triangles.empty() || hair.triangles.size() == 3) return caps;
@@ -44,4 +44,4 @@ std::vector<bool> find_scalp_caps(const SourceModel& source, const HairChoice& c
   return caps;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -8,12 +8,12 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr std::size_t kTriangleBytes = 3 * sizeof(std::uint32_t);  ///< Of an asset's indices.
 
-bool is_degenerate(const SourceMesh& mesh, std::size_t t) {
+bool is_degenerate(const importer::SourceMesh& mesh, std::size_t t) {
   const Eigen::Vector3f a = mesh.positions[mesh.triangles[t]];
   const Eigen::Vector3f edge1 = mesh.positions[mesh.triangles[t + 1]] - a;
   const Eigen::Vector3f edge2 = mesh.positions[mesh.triangles[t + 2]] - a;
@@ -27,7 +27,7 @@ struct WantedAttributes {
 
 /// Appends all vertices of `mesh`; attributes that only some meshes have are filled with zeros and mended later,
 /// colours with white.
-void append_vertices(const SourceMesh& mesh, const WantedAttributes& wanted, HairMesh& out) {
+void append_vertices(const importer::SourceMesh& mesh, const WantedAttributes& wanted, HairMesh& out) {
   const std::size_t count = mesh.positions.size();
   out.positions.insert(out.positions.end(), mesh.positions.begin(), mesh.positions.end());
   if (wanted.normals) {
@@ -58,9 +58,9 @@ struct TakenTriangles {
   std::size_t degenerate = 0;
 };
 
-TakenTriangles append_triangles(const SourceModel& source, std::uint32_t m, const HairChoice& choice,
+TakenTriangles append_triangles(const importer::SourceModel& source, std::uint32_t m, const HairChoice& choice,
                                 std::uint32_t base, HairMesh& out) {
-  const SourceMesh& mesh = source.meshes[m];
+  const importer::SourceMesh& mesh = source.meshes[m];
   TakenTriangles result;
   for (std::size_t t = 0; t < mesh.triangles.size() / 3; ++t) {
     if (!choice.takes(m, t)) continue;
@@ -76,21 +76,21 @@ TakenTriangles append_triangles(const SourceModel& source, std::uint32_t m, cons
 }
 
 /// The material with most of the triangles taken.
-std::uint32_t main_material(const SourceModel& source, std::span<const std::size_t> taken) {
+std::uint32_t main_material(const importer::SourceModel& source, std::span<const std::size_t> taken) {
   std::vector<std::size_t> triangles(source.materials.size(), 0);
   for (std::size_t m = 0; m < taken.size(); ++m) {
     if (source.meshes[m].material < triangles.size()) triangles[source.meshes[m].material] += taken[m];
   }
   const auto most = std::ranges::max_element(triangles);
-  return most == triangles.end() || *most == 0 ? kNoIndex : std::uint32_t(most - triangles.begin());
+  return most == triangles.end() || *most == 0 ? importer::kNoIndex : std::uint32_t(most - triangles.begin());
 }
 
 /// The file's pose becomes the hair's shape at rest, which is not what a pose is for.
-void warn_of_pose(const SourceModel& source, std::span<const std::size_t> taken, Findings& findings) {
-  const SourceMesh* farthest = nullptr;
+void warn_of_pose(const importer::SourceModel& source, std::span<const std::size_t> taken, Findings& findings) {
+  const importer::SourceMesh* farthest = nullptr;
   for (std::size_t m = 0; m < taken.size(); ++m) {
-    const SourceMesh& mesh = source.meshes[m];
-    if (taken[m] == 0 || mesh.posed_node == kNoIndex) continue;
+    const importer::SourceMesh& mesh = source.meshes[m];
+    if (taken[m] == 0 || mesh.posed_node == importer::kNoIndex) continue;
     if (farthest == nullptr || mesh.posed_degrees > farthest->posed_degrees) farthest = &mesh;
   }
   if (farthest == nullptr) return;
@@ -110,16 +110,16 @@ struct Gathered {
 };
 
 /// Joins the chosen triangles.
-Gathered gather(const SourceModel& source, const HairChoice& choice, Findings& findings) {
+Gathered gather(const importer::SourceModel& source, const HairChoice& choice, Findings& findings) {
   const auto any = [&](auto has) {
     for (std::size_t m = 0; m < source.meshes.size(); ++m) {
       if (!choice.taken[m].empty() && has(source.meshes[m])) return true;
     }
     return false;
   };
-  const WantedAttributes wanted{any([](const SourceMesh& m) { return !m.normals.empty(); }),
-                                any([](const SourceMesh& m) { return !m.uvs.empty(); }),
-                                any([](const SourceMesh& m) { return !m.colors.empty(); })};
+  const WantedAttributes wanted{any([](const importer::SourceMesh& m) { return !m.normals.empty(); }),
+                                any([](const importer::SourceMesh& m) { return !m.uvs.empty(); }),
+                                any([](const importer::SourceMesh& m) { return !m.colors.empty(); })};
   Gathered gathered;
   gathered.mesh.influence_begin.push_back(0);
   gathered.taken.assign(source.meshes.size(), 0);
@@ -144,7 +144,7 @@ constexpr std::size_t kFewCopies = 100;
 /// Metres from end to end, in a file of any unit that a model may have.
 constexpr double kLargestHair = 1000;
 
-std::optional<std::string> why_damaged(const SourceModel& source, const HairMesh& mesh, std::size_t copies,
+std::optional<std::string> why_damaged(const importer::SourceModel& source, const HairMesh& mesh, std::size_t copies,
                                        std::size_t triangles) {
   if (copies >= kFewCopies && double(copies) > kMostCopies * double(triangles)) {
     return fmt::format(
@@ -179,7 +179,8 @@ std::size_t merge_faces(const HairRecipe& recipe, HairMesh& mesh, Findings& find
 
 }  // namespace
 
-tl::expected<HairMesh, ToolError> select_hair(const SourceModel& source, const HairRecipe& recipe, Findings& findings) {
+tl::expected<HairMesh, ToolError> select_hair(const importer::SourceModel& source, const HairRecipe& recipe,
+                                              Findings& findings) {
   const auto choice = choose_hair(source, recipe, findings);
   if (!choice) return tl::unexpected(choice.error());
   Gathered gathered = gather(source, *choice, findings);
@@ -203,4 +204,4 @@ tl::expected<HairMesh, ToolError> select_hair(const SourceModel& source, const H
   return std::move(gathered.mesh);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

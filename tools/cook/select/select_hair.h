@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct HairRecipe;
 
@@ -28,11 +28,12 @@ struct HairChoice {
 /// limbs. Caps under that hair and cores inside it are hair as well. Notes why for each mesh that gave hair, and what
 /// of the others was left out. Errors (kBadInput): a pattern that matches nothing, or a character of which nothing is
 /// known to be hair, with the names there are.
-tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const HairRecipe& recipe,
+tl::expected<HairChoice, ToolError> choose_hair(const importer::SourceModel& source, const HairRecipe& recipe,
                                                 Findings& findings);
 
 /// Cuts the hair that choose_hair() finds out of the model and joins it: welded, without degenerate triangles. Errors
 /// (kBadInput): those of choose_hair(); nothing left.
-tl::expected<HairMesh, ToolError> select_hair(const SourceModel& source, const HairRecipe& recipe, Findings& findings);
+tl::expected<HairMesh, ToolError> select_hair(const importer::SourceModel& source, const HairRecipe& recipe,
+                                              Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -10,7 +10,7 @@
 #include <map>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr float kLeastOverlap = 0.85f;      ///< Along each axis, share of what both take up.
@@ -31,10 +31,10 @@ struct Piece {
   [[nodiscard]] std::size_t count() const { return triangles.size() / 3; }
 };
 
-std::vector<Piece> pieces_of(const SourceModel& source, std::span<const std::uint32_t> hair) {
+std::vector<Piece> pieces_of(const importer::SourceModel& source, std::span<const std::uint32_t> hair) {
   std::map<std::uint32_t, Piece> of_node;
   for (const std::uint32_t m : hair) {
-    const SourceMesh& mesh = source.meshes[m];
+    const importer::SourceMesh& mesh = source.meshes[m];
     const auto [entry, is_new] = of_node.emplace(mesh.node, Piece{m, {}, {}, {}});
     Piece& piece = entry->second;
     const auto base = std::uint32_t(piece.positions.size());
@@ -69,7 +69,8 @@ bool is_coarser_copy(const Piece& coarse, const Piece& fine) {
 
 }  // namespace
 
-void warn_of_stacked_meshes(const SourceModel& source, std::span<const std::uint32_t> hair, Findings& findings) {
+void warn_of_stacked_meshes(const importer::SourceModel& source, std::span<const std::uint32_t> hair,
+                            Findings& findings) {
   const std::vector<Piece> pieces = pieces_of(source, hair);
   if (pieces.size() > kMostPieces) return;
   for (const Piece& fine : pieces) {
@@ -85,4 +86,4 @@ void warn_of_stacked_meshes(const SourceModel& source, std::span<const std::uint
   }
 }
 
-}  // namespace coif
+}  // namespace coif::cook

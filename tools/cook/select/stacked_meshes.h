@@ -6,10 +6,11 @@
 #include <cstdint>
 #include <span>
 
-namespace coif {
+namespace coif::cook {
 
 /// Warns (C115) of two meshes of the hair that lie on each other, one of them with clearly fewer triangles, as levels
 /// of detail of one thing do whatever they are called. `hair`: numbers of the meshes that are hair.
-void warn_of_stacked_meshes(const SourceModel& source, std::span<const std::uint32_t> hair, Findings& findings);
+void warn_of_stacked_meshes(const importer::SourceModel& source, std::span<const std::uint32_t> hair,
+                            Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3d;
@@ -123,4 +123,4 @@ double TriangleGrid::distance(const Eigen::Vector3f& point, double enough) const
   return nearest(point, enough, [](std::uint32_t) { return true; });
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// Squared distance of `p` from the triangle `a`, `b`, `c`, by the region of the triangle's plane that `p` lies above
 /// (Ericson 2005, "Real-Time Collision Detection", 5.1.5). Exact for degenerate triangles as well, up to rounding.
@@ -53,4 +53,4 @@ class TriangleGrid {
   std::unordered_map<Cube, std::vector<std::uint32_t>, CubeHash> cubes_;
 };
 
-}  // namespace coif
+}  // namespace coif::cook

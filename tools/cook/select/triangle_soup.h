@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// Triangles out of several meshes, three vertices each.
 struct TriangleSoup {
@@ -14,7 +14,7 @@ struct TriangleSoup {
   std::vector<std::uint32_t> triangles;
   Eigen::AlignedBox3f box;
 
-  void add(const SourceMesh& mesh, std::size_t triangle) {
+  void add(const importer::SourceMesh& mesh, std::size_t triangle) {
     for (std::size_t k = 0; k < 3; ++k) {
       triangles.push_back(std::uint32_t(positions.size()));
       positions.push_back(mesh.positions[mesh.triangles[3 * triangle + k]]);
@@ -24,7 +24,7 @@ struct TriangleSoup {
 };
 
 /// What a choice takes.
-[[nodiscard]] inline TriangleSoup chosen_hair(const SourceModel& source, const HairChoice& choice) {
+[[nodiscard]] inline TriangleSoup chosen_hair(const importer::SourceModel& source, const HairChoice& choice) {
   TriangleSoup hair;
   for (std::size_t m = 0; m < source.meshes.size(); ++m) {
     for (std::size_t t = 0; t < source.meshes[m].triangles.size() / 3; ++t) {
@@ -34,4 +34,4 @@ struct TriangleSoup {
   return hair;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -18,16 +18,16 @@ using Names = std::vector<std::string>;
 // Hair is sought at such sizes: a length of its search is one of metres.
 constexpr double kLeastSize = 0.05, kMostSize = 5;
 
-double size_of_model(const SourceModel& model) {
+double size_of_model(const importer::SourceModel& model) {
   Eigen::AlignedBox3f box;
-  for (const SourceMesh& mesh : model.meshes) {
+  for (const importer::SourceMesh& mesh : model.meshes) {
     for (const Eigen::Vector3f& position : mesh.positions) box.extend(position);
   }
   return box.isEmpty() ? 0.0 : double(box.sizes().maxCoeff());
 }
 
-SourceModel without_images(const SourceModel& source) {
-  SourceModel model;
+importer::SourceModel without_images(const importer::SourceModel& source) {
+  importer::SourceModel model;
   model.path = source.path;
   model.nodes = source.nodes;
   model.meshes = source.meshes;
@@ -37,7 +37,7 @@ SourceModel without_images(const SourceModel& source) {
   model.facing = source.facing;
   model.scalp_radius = source.scalp_radius;
   model.space = source.space;
-  for (const SourceImage& image : source.images) model.images.push_back({image.name, {}});
+  for (const importer::SourceImage& image : source.images) model.images.push_back({image.name, {}});
   return model;
 }
 
@@ -47,10 +47,10 @@ bool is_called_face_hair(const std::string& name) {
 }
 
 /// By all its meshes' names or materials, or, where they say nothing, by the file's.
-bool is_on_face(const SourceModel& model, const HairMesh& hair) {
+bool is_on_face(const importer::SourceModel& model, const HairMesh& hair) {
   const auto says_so = [&](std::uint32_t m) {
-    const SourceMesh& mesh = model.meshes[m];
-    return is_called_face_hair(mesh.name) || is_called_face_hair(material_name(model, mesh));
+    const importer::SourceMesh& mesh = model.meshes[m];
+    return is_called_face_hair(mesh.name) || is_called_face_hair(importer::material_name(model, mesh));
   };
   if (!hair.source_meshes.empty() && std::ranges::all_of(hair.source_meshes, says_so)) return true;
   const std::string file = std::filesystem::path(model.path).stem().string();
@@ -59,7 +59,7 @@ bool is_on_face(const SourceModel& model, const HairMesh& hair) {
 
 }  // namespace
 
-KnownModel know_model(const SourceModel& source, const HairRecipe& recipe) {
+KnownModel know_model(const importer::SourceModel& source, const HairRecipe& recipe) {
   KnownModel known{without_images(source), 1, {}, {}, false};
   const double size = size_of_model(source);
   if (size > 0 && !(size >= kLeastSize && size <= kMostSize)) {
@@ -79,29 +79,29 @@ void turn_hair(HairMesh& hair, const Eigen::Matrix3d& rotation) {
   for (Eigen::Vector3f& normal : hair.normals) normal = turn * normal;
 }
 
-void transform_model(SourceModel& model, double factor, const Eigen::Matrix3d& rotation) {
+void transform_model(importer::SourceModel& model, double factor, const Eigen::Matrix3d& rotation) {
   Eigen::Affine3d change = Eigen::Affine3d::Identity();
   change.linear() = factor * rotation;
   const Eigen::Matrix3f turn = rotation.cast<float>(), move = change.linear().cast<float>();
-  for (SourceNode& node : model.nodes) node.model_from_node = change * node.model_from_node;
-  const auto change_mesh = [&](SourceMesh& mesh) {
+  for (importer::SourceNode& node : model.nodes) node.model_from_node = change * node.model_from_node;
+  const auto change_mesh = [&](importer::SourceMesh& mesh) {
     for (Eigen::Vector3f& position : mesh.positions) position = move * position;
     for (Eigen::Vector3f& normal : mesh.normals) normal = (turn * normal).normalized();
   };
-  for (SourceMesh& mesh : model.meshes) change_mesh(mesh);
-  for (SourceLevel& level : model.coarser) {
+  for (importer::SourceMesh& mesh : model.meshes) change_mesh(mesh);
+  for (importer::SourceLevel& level : model.coarser) {
     change_mesh(level.mesh);
     for (Eigen::Vector3f& along : level.along) along = (turn * along).normalized();
   }
   model.scalp_radius *= factor;
-  for (SourceCollider& collider : model.colliders) {
+  for (importer::SourceCollider& collider : model.colliders) {
     collider.center = change * collider.center;
     collider.tail = change * collider.tail;
     collider.normal = (rotation * collider.normal).normalized();
     collider.radius *= factor;
   }
-  for (SourceSpring& spring : model.springs) {
-    for (SourceSpringJoint& joint : spring.joints) {
+  for (importer::SourceSpring& spring : model.springs) {
+    for (importer::SourceSpringJoint& joint : spring.joints) {
       for (double* length : {&joint.length, &joint.stiffness, &joint.gravity_power, &joint.hit_radius})
         *length *= factor;
       joint.gravity_direction = (rotation * joint.gravity_direction).normalized();
@@ -110,7 +110,7 @@ void transform_model(SourceModel& model, double factor, const Eigen::Matrix3d& r
   }
 }
 
-std::vector<Eigen::Vector3d> joints_of(const SourceModel& model, BodyPart part) {
+std::vector<Eigen::Vector3d> joints_of(const importer::SourceModel& model, BodyPart part) {
   static const Names neck{"*neck*"};
   static const Names trunk{"*hips*", "*pelvis*", "*spine*", "*chest*", "*torso*", "*abdomen*"};
   static const Names feet{"*foot*", "*ankle*", "*toe*"};
@@ -118,7 +118,7 @@ std::vector<Eigen::Vector3d> joints_of(const SourceModel& model, BodyPart part) 
                             "*control*", "*necklace*", "*mesh*", "*spring*"};
   const Names& names = part == BodyPart::kNeck ? neck : part == BodyPart::kTrunk ? trunk : feet;
   std::vector<bool> carries_mesh(model.nodes.size(), false);
-  for (const SourceMesh& mesh : model.meshes) carries_mesh[mesh.node] = true;
+  for (const importer::SourceMesh& mesh : model.meshes) carries_mesh[mesh.node] = true;
   std::vector<Eigen::Vector3d> joints;
   for (std::uint32_t n = 0; n < model.nodes.size(); ++n) {
     const std::string& name = model.nodes[n].name;
@@ -128,4 +128,4 @@ std::vector<Eigen::Vector3d> joints_of(const SourceModel& model, BodyPart part) 
   return joints;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

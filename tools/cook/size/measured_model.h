@@ -12,7 +12,7 @@
 
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct HairRecipe;
 
@@ -24,18 +24,19 @@ struct SelectedHair {
 
 /// A model with its hair found, as far as that can be.
 struct KnownModel {
-  SourceModel model;     ///< Without images, and of some metres where it was not: only `scale` says how large it is.
+  importer::SourceModel
+      model;             ///< Without images, and of some metres where it was not: only `scale` says how large it is.
   double scale = 1;      ///< What its lengths were multiplied with.
   HairMesh hair;         ///< Empty where nothing was found.
   Findings found;        ///< What there is to be said of it.
   bool on_face = false;  ///< The hair is called brows, lashes or beard.
 };
 
-[[nodiscard]] KnownModel know_model(const SourceModel& source, const HairRecipe& recipe);
+[[nodiscard]] KnownModel know_model(const importer::SourceModel& source, const HairRecipe& recipe);
 
 /// Turns nodes, meshes, springs and colliders, and multiplies their lengths: what an import with another unit and axis
 /// would have given.
-void transform_model(SourceModel& model, double factor, const Eigen::Matrix3d& rotation);
+void transform_model(importer::SourceModel& model, double factor, const Eigen::Matrix3d& rotation);
 
 /// The same for hair.
 void turn_hair(HairMesh& hair, const Eigen::Matrix3d& rotation);
@@ -44,6 +45,6 @@ void turn_hair(HairMesh& hair, const Eigen::Matrix3d& rotation);
 
 /// Places of the nodes, in their order, that are called such a part of a body and carry no mesh.
 enum class BodyPart { kNeck, kTrunk, kFeet };
-[[nodiscard]] std::vector<Eigen::Vector3d> joints_of(const SourceModel& model, BodyPart part);
+[[nodiscard]] std::vector<Eigen::Vector3d> joints_of(const importer::SourceModel& model, BodyPart part);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <utility>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 // Of sums of logarithms of likelihoods.
@@ -48,17 +48,17 @@ std::string lengths_text(std::vector<SizeEvidence> evidence, double factor) {
 }
 
 /// A unit as a recipe has it.
-std::string unit_text(const SourceSpace& space, double factor) {
+std::string unit_text(const importer::SourceSpace& space, double factor) {
   return fmt::format("{:.4g}", space.metres_per_unit * factor);
 }
 
-void say_other_unit(const SourceSpace& space, const std::vector<SizeEvidence>& evidence, double factor,
+void say_other_unit(const importer::SourceSpace& space, const std::vector<SizeEvidence>& evidence, double factor,
                     JudgedSize& judged) {
   const std::string before = lengths_text(evidence, 1), after = lengths_text(evidence, factor);
   judged.factor = factor;
   judged.doubts.push_back(
       {SizeDoubt::Of::kOtherUnit,
-       space.unit == Statement::kUnsaid
+       space.unit == importer::Statement::kUnsaid
            ? fmt::format("{}; in metres there were {}; taken as {} m per unit, with {}: set \"source.metres_per_unit\" "
                          "in the recipe "
                          "if that is wrong",
@@ -68,12 +68,12 @@ void say_other_unit(const SourceSpace& space, const std::vector<SizeEvidence>& e
                          space.unit_words, before, unit_text(space, factor), after, unit_text(space, 1))});
 }
 
-void say_doubtful_unit(const SourceSpace& space, const std::vector<SizeEvidence>& evidence, double other,
+void say_doubtful_unit(const importer::SourceSpace& space, const std::vector<SizeEvidence>& evidence, double other,
                        JudgedSize& judged) {
   const std::string now = lengths_text(evidence, 1), then = lengths_text(evidence, other);
   judged.doubts.push_back(
       {SizeDoubt::Of::kDoubtfulUnit,
-       space.unit == Statement::kGiven
+       space.unit == importer::Statement::kGiven
            ? fmt::format("the recipe's \"source.metres_per_unit\": {} makes {}; {} would make {}: check it",
                          unit_text(space, 1), now, unit_text(space, other), then)
            : fmt::format("the unit is doubtful: {} m per unit ({}) makes {}; {} would make {}: set "
@@ -83,7 +83,7 @@ void say_doubtful_unit(const SourceSpace& space, const std::vector<SizeEvidence>
 }
 
 void judge_unit(const KnownModel& known, const HairRecipe& recipe, JudgedSize& judged) {
-  const SourceSpace& space = known.model.space;
+  const importer::SourceSpace& space = known.model.space;
   const std::vector<SizeEvidence> evidence = measure_model(known, recipe);
   if (evidence.empty()) return;
   std::vector<Vote> votes;
@@ -96,7 +96,7 @@ void judge_unit(const KnownModel& known, const HairRecipe& recipe, JudgedSize& j
   judged.notes.push_back(fmt::format("size by {}: {}; log-likelihood {:.1f} + {:.1f}, of {} m per unit {:.1f} + {:.1f}",
                                      space.unit_words, lengths_text(evidence, 1), own.prior, own.evidence,
                                      unit_text(space, rival.factor), rival.prior, rival.evidence));
-  if (space.unit == Statement::kGiven) {
+  if (space.unit == importer::Statement::kGiven) {
     if (rival.evidence - own.evidence > kAbsurd && rival.evidence > kFits)
       say_doubtful_unit(space, evidence, rival.factor, judged);
     return;
@@ -123,7 +123,7 @@ std::string against_text(const std::vector<UpEvidence>& evidence, std::size_t ow
 }
 
 /// A direction of the model as the file has it, before it was turned.
-std::string axis_text(const SourceSpace& space, std::size_t up) {
+std::string axis_text(const importer::SourceSpace& space, std::size_t up) {
   Eigen::Vector3d direction = up_direction(up);
   if (space.up_axis == 'z') direction = Eigen::Vector3d(direction.x(), -direction.z(), direction.y());
   if (space.up_axis == 'x') direction = Eigen::Vector3d(direction.y(), -direction.x(), direction.z());
@@ -133,7 +133,7 @@ std::string axis_text(const SourceSpace& space, std::size_t up) {
 }
 
 void judge_up(const KnownModel& known, JudgedSize& judged) {
-  const SourceSpace& space = known.model.space;
+  const importer::SourceSpace& space = known.model.space;
   const std::vector<UpEvidence> evidence = weigh_ups(known);
   if (evidence.empty()) return;
   std::vector<UpVote> votes;
@@ -150,7 +150,7 @@ void judge_up(const KnownModel& known, JudgedSize& judged) {
                                      rival.evidence));
   const std::string why = against_text(evidence, own.up, rival.up), axis = axis_text(space, rival.up);
   const double lead = own.sum() - rival.sum();
-  if (space.up == Statement::kGiven) {
+  if (space.up == importer::Statement::kGiven) {
     if (rival.evidence - own.evidence > kAbsurd) {
       judged.doubts.push_back(
           {SizeDoubt::Of::kDoubtfulUp,
@@ -175,7 +175,7 @@ void judge_up(const KnownModel& known, JudgedSize& judged) {
 
 }  // namespace
 
-JudgedSize judge_size(const SourceModel& source, const HairRecipe& recipe) {
+JudgedSize judge_size(const importer::SourceModel& source, const HairRecipe& recipe) {
   JudgedSize judged;
   KnownModel known = know_model(source, recipe);
   judge_up(known, judged);
@@ -190,7 +190,7 @@ JudgedSize judge_size(const SourceModel& source, const HairRecipe& recipe) {
   return judged;
 }
 
-SourceModel settled(SourceModel source, const JudgedSize& size) {
+importer::SourceModel settled(importer::SourceModel source, const JudgedSize& size) {
   transform_model(source, size.factor, size.rotation);
   return source;
 }
@@ -205,7 +205,7 @@ const char* code_of(SizeDoubt::Of of) {
   return "S210";
 }
 
-SettledSource settle_size(const SourceModel& source, const HairRecipe& recipe, Findings& findings) {
+SettledSource settle_size(const importer::SourceModel& source, const HairRecipe& recipe, Findings& findings) {
   JudgedSize size = judge_size(source, recipe);
   for (const std::string& note : size.notes) findings.note(note);
   for (const SizeDoubt& doubt : size.doubts) findings.warn(code_of(doubt.of), doubt.text);
@@ -213,4 +213,4 @@ SettledSource settle_size(const SourceModel& source, const HairRecipe& recipe, F
   return {settled(source, size), std::nullopt};
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct HairRecipe;
 
@@ -45,18 +45,19 @@ struct JudgedSize {
 /// Compares what the file says (SourceModel::space) with head, body, named joints, hair and strips. The file's word
 /// holds unless what the model shows is clearly against it and clearly for another common unit or axis; what the caller
 /// gave holds always. Without anything known to be hair the body alone is looked at.
-[[nodiscard]] JudgedSize judge_size(const SourceModel& source, const HairRecipe& recipe);
+[[nodiscard]] JudgedSize judge_size(const importer::SourceModel& source, const HairRecipe& recipe);
 
 /// The model with that applied.
-[[nodiscard]] SourceModel settled(SourceModel source, const JudgedSize& size);
+[[nodiscard]] importer::SourceModel settled(importer::SourceModel source, const JudgedSize& size);
 
 struct SettledSource {
-  std::optional<SourceModel> model;  ///< As it is cooked; none where it is right as it is.
+  std::optional<importer::SourceModel> model;  ///< As it is cooked; none where it is right as it is.
   std::optional<SelectedHair> hair =
       {};  ///< What select_hair() finds in a model that is right, as far as that is known already.
 };
 
 /// Judges a model and applies what comes out. Appends what is to be said.
-[[nodiscard]] SettledSource settle_size(const SourceModel& source, const HairRecipe& recipe, Findings& findings);
+[[nodiscard]] SettledSource settle_size(const importer::SourceModel& source, const HairRecipe& recipe,
+                                        Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3d;
@@ -68,16 +68,16 @@ void measure_scalp(const KnownModel& known, SizeMeasures& measures) {
 }
 
 void measure_body(const KnownModel& known, SizeMeasures& measures) {
-  const SourceModel& model = known.model;
+  const importer::SourceModel& model = known.model;
   if (moves_limbs(model)) {
     Eigen::AlignedBox3f box;
-    for (const SourceMesh& mesh : model.meshes) {
+    for (const importer::SourceMesh& mesh : model.meshes) {
       for (const Eigen::Vector3f& position : mesh.positions) box.extend(position);
     }
     measures.add({"the body's height", double(box.sizes().y()), 0.8, 2.3, 1, true});
   }
   const std::uint32_t head = guess_head_node(model);
-  if (head == kNoIndex) return;
+  if (head == importer::kNoIndex) return;
   const Vector3d at = model.nodes[head].model_from_node.translation();
   const auto farthest = [&](BodyPart part) {
     double distance = 0;
@@ -161,4 +161,4 @@ double size_likelihood(std::span<const SizeEvidence> evidence, double factor) {
   return hair + person / std::max(1.0, person_weight);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

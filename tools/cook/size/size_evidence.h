@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct HairRecipe;
 
@@ -27,4 +27,4 @@ struct SizeEvidence {
 /// floor.
 [[nodiscard]] double size_likelihood(std::span<const SizeEvidence> evidence, double factor);
 
-}  // namespace coif
+}  // namespace coif::cook

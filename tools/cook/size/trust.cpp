@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 // How much less likely another unit or axis than the file's is.
@@ -30,12 +30,12 @@ bool is_converter(const std::string& generator) {
   return matches_any(generator, names);
 }
 
-double trust_in(Statement statement) {
+double trust_in(importer::Statement statement) {
   switch (statement) {
-    case Statement::kGiven: return kHumanoid;
-    case Statement::kDeclared: return kByDefinition;
-    case Statement::kUsual: return kByHabit;
-    case Statement::kUnsaid: break;
+    case importer::Statement::kGiven: return kHumanoid;
+    case importer::Statement::kDeclared: return kByDefinition;
+    case importer::Statement::kUsual: return kByHabit;
+    case importer::Statement::kUnsaid: break;
   }
   return 0;
 }
@@ -54,11 +54,11 @@ std::vector<UnitPrior> customs(double scalp_radius) {
 
 }  // namespace
 
-std::vector<UnitPrior> unit_priors(const SourceModel& model, const HairRecipe& recipe, double scalp_radius) {
-  const SourceSpace& space = model.space;
-  if (space.unit == Statement::kUnsaid) return customs(scalp_radius);
+std::vector<UnitPrior> unit_priors(const importer::SourceModel& model, const HairRecipe& recipe, double scalp_radius) {
+  const importer::SourceSpace& space = model.space;
+  if (space.unit == importer::Statement::kUnsaid) return customs(scalp_radius);
   double trust = trust_in(space.unit);
-  if (model.head_node != kNoIndex) trust = kHumanoid;
+  if (model.head_node != importer::kNoIndex) trust = kHumanoid;
   if (is_converter(space.generator)) trust = std::min(trust, kByConverter);
   if (recipe.head_center && recipe.head_radii) trust += kByRecipe;
   std::vector<UnitPrior> priors{{1, 0}};
@@ -70,11 +70,11 @@ std::vector<UnitPrior> unit_priors(const SourceModel& model, const HairRecipe& r
   return priors;
 }
 
-std::array<double, kUps> up_priors(const SourceModel& model) {
-  const SourceSpace& space = model.space;
-  double trust = space.up == Statement::kUnsaid ? 1.5 : kByChoice;
-  if (model.head_node != kNoIndex) trust = kHumanoid;
-  if (is_converter(space.generator) && space.up != Statement::kUnsaid) trust = kByConverter;
+std::array<double, kUps> up_priors(const importer::SourceModel& model) {
+  const importer::SourceSpace& space = model.space;
+  double trust = space.up == importer::Statement::kUnsaid ? 1.5 : kByChoice;
+  if (model.head_node != importer::kNoIndex) trust = kHumanoid;
+  if (is_converter(space.generator) && space.up != importer::Statement::kUnsaid) trust = kByConverter;
   // Y and Z are taken for each other. What was turned once already is turned back; else the file's own Z comes up.
   constexpr double kUnlikely = 2, kStrange = 3;
   const bool turned = space.up_axis != 'y';
@@ -82,4 +82,4 @@ std::array<double, kUps> up_priors(const SourceModel& model) {
   return {0, -trust - z, -trust - minus_z, -trust - kUnlikely, -trust - kStrange, -trust - kStrange};
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct HairRecipe;
 
@@ -22,10 +22,10 @@ struct UnitPrior {
 /// unit that somebody chose, the value that every exporter writes, the output of a converter that knows no units. A
 /// file without a unit may be in one of its own, that of the head that its strands grew on: the one that makes their
 /// scalp a usual one, to two digits. `scalp_radius`: of these, as it was imported; 0: not known.
-[[nodiscard]] std::vector<UnitPrior> unit_priors(const SourceModel& model, const HairRecipe& recipe,
+[[nodiscard]] std::vector<UnitPrior> unit_priors(const importer::SourceModel& model, const HairRecipe& recipe,
                                                  double scalp_radius);
 
 /// The same for each direction of up_direction().
-[[nodiscard]] std::array<double, kUps> up_priors(const SourceModel& model);
+[[nodiscard]] std::array<double, kUps> up_priors(const importer::SourceModel& model);
 
-}  // namespace coif
+}  // namespace coif::cook

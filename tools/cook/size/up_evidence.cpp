@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3d;
@@ -45,9 +45,9 @@ UpEvidence evidence_along(const char* what, const Vector3d& direction, double ag
   return evidence;
 }
 
-void weigh_skeleton(const SourceModel& model, std::vector<UpEvidence>& evidence) {
+void weigh_skeleton(const importer::SourceModel& model, std::vector<UpEvidence>& evidence) {
   const std::uint32_t head = guess_head_node(model);
-  if (head == kNoIndex) return;
+  if (head == importer::kNoIndex) return;
   const Vector3d at = model.nodes[head].model_from_node.translation();
   for (const auto& [part, what] : {std::pair{BodyPart::kFeet, "the head's joint above the feet's"},
                                    {BodyPart::kTrunk, "the head's joint above the trunk's"},
@@ -60,12 +60,12 @@ void weigh_skeleton(const SourceModel& model, std::vector<UpEvidence>& evidence)
 }
 
 /// Which way the head's bone points: towards its end's marker, or, as Blender has bones, along its own Y.
-void weigh_head_bone(const SourceModel& model, std::vector<UpEvidence>& evidence) {
+void weigh_head_bone(const importer::SourceModel& model, std::vector<UpEvidence>& evidence) {
   static const std::vector<std::string> ends{"*head*end*", "*head*top*", "*head*nub*", "*head*tip*"};
   const std::uint32_t head = guess_head_node(model);
-  if (head == kNoIndex) return;
+  if (head == importer::kNoIndex) return;
   const Eigen::Affine3d& at = model.nodes[head].model_from_node;
-  for (const SourceNode& node : model.nodes) {
+  for (const importer::SourceNode& node : model.nodes) {
     const Vector3d way = node.model_from_node.translation() - at.translation();
     if (node.parent != head || !matches_any(node.name, ends) || way.norm() < 1.0e-6) continue;
     evidence.push_back(evidence_along("the head's bone points up", way, kHeadBone));
@@ -76,17 +76,17 @@ void weigh_head_bone(const SourceModel& model, std::vector<UpEvidence>& evidence
 }
 
 /// From each of hair's joints to those below it.
-void weigh_joints(const SourceModel& model, std::vector<UpEvidence>& evidence) {
+void weigh_joints(const importer::SourceModel& model, std::vector<UpEvidence>& evidence) {
   const std::vector<bool> hair = find_hair_bones(model);
   std::vector<bool> is_bone = hair;
-  for (const SourceMesh& mesh : model.meshes) {
-    for (const SourceInfluence& influence : mesh.influences) is_bone[influence.node] = true;
+  for (const importer::SourceMesh& mesh : model.meshes) {
+    for (const importer::SourceInfluence& influence : mesh.influences) is_bone[influence.node] = true;
   }
   Vector3d way = Vector3d::Zero();
   double length = 0;
   for (std::size_t n = 0; n < model.nodes.size(); ++n) {
     const std::uint32_t parent = model.nodes[n].parent;
-    if (parent == kNoIndex || !hair[parent] || !is_bone[n]) continue;
+    if (parent == importer::kNoIndex || !hair[parent] || !is_bone[n]) continue;
     const Vector3d bone =
         model.nodes[n].model_from_node.translation() - model.nodes[parent].model_from_node.translation();
     way += bone;
@@ -236,4 +236,4 @@ std::vector<UpEvidence> weigh_ups(const KnownModel& known) {
   return evidence;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace coif {
+namespace coif::cook {
 
 /// Directions of a model that may be up: first the one that it was imported with.
 inline constexpr std::size_t kUps = 6;
@@ -24,4 +24,4 @@ struct UpEvidence {
 
 [[nodiscard]] std::vector<UpEvidence> weigh_ups(const KnownModel& known);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct PassTime {
   std::string name;  ///< Each once.
@@ -51,7 +51,7 @@ class CookLog {
   class Timer {
    public:
     Timer(CookLog& log, const char* name) : log_(log), name_(name) {
-      throw_if_stopped(log.settings_.threads.stop);
+      platform::throw_if_stopped(log.settings_.threads.stop);
       if (log.settings_.progress) log.settings_.progress(name);
     }
     ~Timer() {
@@ -71,4 +71,4 @@ class CookLog {
   CookReport& report_;
 };
 
-}  // namespace coif
+}  // namespace coif::cook

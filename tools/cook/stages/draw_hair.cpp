@@ -7,15 +7,15 @@
 #include "cook/texture/patch_coverage.h"
 #include "cook/texture/vertex_colors.h"
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Done = tl::expected<void, ToolError>;
 
 class HairDrawer {
  public:
-  HairDrawer(const SourceModel& source, BaseColor color, Strips strips, CookedRig rig, const DrawnRecipe& recipe,
-             const CookSettings& settings, CookLog& log)
+  HairDrawer(const importer::SourceModel& source, BaseColor color, Strips strips, CookedRig rig,
+             const DrawnRecipe& recipe, const CookSettings& settings, CookLog& log)
       : source_(source),
         color_(std::move(color)),
         recipe_(recipe),
@@ -111,7 +111,7 @@ class HairDrawer {
     contents.texels = texels;
   }
 
-  const SourceModel& source_;
+  const importer::SourceModel& source_;
   BaseColor color_;
   const DrawnRecipe& recipe_;
   const CookSettings& settings_;
@@ -122,10 +122,10 @@ class HairDrawer {
 
 }  // namespace
 
-tl::expected<Drawn, ToolError> draw_hair(const SourceModel& source, BaseColor color, Strips strips, CookedRig rig,
-                                         const DrawnRecipe& recipe, const SceneRecipe& scene,
+tl::expected<Drawn, ToolError> draw_hair(const importer::SourceModel& source, BaseColor color, Strips strips,
+                                         CookedRig rig, const DrawnRecipe& recipe, const SceneRecipe& scene,
                                          const CookSettings& settings, CookLog& log) {
   return HairDrawer(source, std::move(color), std::move(strips), std::move(rig), recipe, settings, log).draw(scene);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

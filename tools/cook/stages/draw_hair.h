@@ -15,7 +15,7 @@
 
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// What hair looks like, near and far.
 struct Drawn {
@@ -30,8 +30,8 @@ struct Drawn {
 
 /// The fourth stage of a cook: textures, levels of detail, draw orders. Errors: a texture cannot be read, or what a
 /// recipe asks of it is not there.
-tl::expected<Drawn, ToolError> draw_hair(const SourceModel& source, BaseColor color, Strips strips, CookedRig rig,
-                                         const DrawnRecipe& recipe, const SceneRecipe& scene,
+tl::expected<Drawn, ToolError> draw_hair(const importer::SourceModel& source, BaseColor color, Strips strips,
+                                         CookedRig rig, const DrawnRecipe& recipe, const SceneRecipe& scene,
                                          const CookSettings& settings, CookLog& log);
 
-}  // namespace coif
+}  // namespace coif::cook

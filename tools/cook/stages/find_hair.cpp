@@ -5,14 +5,14 @@
 #include "cook/size/settle_size.h"
 #include "cook/strands/odd_hair.h"
 
-namespace coif {
+namespace coif::cook {
 
-tl::expected<SourceHair, ToolError> find_hair(const SourceModel& source, const HairRecipe& recipe,
+tl::expected<SourceHair, ToolError> find_hair(const importer::SourceModel& source, const HairRecipe& recipe,
                                               const DrawnRecipe& drawn, const CookSettings& settings, CookLog& log) {
   Findings& findings = log.findings();
   SettledSource settled = log.pass("size", [&] { return settle_size(source, recipe, findings); });
   SourceHair hair{std::move(settled.model), {}, {}};
-  const SourceModel& model = hair.model(source);
+  const importer::SourceModel& model = hair.model(source);
 
   // What the size was judged by may be the hair already.
   auto mesh = log.pass("select", [&]() -> tl::expected<HairMesh, ToolError> {
@@ -32,4 +32,4 @@ tl::expected<SourceHair, ToolError> find_hair(const SourceModel& source, const H
   return hair;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

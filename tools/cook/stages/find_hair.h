@@ -13,21 +13,24 @@
 
 #include <optional>
 
-namespace coif {
+namespace coif::cook {
 
 /// What of a source is hair.
 struct SourceHair {
-  std::optional<SourceModel> settled;  ///< The source in metres with Y up; none where it is like that as it was read.
-  HairMesh mesh;                       ///< With one texture, whose coordinates it has.
+  std::optional<importer::SourceModel>
+      settled;    ///< The source in metres with Y up; none where it is like that as it was read.
+  HairMesh mesh;  ///< With one texture, whose coordinates it has.
   BaseColor color;
 
   /// The model that the hair is of.
-  [[nodiscard]] const SourceModel& model(const SourceModel& source) const { return settled ? *settled : source; }
+  [[nodiscard]] const importer::SourceModel& model(const importer::SourceModel& source) const {
+    return settled ? *settled : source;
+  }
 };
 
 /// The first stage of a cook. Textures are joined here, since that moves texture coordinates and splits vertices, which
 /// all that follows numbers. Errors: those of select_hair() and find_base_color().
-tl::expected<SourceHair, ToolError> find_hair(const SourceModel& source, const HairRecipe& recipe,
+tl::expected<SourceHair, ToolError> find_hair(const importer::SourceModel& source, const HairRecipe& recipe,
                                               const DrawnRecipe& drawn, const CookSettings& settings, CookLog& log);
 
-}  // namespace coif
+}  // namespace coif::cook

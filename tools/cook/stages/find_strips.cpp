@@ -6,13 +6,13 @@
 #include "cook/strands/strand_direction.h"
 #include "cook/texture/strand_lines.h"
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Done = tl::expected<void, ToolError>;
 
 /// The patches, and what the recipe says of some of them alone.
-Done find_all_patches(const SourceModel& source, const HairRecipe& welding, const StripRecipe& recipe,
+Done find_all_patches(const importer::SourceModel& source, const HairRecipe& welding, const StripRecipe& recipe,
                       bool lists_patches, Strips& strips, CookLog& log) {
   HairStrips& hair = strips.hair;
   log.pass("places", [&] { hair.welded = weld_places(hair.mesh.positions, welding.patch_weld_distance); });
@@ -34,8 +34,8 @@ Done find_all_patches(const SourceModel& source, const HairRecipe& welding, cons
 }
 
 /// The head that the hair grows on.
-Done find_head(const SourceModel& source, const HairRecipe& recipe, const std::stop_token& stop, Strips& strips,
-               CookLog& log) {
+Done find_head(const importer::SourceModel& source, const HairRecipe& recipe, const std::stop_token& stop,
+               Strips& strips, CookLog& log) {
   const HairMesh& mesh = strips.hair.mesh;
   auto bone = log.pass("head bone", [&] { return find_head_bone(source, mesh, recipe.head_bone); });
   if (!bone) return tl::unexpected(bone.error());
@@ -45,7 +45,7 @@ Done find_head(const SourceModel& source, const HairRecipe& recipe, const std::s
     strips.head.faces_backwards = faces_backwards(source, mesh, strips.head);
     if (strips.head.faces_backwards)
       log.findings().note("the model looks along -Z; pictures are taken from there, and chains named by it");
-    if (strips.head_bone.node == kNoIndex) strips.head_bone.joint = strips.head.center;
+    if (strips.head_bone.node == importer::kNoIndex) strips.head_bone.joint = strips.head.center;
   });
   return {};
 }
@@ -53,7 +53,8 @@ Done find_head(const SourceModel& source, const HairRecipe& recipe, const std::s
 /// Which way the strands run.
 class StrandFinder {
  public:
-  StrandFinder(const SourceModel& source, const BaseColor& color, const StripRecipe& recipe, const Threads& threads)
+  StrandFinder(const importer::SourceModel& source, const BaseColor& color, const StripRecipe& recipe,
+               const platform::Threads& threads)
       : source_(source), color_(color), recipe_(recipe), threads_(threads) {}
 
   void find(Strips& strips, Findings& findings) const {
@@ -82,15 +83,15 @@ class StrandFinder {
     return find_strand_direction(strips.hair, strips.head, settings, findings);
   }
 
-  const SourceModel& source_;
+  const importer::SourceModel& source_;
   const BaseColor& color_;
   const StripRecipe& recipe_;
-  Threads threads_;
+  platform::Threads threads_;
 };
 
 }  // namespace
 
-tl::expected<Strips, ToolError> find_strips(const SourceModel& source, HairMesh hair, const BaseColor& color,
+tl::expected<Strips, ToolError> find_strips(const importer::SourceModel& source, HairMesh hair, const BaseColor& color,
                                             const HairRecipe& of_head, const StripRecipe& recipe,
                                             const CookSettings& settings, CookLog& log) {
   Strips strips;
@@ -112,4 +113,4 @@ tl::expected<Strips, ToolError> find_strips(const SourceModel& source, HairMesh 
   return strips;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

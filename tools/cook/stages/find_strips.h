@@ -16,7 +16,7 @@
 
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// Hair as strips, and the head that they grow on.
 struct Strips {
@@ -29,8 +29,8 @@ struct Strips {
 
 /// The second stage of a cook, of hair that was found in `source`. Errors: the recipe's patches or head bone are not
 /// there, or no hair is left.
-tl::expected<Strips, ToolError> find_strips(const SourceModel& source, HairMesh hair, const BaseColor& color,
+tl::expected<Strips, ToolError> find_strips(const importer::SourceModel& source, HairMesh hair, const BaseColor& color,
                                             const HairRecipe& of_head, const StripRecipe& recipe,
                                             const CookSettings& settings, CookLog& log);
 
-}  // namespace coif
+}  // namespace coif::cook

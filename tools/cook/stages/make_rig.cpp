@@ -14,7 +14,7 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Done = tl::expected<void, ToolError>;
@@ -29,8 +29,8 @@ Done keep(tl::expected<Part, ToolError> made, Part& part) {
 
 class RigMaker {
  public:
-  RigMaker(const SourceModel& source, const Strips& strips, const RigRecipe& recipe, const CookSettings& settings,
-           CookLog& log)
+  RigMaker(const importer::SourceModel& source, const Strips& strips, const RigRecipe& recipe,
+           const CookSettings& settings, CookLog& log)
       : source_(source), strips_(strips), recipe_(recipe), settings_(settings), log_(log), findings_(log.findings()) {}
 
   tl::expected<CookedRig, ToolError> make() {
@@ -134,7 +134,7 @@ class RigMaker {
     });
   }
 
-  const SourceModel& source_;
+  const importer::SourceModel& source_;
   const Strips& strips_;
   const RigRecipe& recipe_;
   const CookSettings& settings_;
@@ -149,9 +149,9 @@ class RigMaker {
 
 }  // namespace
 
-tl::expected<CookedRig, ToolError> make_rig(const SourceModel& source, const Strips& strips, const RigRecipe& recipe,
-                                            const CookSettings& settings, CookLog& log) {
+tl::expected<CookedRig, ToolError> make_rig(const importer::SourceModel& source, const Strips& strips,
+                                            const RigRecipe& recipe, const CookSettings& settings, CookLog& log) {
   return RigMaker(source, strips, recipe, settings, log).make();
 }
 
-}  // namespace coif
+}  // namespace coif::cook

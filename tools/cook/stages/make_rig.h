@@ -10,7 +10,7 @@
 
 #include <tl/expected.hpp>
 
-namespace coif {
+namespace coif::cook {
 
 /// What moves hair.
 struct CookedRig {
@@ -23,7 +23,7 @@ struct CookedRig {
 /// The third stage of a cook: bones of the file or fitted ones, what they must not enter, and how they move. Each
 /// chain's equation becomes one that has a solution, and then gets the cheapest way to solve it. Errors: the recipe's
 /// bones are not there, or no rate keeps its budget.
-tl::expected<CookedRig, ToolError> make_rig(const SourceModel& source, const Strips& strips, const RigRecipe& recipe,
-                                            const CookSettings& settings, CookLog& log);
+tl::expected<CookedRig, ToolError> make_rig(const importer::SourceModel& source, const Strips& strips,
+                                            const RigRecipe& recipe, const CookSettings& settings, CookLog& log);
 
-}  // namespace coif
+}  // namespace coif::cook

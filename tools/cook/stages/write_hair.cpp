@@ -5,14 +5,14 @@
 
 #include <fmt/format.h>
 
-namespace coif {
+namespace coif::cook {
 
 tl::expected<std::vector<std::byte>, ToolError> write_hair(const std::string& path, const SceneRecipe& recipe,
                                                            AssetContents& contents, CookLog& log) {
   return log.pass("write", [&]() -> tl::expected<std::vector<std::byte>, ToolError> {
     leave_out_parts(recipe, contents, log.findings());
     std::vector<std::byte> asset = write_asset(contents);
-    const OpenedAsset opened(asset);
+    const lab::OpenedAsset opened(asset);
     LoadStatus status = opened.status();
     if (status) status = opened.asset().verify_draw_data();
     if (status) return asset;
@@ -23,4 +23,4 @@ tl::expected<std::vector<std::byte>, ToolError> write_hair(const std::string& pa
   });
 }
 
-}  // namespace coif
+}  // namespace coif::cook

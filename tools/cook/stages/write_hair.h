@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// The last stage of a cook: the bytes of an asset, and `contents` as they are in it, without the parts that the
 /// recipe's scene does without. Error (kBadInput), which names the source at `path`: the runtime would refuse it, and
@@ -19,4 +19,4 @@ namespace coif {
 tl::expected<std::vector<std::byte>, ToolError> write_hair(const std::string& path, const SceneRecipe& recipe,
                                                            AssetContents& contents, CookLog& log);
 
-}  // namespace coif
+}  // namespace coif::cook

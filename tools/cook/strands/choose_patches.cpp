@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3d;
@@ -85,7 +85,7 @@ std::vector<std::uint32_t> selected(const PatchSelection& select, const HairMesh
   return near;
 }
 
-tl::unexpected<ToolError> refuse(const SourceModel& source, const std::string& what) {
+tl::unexpected<ToolError> refuse(const importer::SourceModel& source, const std::string& what) {
   return tl::unexpected(
       ToolError{ToolError::Kind::kBadInput,
                 fmt::format("{}: recipe key \"patches.overrides\" {}; 'coif cook {} --list patches' lists them",
@@ -107,16 +107,16 @@ void leave_out(const std::vector<bool>& dropped, HairStrips& hair, Findings& fin
 
 }  // namespace
 
-std::vector<PatchListing> list_patches(const SourceModel& source, const HairStrips& hair) {
+std::vector<PatchListing> list_patches(const importer::SourceModel& source, const HairStrips& hair) {
   const std::vector<PatchView> views = hair.views();
   const std::vector<std::uint32_t> islands = islands_of(hair.mesh, views);
   std::vector<PatchListing> listings;
   for (std::uint32_t p = 0; p < views.size(); ++p) {
     PatchListing& patch = listings.emplace_back();
     patch.number = p;
-    const SourceMesh& mesh = source.meshes[hair.mesh.mesh_of_triangle[views[p].triangles.front() / 3]];
+    const importer::SourceMesh& mesh = source.meshes[hair.mesh.mesh_of_triangle[views[p].triangles.front() / 3]];
     patch.mesh = mesh.name;
-    patch.material = material_name(source, mesh);
+    patch.material = importer::material_name(source, mesh);
     patch.island = islands[p];
     patch.triangles = views[p].triangles.size();
     Eigen::AlignedBox3d box;
@@ -127,8 +127,8 @@ std::vector<PatchListing> list_patches(const SourceModel& source, const HairStri
   return listings;
 }
 
-tl::expected<void, ToolError> choose_patches(const SourceModel& source, const StripRecipe& recipe, bool only_lists,
-                                             HairStrips& hair, std::vector<PatchListing>& listings,
+tl::expected<void, ToolError> choose_patches(const importer::SourceModel& source, const StripRecipe& recipe,
+                                             bool only_lists, HairStrips& hair, std::vector<PatchListing>& listings,
                                              Findings& findings) {
   const std::vector<PatchView> views = hair.views();
   for (std::uint32_t o = 0; o < recipe.patch_overrides.size(); ++o) {
@@ -183,4 +183,4 @@ void list_roots(const HairStrips& hair, std::vector<PatchListing>& listings) {
   }
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace coif {
+namespace coif::cook {
 
 struct StripRecipe;
 
@@ -30,15 +30,16 @@ struct PatchListing {
 };
 
 /// Of hair whose patches were just found: every patch, by its number.
-[[nodiscard]] std::vector<PatchListing> list_patches(const SourceModel& source, const HairStrips& hair);
+[[nodiscard]] std::vector<PatchListing> list_patches(const importer::SourceModel& source, const HairStrips& hair);
 
 /// Finds out which patches the recipe's overrides select, writes that to `hair` and `listings`, and leaves out what the
 /// recipe does not keep. Errors (kBadInput): an override selects nothing, or nothing is kept. With `only_lists` the
 /// first is a warning, since it is by the list that such a recipe is mended.
-tl::expected<void, ToolError> choose_patches(const SourceModel& source, const StripRecipe& recipe, bool only_lists,
-                                             HairStrips& hair, std::vector<PatchListing>& listings, Findings& findings);
+tl::expected<void, ToolError> choose_patches(const importer::SourceModel& source, const StripRecipe& recipe,
+                                             bool only_lists, HairStrips& hair, std::vector<PatchListing>& listings,
+                                             Findings& findings);
 
 /// Fills in `root` of each listing: on which side of the texture strands start.
 void list_roots(const HairStrips& hair, std::vector<PatchListing>& listings);
 
-}  // namespace coif
+}  // namespace coif::cook

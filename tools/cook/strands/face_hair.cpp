@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::AlignedBox3d;
@@ -29,9 +29,10 @@ bool is_called_beard(const std::string& name) {
 }
 
 /// Names of the mesh and material that a patch comes from.
-std::array<std::string, 2> names_of(const SourceModel& source, const HairStrips& hair, const PatchView& patch) {
-  const SourceMesh& mesh = source.meshes[hair.mesh.mesh_of_triangle[patch.triangles.front() / 3]];
-  return {mesh.name, material_name(source, mesh)};
+std::array<std::string, 2> names_of(const importer::SourceModel& source, const HairStrips& hair,
+                                    const PatchView& patch) {
+  const importer::SourceMesh& mesh = source.meshes[hair.mesh.mesh_of_triangle[patch.triangles.front() / 3]];
+  return {mesh.name, importer::material_name(source, mesh)};
 }
 
 /// Of a patch, in shares of the head's radii from its centre, as the face looks.
@@ -68,7 +69,7 @@ std::string numbered(const HairStrips& hair, std::span<const std::uint32_t> patc
 
 }  // namespace
 
-FaceHair find_face_hair(const SourceModel& source, const HairStrips& hair, const FittedHead& head) {
+FaceHair find_face_hair(const importer::SourceModel& source, const HairStrips& hair, const FittedHead& head) {
   FaceHair found;
   std::vector<std::pair<std::uint32_t, AlignedBox3d>> perhaps;
   const std::vector<PatchView> views = hair.views();
@@ -91,7 +92,7 @@ FaceHair find_face_hair(const SourceModel& source, const HairStrips& hair, const
   return found;
 }
 
-tl::expected<void, ToolError> choose_face_hair(const SourceModel& source, const StripRecipe& recipe,
+tl::expected<void, ToolError> choose_face_hair(const importer::SourceModel& source, const StripRecipe& recipe,
                                                const FittedHead& head, HairStrips& hair, Findings& findings) {
   const FaceHair found = find_face_hair(source, hair, head);
   std::vector<bool> dropped(hair.patches.count, false);
@@ -116,4 +117,4 @@ tl::expected<void, ToolError> choose_face_hair(const SourceModel& source, const 
   return {};
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace coif {
+namespace coif::cook {
 
 std::string patches_text(std::span<const std::uint32_t> numbers) {
   return fmt::format("{} {}", numbers.size() == 1 ? "patch" : "patches", numbers_text(numbers));
@@ -60,21 +60,22 @@ void HairStrips::drop(const std::vector<bool>& dropped) {
   kept.double_sided = mesh.double_sided;
   kept.source_meshes = mesh.source_meshes;
   kept.material = mesh.material;
-  std::vector<std::uint32_t> new_index(used.size(), kNoIndex), place(used.size(), kNoIndex), new_welded;
+  std::vector<std::uint32_t> new_index(used.size(), importer::kNoIndex), place(used.size(), importer::kNoIndex),
+      new_welded;
   for (std::uint32_t v = 0; v < used.size(); ++v) {
     if (!used[v]) continue;
     new_index[v] = kept.append_vertex(mesh, v);
     if (welded.empty()) continue;
     std::uint32_t& first = place[welded[v]];  // of those that stay at this place
-    if (first == kNoIndex) first = new_index[v];
+    if (first == importer::kNoIndex) first = new_index[v];
     new_welded.push_back(first);
   }
   PatchSet left;
-  std::vector<std::uint32_t> new_patch(patches.count, kNoIndex);
+  std::vector<std::uint32_t> new_patch(patches.count, importer::kNoIndex);
   for (std::uint32_t t = 0; t < patches.patch_of.size(); ++t) {
     const std::uint32_t patch = patches.patch_of[t];
     if (dropped[patch]) continue;
-    if (new_patch[patch] == kNoIndex) {
+    if (new_patch[patch] == importer::kNoIndex) {
       new_patch[patch] = left.count++;
       left.first_number.push_back(patches.number_of(patch));
     }
@@ -89,12 +90,12 @@ void HairStrips::drop(const std::vector<bool>& dropped) {
 }
 
 std::vector<std::uint32_t> HairStrips::separate_patches() {
-  std::vector<std::uint32_t> owner(mesh.positions.size(), kNoIndex);
+  std::vector<std::uint32_t> owner(mesh.positions.size(), importer::kNoIndex);
   // A vertex's copies for other patches; most vertices have none.
   std::vector<std::pair<std::uint64_t, std::size_t>> foreign;  ///< Patch and vertex, corner.
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const std::uint32_t patch = patches.patch_of[i / 3], v = mesh.triangles[i];
-    if (owner[v] == kNoIndex) owner[v] = patch;
+    if (owner[v] == importer::kNoIndex) owner[v] = patch;
     if (owner[v] != patch) foreign.emplace_back(std::uint64_t(patch) << 32 | v, i);
   }
   std::ranges::sort(foreign);
@@ -135,4 +136,4 @@ std::size_t HairStrips::complete_normals() {
   return missing;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// Where the strands run.
 struct StrandField {
@@ -76,4 +76,4 @@ struct HairStrips {
 /// Twice the area of the triangle whose first index is at `t`, square metres.
 [[nodiscard]] float doubled_area(const HairMesh& mesh, std::size_t t);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace coif {
+namespace coif::cook {
 
 void warn_of_odd_size(const HairMesh& hair, Findings& findings) {
   Eigen::AlignedBox3f box;
@@ -24,4 +24,4 @@ void warn_of_fragments(const HairMesh& hair, std::size_t patches, Connectivity b
                                     hair.triangle_count(), patches, word_of(by)));
 }
 
-}  // namespace coif
+}  // namespace coif::cook

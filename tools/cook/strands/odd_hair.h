@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace coif {
+namespace coif::cook {
 
 enum class Connectivity;
 
@@ -28,4 +28,4 @@ void warn_of_odd_size(const HairMesh& hair, Findings& findings);
 /// Warns of hair in fragments. `by`: what makes triangles one patch.
 void warn_of_fragments(const HairMesh& hair, std::size_t patches, Connectivity by, Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr std::size_t kFragment = 8;        ///< Fewer triangles are an exporter's work, not an artist's strip.
@@ -18,10 +18,10 @@ constexpr float kSameCoordinate = 1.0e-4f;  ///< Of the texture; a tenth of a te
 /// Numbers the sets by first appearance.
 PatchSet number_sets(DisjointSets& sets, std::size_t count) {
   PatchSet result;
-  std::vector<std::uint32_t> number(count, kNoIndex);
+  std::vector<std::uint32_t> number(count, importer::kNoIndex);
   for (std::uint32_t t = 0; t < count; ++t) {
     std::uint32_t& patch = number[sets.find(t)];
-    if (patch == kNoIndex) patch = result.count++;
+    if (patch == importer::kNoIndex) patch = result.count++;
     result.patch_of.push_back(patch);
   }
   return result;
@@ -30,11 +30,11 @@ PatchSet number_sets(DisjointSets& sets, std::size_t count) {
 /// Groups triangles whose corners share an id; `id_of` maps vertices to ids below the vertex count.
 PatchSet group_by_corners(const HairMesh& mesh, std::span<const std::uint32_t> id_of) {
   DisjointSets sets(mesh.triangle_count());
-  std::vector<std::uint32_t> first(mesh.positions.size(), kNoIndex);
+  std::vector<std::uint32_t> first(mesh.positions.size(), importer::kNoIndex);
   for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
       std::uint32_t& other = first[id_of[mesh.triangles[3 * t + k]]];
-      if (other == kNoIndex) {
+      if (other == importer::kNoIndex) {
         other = t;
       } else {
         sets.unite(other, t);
@@ -147,4 +147,4 @@ ExtractedPatches find_patches(HairStrips& hair, Connectivity connectivity, Findi
   return extracted;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

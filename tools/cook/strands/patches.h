@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace coif {
+namespace coif::cook {
 
 enum class Connectivity;
 
@@ -44,4 +44,4 @@ ExtractedPatches find_patches(HairStrips& hair, Connectivity connectivity, Findi
 /// more.
 std::uint32_t split_folds(HairStrips& hair, Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

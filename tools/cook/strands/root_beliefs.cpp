@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr int kBeliefRounds = 16;
@@ -94,7 +94,7 @@ std::vector<float> settle_beliefs(const HairMesh& mesh, const std::vector<PatchV
   std::vector<float> belief(votes.size()), next(votes.size());
   for (std::size_t p = 0; p < votes.size(); ++p) belief[p] = std::tanh(votes[p].evidence);
   for (int round = 0; round < kBeliefRounds; ++round) {
-    throw_if_stopped(stop);
+    platform::throw_if_stopped(stop);
     texture.gather(belief);
     for (std::size_t p = 0; p < votes.size(); ++p) {
       float sum = votes[p].evidence + texture.about(p, belief[p]);
@@ -106,4 +106,4 @@ std::vector<float> settle_beliefs(const HairMesh& mesh, const std::vector<PatchV
   return belief;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

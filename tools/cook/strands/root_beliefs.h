@@ -6,7 +6,7 @@
 #include <stop_token>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// What one patch brings to the question where its root is.
 struct RootVote {
@@ -25,4 +25,4 @@ struct RootVote {
                                                 const std::vector<std::vector<Neighbour>>& neighbours,
                                                 const std::stop_token& stop);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr float kAcrossAxis =
@@ -132,7 +132,7 @@ std::uint32_t split_folds(HairStrips& hair, Findings& findings) {
   }
   const auto folded = std::uint32_t(std::ranges::count(is_cut, true));
   if (folded == 0) return 0;
-  std::vector<std::uint32_t> part_of(hair.mesh.triangle_count(), kNoIndex);
+  std::vector<std::uint32_t> part_of(hair.mesh.triangle_count(), importer::kNoIndex);
   for (std::uint32_t t = 0; t < part_of.size(); ++t) {
     if (is_cut[patches.patch_of[t]]) part_of[t] = parts.sets.find(t);
   }
@@ -143,4 +143,4 @@ std::uint32_t split_folds(HairStrips& hair, Findings& findings) {
   return patches.count - before;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3d;
@@ -128,4 +128,4 @@ std::uint32_t split_partings(HairStrips& hair, const FittedHead& head, std::span
   return more;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -11,7 +11,7 @@
 #include <queue>
 #include <unordered_map>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::AlignedBox3f;
@@ -95,7 +95,7 @@ std::vector<Extent> extents_of(const HairStrips& hair, std::span<const std::uint
   const std::vector<Vector3f> directions = directions_of(hair);
   std::vector<Extent> extents(groups);
   for (std::uint32_t t = 0; t < hair.mesh.triangle_count(); ++t) {
-    if (group_of[t] == kNoIndex) continue;
+    if (group_of[t] == importer::kNoIndex) continue;
     const std::size_t s = section_of(hair, t);
     extents[group_of[t]].boxes[s].extend(across(hair.mesh, directions[t], t, origins[hair.patches.patch_of[t]][s]));
   }
@@ -151,7 +151,7 @@ class RibbonMerger {
   void run(const std::stop_token& stop) {
     for (std::uint32_t a = 0; a < neighbours_.size(); ++a) propose_all(a);
     while (!queue_.empty()) {
-      throw_if_stopped(stop);
+      platform::throw_if_stopped(stop);
       const Pair pair = queue_.top();
       queue_.pop();
       // Whoever was joined since has a new proposal in the queue.
@@ -220,12 +220,12 @@ Ribbons find_ribbons(const HairStrips& hair, const std::vector<bool>& is_shell) 
     }
   });
   Ribbons ribbons;
-  ribbons.ribbon_of.assign(triangles, kNoIndex);
-  std::vector<std::uint32_t> number(triangles, kNoIndex);
+  ribbons.ribbon_of.assign(triangles, importer::kNoIndex);
+  std::vector<std::uint32_t> number(triangles, importer::kNoIndex);
   for (std::uint32_t t = 0; t < triangles; ++t) {
     if (!is_shell[patch_of[t]]) continue;
     std::uint32_t& ribbon = number[sets.find(t)];
-    if (ribbon == kNoIndex) ribbon = ribbons.count++;
+    if (ribbon == importer::kNoIndex) ribbon = ribbons.count++;
     ribbons.ribbon_of[t] = ribbon;
   }
   for (const auto& [a, b] : sides) ribbons.neighbours.emplace_back(ribbons.ribbon_of[a], ribbons.ribbon_of[b]);
@@ -255,7 +255,7 @@ ShellSplit split_shells(HairStrips& hair, double widest, Findings& findings, con
   for (const auto& [a, b] : ribbons.neighbours) merger.add_neighbours(a, b);
   merger.run(stop);
   std::vector<std::uint32_t> part_of = ribbons.ribbon_of;
-  for (std::uint32_t& part : part_of) part = part == kNoIndex ? kNoIndex : merger.group_of(part);
+  for (std::uint32_t& part : part_of) part = part == importer::kNoIndex ? importer::kNoIndex : merger.group_of(part);
   patches.cut(part_of);
   split.parts = split.shells + patches.count - before;
   const std::vector<Extent> after = extents_of(hair, patches.patch_of, patches.count);
@@ -266,4 +266,4 @@ ShellSplit split_shells(HairStrips& hair, double widest, Findings& findings, con
   return split;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -9,7 +9,7 @@
 #include <queue>
 #include <unordered_map>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector2f;
@@ -202,4 +202,4 @@ StrandAxis strand_axis(const HairStrips& hair, const PatchView& patch, int textu
   return axis;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector3f;
@@ -218,7 +218,8 @@ StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head
   return field;
 }
 
-std::vector<std::string> declared_roots(const StripRecipe& recipe, const SourceModel& source, const HairStrips& hair) {
+std::vector<std::string> declared_roots(const StripRecipe& recipe, const importer::SourceModel& source,
+                                        const HairStrips& hair) {
   const bool is_known = recipe.strand_root == "auto" && source.made_from_strands;
   std::vector<std::string> roots(hair.patches.count, is_known ? "low_v" : recipe.strand_root);
   for (std::uint32_t p = 0; p < roots.size(); ++p) {
@@ -227,15 +228,15 @@ std::vector<std::string> declared_roots(const StripRecipe& recipe, const SourceM
   return roots;
 }
 
-std::vector<float> depths_below(const SourceModel& source, std::uint32_t head_node) {
+std::vector<float> depths_below(const importer::SourceModel& source, std::uint32_t head_node) {
   std::vector<float> depth(source.nodes.size(), -1.0f);
-  if (head_node != kNoIndex) depth[head_node] = 0;
+  if (head_node != importer::kNoIndex) depth[head_node] = 0;
   for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
     const std::uint32_t parent = source.nodes[n].parent;
-    if (n != head_node && parent != kNoIndex && depth[parent] >= 0) depth[n] = depth[parent] + 1;
+    if (n != head_node && parent != importer::kNoIndex && depth[parent] >= 0) depth[n] = depth[parent] + 1;
   }
   for (float& d : depth) d = std::max(d, 0.0f);
   return depth;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct StripRecipe;
 
@@ -20,11 +20,11 @@ struct StrandSettings {
   bool trust_texture = true;  ///< False where patches are not unwrapped in one piece.
   std::vector<float> depth_of_node;  ///< Bones between each node of the source and the head bone.
   std::vector<SeenStrands> seen;     ///< Per patch, what images show of it; empty: nothing is known.
-  Threads threads = 1;               ///< The result does not depend on it.
+  platform::Threads threads = 1;     ///< The result does not depend on it.
 };
 
 /// StrandSettings::roots, of all patches and of each alone: as the recipe says, else as the source knows.
-[[nodiscard]] std::vector<std::string> declared_roots(const StripRecipe& recipe, const SourceModel& source,
+[[nodiscard]] std::vector<std::string> declared_roots(const StripRecipe& recipe, const importer::SourceModel& source,
                                                       const HairStrips& hair);
 
 /// The direction of the strands on every vertex: along the texture axis that runs down the patch's longer side, or over
@@ -43,7 +43,7 @@ std::uint32_t split_partings(HairStrips& hair, const FittedHead& head, std::span
                              Findings& findings);
 
 /// StrandSettings::depth_of_node for a head bone: 0 for it and whatever is not below it.
-[[nodiscard]] std::vector<float> depths_below(const SourceModel& source, std::uint32_t head_node);
+[[nodiscard]] std::vector<float> depths_below(const importer::SourceModel& source, std::uint32_t head_node);
 
 struct ShellSplit {
   std::uint32_t shells = 0;  ///< Patches that were too wide.
@@ -61,4 +61,4 @@ ShellSplit split_shells(HairStrips& hair, double widest, Findings& findings, con
 /// Metres, for split_shells(): the recipe's, else what hides its own back half on a head of this size.
 [[nodiscard]] double widest_patch(const StripRecipe& recipe, const FittedHead& head);
 
-}  // namespace coif
+}  // namespace coif::cook

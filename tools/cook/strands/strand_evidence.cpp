@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr std::size_t kSamples = 64;  ///< Vertices looked at per patch.
@@ -72,7 +72,7 @@ std::vector<std::vector<Neighbour>> find_neighbours(const HairMesh& mesh, const 
   std::vector<std::uint32_t> met;
   float total = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    throw_if_stopped(stop);
+    platform::throw_if_stopped(stop);
     const Sample& sample = samples[i];
     const Eigen::Vector3f& at = mesh.positions[sample.vertex];
     for_each_near(grid, cell_of(at, reach), [&](const Sample& other) {
@@ -133,7 +133,7 @@ struct End {
 
 float depth_of(const HairMesh& mesh, std::uint32_t v, std::span<const float> depth_of_node) {
   float depth = 0;
-  for (const SourceInfluence& influence : mesh.influences_of(v)) {
+  for (const importer::SourceInfluence& influence : mesh.influences_of(v)) {
     depth += influence.weight * depth_of_node[influence.node];
   }
   return depth;
@@ -192,4 +192,4 @@ RootEvidence weigh_ends(const HairMesh& mesh, const PatchView& patch, const Stra
   return evidence;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -10,7 +10,7 @@
 #include <stop_token>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// A number that grows along the strands of one patch, from one end to the other; which end is the root is not known
 /// yet.
@@ -103,4 +103,4 @@ struct Surroundings {
 [[nodiscard]] RootEvidence weigh_ends(const HairMesh& mesh, const PatchView& patch, const StrandAxis& axis,
                                       const SeenStrands& seen, const Surroundings& around);
 
-}  // namespace coif
+}  // namespace coif::cook

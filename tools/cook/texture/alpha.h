@@ -8,7 +8,7 @@
 
 #include <span>
 
-namespace coif {
+namespace coif::cook {
 
 /// Which alphas of a texture are drawn how, 0..1; more than 1 where none is.
 struct AlphaThresholds {
@@ -65,4 +65,4 @@ void keep_coverage(std::span<const Image> used, AssetContents& contents);
 /// Notes how near keep_coverage() came, and warns where hair will look thinner or fuller from afar.
 void report_coverage(std::span<const Image> used, const AssetContents& contents, Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr double kRounding = 1.0e-3;  ///< Of 255.
@@ -142,4 +142,4 @@ std::vector<AlphaCoverage> mip_coverage(const Asset& asset) {
   return result;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -11,7 +11,7 @@
 #include <numeric>
 #include <optional>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr double kLargestFactor = 4;     ///< Of that at which the faintest solid texel just passes.
@@ -244,4 +244,4 @@ void report_coverage(std::span<const Image> used, const AssetContents& contents,
       100 * wanted.opaque, 100 * wanted.opacity, 100 * solid_off, 100 * opacity_off, level - 1));
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// One channel of an image that repeats, for loops over neighbours: rows with one number more at either end.
 struct AlphaPlane {
@@ -26,4 +26,4 @@ struct AlphaPlane {
 [[nodiscard]] AlphaCoverage alpha_coverage(const AlphaPlane& alpha, const AlphaPlane& used,
                                            const AlphaThresholds& thresholds);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 struct BaseMips {
@@ -249,4 +249,4 @@ Image combine_shift_mask(const Image* shift, const Image* mask, std::uint32_t se
   return combined;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

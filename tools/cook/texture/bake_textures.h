@@ -10,7 +10,7 @@
 #include "cook/texture/stored_textures.h"
 #include "cook/texture/transparency.h"
 
-namespace coif {
+namespace coif::cook {
 
 struct DrawnRecipe;
 
@@ -59,4 +59,4 @@ tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, con
                                                      const DrawnRecipe& recipe, const CookSettings& settings,
                                                      Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector2f;
@@ -167,4 +167,4 @@ void keep_vertex_colors(std::uint32_t max_size, BaseColor& color, HairMesh& hair
   }
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr int kMostScales = 64;  ///< Tried for an atlas; a limit on size below one gutter is never met.
@@ -45,7 +45,7 @@ std::vector<ImageSize> sizes_at(std::span<const SurfaceLook> looks, double scale
   std::vector<ImageSize> sizes;
   for (const SurfaceLook& look : looks) {
     ImageSize size;
-    for (std::size_t axis = 0; axis < 2; ++axis) size.clamped[axis] = look.wrap[axis] == TextureWrap::kClamp;
+    for (std::size_t axis = 0; axis < 2; ++axis) size.clamped[axis] = look.wrap[axis] == importer::TextureWrap::kClamp;
     for (const Image* image : {look.image, look.normals, look.strands}) {
       if (image == nullptr) continue;
       size.width = std::max(size.width, scaled(image->width));
@@ -160,7 +160,7 @@ std::optional<GreenAxis> green_of(const DrawnRecipe& recipe) {
 }
 
 /// What the materials say of the hair.
-SurfaceLooks looks_of_materials(const SourceModel& source, SourceImages& images, const HairMesh& hair,
+SurfaceLooks looks_of_materials(const importer::SourceModel& source, SourceImages& images, const HairMesh& hair,
                                 const DrawnRecipe& recipe) {
   const bool are_replaced = !recipe.normal_texture.empty() || recipe.normal_strength <= 0;
   SurfaceLooks looks = find_looks(source, images, hair, {!are_replaced, recipe.opacity_texture.empty()});
@@ -172,7 +172,7 @@ SurfaceLooks looks_of_materials(const SourceModel& source, SourceImages& images,
 }
 
 /// The image that the recipe names, on all of the hair.
-SurfaceLooks looks_of_image(const SourceModel& source, const HairMesh& hair, Image image) {
+SurfaceLooks looks_of_image(const importer::SourceModel& source, const HairMesh& hair, Image image) {
   SurfaceLooks looks;
   SurfaceLook look;
   look.image = &looks.made.emplace_back(std::move(image));
@@ -184,7 +184,8 @@ SurfaceLooks looks_of_image(const SourceModel& source, const HairMesh& hair, Ima
 
 /// All looks in one image.
 BaseColor in_one_image(SurfaceLooks& looks, const DrawnRecipe& recipe, HairMesh& hair, Findings& findings) {
-  const bool is_clamped = std::ranges::find(looks.looks[0].wrap, TextureWrap::kClamp) != std::end(looks.looks[0].wrap);
+  const bool is_clamped =
+      std::ranges::find(looks.looks[0].wrap, importer::TextureWrap::kClamp) != std::end(looks.looks[0].wrap);
   if (looks.looks.size() == 1 && !(is_clamped && looks.looks[0].image != nullptr && !hair.uvs.empty())) {
     return whole(looks.looks[0], findings);
   }
@@ -245,8 +246,9 @@ tl::expected<void, ToolError> take_own_normals(const DrawnRecipe& recipe, const 
 
 }  // namespace
 
-tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, HairMesh& hair, const DrawnRecipe& recipe,
-                                                   const CookSettings& settings, Findings& findings) {
+tl::expected<BaseColor, ToolError> find_base_color(const importer::SourceModel& source, HairMesh& hair,
+                                                   const DrawnRecipe& recipe, const CookSettings& settings,
+                                                   Findings& findings) {
   auto own = read_recipe_image(recipe.base_color_texture, "base_color", settings);
   if (!own) return tl::unexpected(own.error());
   auto maps = read_recipe_maps(recipe, settings);
@@ -278,4 +280,4 @@ tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, Ha
   return color;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -11,7 +11,7 @@
 
 #include <list>
 
-namespace coif {
+namespace coif::cook {
 
 struct DrawnRecipe;
 
@@ -22,10 +22,10 @@ struct SurfaceLook {
   bool lacks_image = false;        ///< The material names one that cannot be had, so that its factor says little.
   const Image* normals = nullptr;  ///< A normal or bump map; null: none.
   NormalMapUse normal_use;
-  const Image* strands = nullptr;                                      ///< SourceMaterial::strand_texture; null: none.
-  TextureWrap wrap[2] = {TextureWrap::kRepeat, TextureWrap::kRepeat};  ///< Along U and V.
+  const Image* strands = nullptr;  ///< SourceMaterial::strand_texture; null: none.
+  importer::TextureWrap wrap[2] = {importer::TextureWrap::kRepeat, importer::TextureWrap::kRepeat};  ///< Along U and V.
   Eigen::Vector4f factor = Eigen::Vector4f::Ones();
-  AlphaUse alpha_use = AlphaUse::kUnknown;
+  importer::AlphaUse alpha_use = importer::AlphaUse::kUnknown;
   float alpha_cutoff = 0.5f;
 };
 
@@ -37,7 +37,7 @@ struct SurfaceLooks {
 };
 
 /// Linear, 0..1.
-[[nodiscard]] Eigen::Vector4f color_factor(const SourceMaterial& material);
+[[nodiscard]] Eigen::Vector4f color_factor(const importer::SourceMaterial& material);
 
 /// Which of the source's maps are looked for. Where the recipe replaces them they are not missed either.
 struct WantedMaps {
@@ -47,15 +47,15 @@ struct WantedMaps {
 
 /// The looks of the hair's triangles; their images live in `images`. Where the file cannot say (it names no image for
 /// any part of the hair, and is no glTF, which would say so on purpose), an image beside the source may be taken.
-[[nodiscard]] SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const HairMesh& hair,
+[[nodiscard]] SurfaceLooks find_looks(const importer::SourceModel& source, SourceImages& images, const HairMesh& hair,
                                       const WantedMaps& wanted);
 
 /// True for glTF: a file without a texture or a colour means white, where other formats' exporters leave things out.
-[[nodiscard]] bool says_what_it_lacks(const SourceModel& source);
+[[nodiscard]] bool says_what_it_lacks(const importer::SourceModel& source);
 
 /// How one image says what several looks do with alpha.
 struct JointAlpha {
-  AlphaUse use = AlphaUse::kUnknown;
+  importer::AlphaUse use = importer::AlphaUse::kUnknown;
   float cutoff = 0.5f;
   bool cut_masks = false;  ///< Alpha of masked looks becomes 0 or 1 by their own cutoff.
 };
@@ -72,12 +72,13 @@ struct JointAlpha {
 struct BaseColor {
   std::optional<Image> image;                        ///< RGBA at full size; none: the factor alone.
   Eigen::Vector4f factor = Eigen::Vector4f::Ones();  ///< Multiplies the image, linear, 0..1.
-  AlphaUse alpha_use = AlphaUse::kUnknown;           ///< What the file says; kUnknown for an image of the recipe.
-  float alpha_cutoff = 0.5f;                         ///< For kMask.
-  std::optional<std::uint32_t> max_size;             ///< Texels: a larger image is reduced to this; none: the recipe's.
-  std::optional<AtlasLayout> atlas;                  ///< Set where surfaces of several materials share the image.
-  std::optional<Image> normals;                      ///< Two channels, as NormalMap has them; none: the surface's own.
-  std::optional<Image> strands;                      ///< RGBA, SourceMaterial::strand_texture.
+  importer::AlphaUse alpha_use =
+      importer::AlphaUse::kUnknown;          ///< What the file says; kUnknown for an image of the recipe.
+  float alpha_cutoff = 0.5f;                 ///< For kMask.
+  std::optional<std::uint32_t> max_size;     ///< Texels: a larger image is reduced to this; none: the recipe's.
+  std::optional<AtlasLayout> atlas;          ///< Set where surfaces of several materials share the image.
+  std::optional<Image> normals;              ///< Two channels, as NormalMap has them; none: the surface's own.
+  std::optional<Image> strands;              ///< RGBA, SourceMaterial::strand_texture.
   bool is_of_vertex_colors = false;          ///< `image` is make_color_squares(): coordinates are colours, not places.
   std::optional<Image> strand_ids;           ///< As `strands`, of which the recipe knows red alone.
   std::optional<Image> root_to_tip;          ///< One channel, in the coordinates of `image`: how far along a strand.
@@ -90,7 +91,8 @@ struct BaseColor {
 /// colours are put together in an atlas, and the texture coordinates of `hair` move into it, which may split vertices;
 /// so this comes before any pass that numbers vertices. Where no atlas can be made the main material is taken for all,
 /// with a warning. Error: an image that the recipe names cannot be read.
-tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, HairMesh& hair, const DrawnRecipe& recipe,
-                                                   const CookSettings& settings, Findings& findings);
+tl::expected<BaseColor, ToolError> find_base_color(const importer::SourceModel& source, HairMesh& hair,
+                                                   const DrawnRecipe& recipe, const CookSettings& settings,
+                                                   Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -9,7 +9,7 @@
 #include <array>
 #include <limits>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector2f;
@@ -203,7 +203,7 @@ class TipEnds {
 }  // namespace
 
 std::vector<std::uint32_t> find_blunt_ends(const HairStrips& hair, const FittedHead& head, const AlphaTest& opaque,
-                                           const Threads& threads, Findings& findings) {
+                                           const platform::Threads& threads, Findings& findings) {
   const TipEnds ends(hair, opaque);
   const std::vector<std::vector<RimEdge>> rims = ends.find_rims();
   const std::uint32_t count = hair.patches.count;
@@ -227,4 +227,4 @@ std::vector<std::uint32_t> find_blunt_ends(const HairStrips& hair, const FittedH
   return patches;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

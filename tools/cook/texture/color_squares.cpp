@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Matrix4d;
@@ -105,7 +105,7 @@ std::vector<ColorSquare> squares_of(const HairMesh& hair, const ColorPlanes& pla
     squares.push_back(square);
   }
   for (std::size_t v = 0; v < hair.colors.size(); ++v) {
-    if (plane_of_vertex[v] == kNoIndex) continue;
+    if (plane_of_vertex[v] == importer::kNoIndex) continue;
     ColorSquare& square = squares[plane_of_vertex[v]];
     for (int k = 0; k < 2; ++k) {
       const double along = square.at(hair.colors[v].cwiseMin(1.0f).cast<double>(), k);
@@ -152,7 +152,7 @@ std::uint32_t power_of_two(std::uint32_t least) {
 Image make_color_squares(HairMesh& hair, Findings& findings) {
   const auto islands = color_islands(hair, [](std::size_t) { return true; });
   const ColorPlanes planes = find_planes(hair, islands);
-  std::vector<std::uint32_t> plane_of_vertex(hair.positions.size(), kNoIndex);
+  std::vector<std::uint32_t> plane_of_vertex(hair.positions.size(), importer::kNoIndex);
   for (std::size_t i = 0; i < islands.size(); ++i) {
     for (const std::size_t t : islands[i]) {
       for (std::size_t k = 0; k < 3; ++k) plane_of_vertex[hair.triangles[3 * t + k]] = planes.of_island[i];
@@ -169,7 +169,7 @@ Image make_color_squares(HairMesh& hair, Findings& findings) {
   hair.uvs.assign(hair.positions.size(), Vector2f(0.5f, 0.5f));
   for (std::size_t v = 0; v < hair.colors.size(); ++v) {
     const std::uint32_t s = plane_of_vertex[v];
-    if (s == kNoIndex) continue;
+    if (s == importer::kNoIndex) continue;
     const Vector4d color = hair.colors[v].cwiseMin(1.0f).cast<double>();
     const std::uint32_t corner[2] = {s % columns * kSquareSide, s / columns * kSquareSide};
     for (int k = 0; k < 2; ++k) {
@@ -190,4 +190,4 @@ Image make_color_squares(HairMesh& hair, Findings& findings) {
   return image;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -10,7 +10,7 @@ namespace {
 
 // A few kilobytes of PNG may unpack to gigabytes without an end; the decoder takes a refused block as its end. Twice
 // the largest image, since buffers of unknown size grow by doubling.
-constexpr std::size_t kMaxBlock = std::size_t{2} * 4 * coif::kMaxImageTexels + (1 << 20);
+constexpr std::size_t kMaxBlock = std::size_t{2} * 4 * coif::cook::kMaxImageTexels + (1 << 20);
 
 void* allocate_block(std::size_t bytes) { return bytes <= kMaxBlock ? std::malloc(bytes) : nullptr; }
 void* resize_block(void* block, std::size_t bytes) { return bytes <= kMaxBlock ? std::realloc(block, bytes) : nullptr; }
@@ -32,7 +32,7 @@ void* resize_block(void* block, std::size_t bytes) { return bytes <= kMaxBlock ?
 #define STBI_NO_LINEAR
 #include <stb/stb_image.h>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr int kRgba = 4;
@@ -58,4 +58,4 @@ tl::expected<Image, std::string> decode_texels(std::span<const std::uint8_t> byt
   return image;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr std::uint32_t kSide = 4;
@@ -145,7 +145,7 @@ Block read_block(const Image& image, std::uint32_t left, std::uint32_t top, std:
 
 }  // namespace
 
-std::vector<std::uint8_t> encode_eac_rg11(const Image& image, const Threads& threads) {
+std::vector<std::uint8_t> encode_eac_rg11(const Image& image, const platform::Threads& threads) {
   const std::uint32_t columns = (image.width + kSide - 1) / kSide, rows = (image.height + kSide - 1) / kSide;
   std::vector<std::uint8_t> bytes(std::size_t(columns) * rows * 2 * kChannelBytes);
   parallel_for(rows, threads, [&](std::size_t row) {
@@ -159,4 +159,4 @@ std::vector<std::uint8_t> encode_eac_rg11(const Image& image, const Threads& thr
   return bytes;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 /// Alphas up to the first take all of their colour from others, from the second on none: below the usual threshold of
@@ -150,4 +150,4 @@ void fill_gaps(Image& image, const Image& used) {
   fill_color(used, kept, image);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -17,11 +17,11 @@
 #define STB_IMAGE_RESIZE_STATIC
 #include <stb/stb_image_resize.h>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 // An image, the decoder's own copy of it and what it decodes from; and what no honest image takes.
-constexpr ChildLimits kDecoderLimits{
+constexpr platform::ChildLimits kDecoderLimits{
     .memory_bytes = std::uint64_t{2} << 30, .seconds = 60, .output_bytes = 4 * kMaxImageTexels + 64};
 
 struct AnswerHead {
@@ -49,12 +49,13 @@ bool is_sentence(std::span<const std::uint8_t> bytes) {
 }
 
 /// The process may not be its own master any more: nothing it says is taken as it is.
-tl::expected<Image, std::string> decode_answer(const ChildResult& result) {
+tl::expected<Image, std::string> decode_answer(const platform::ChildResult& result) {
   AnswerHead head;
   switch (result.end) {
-    case ChildResult::End::kFinished: break;
-    case ChildResult::End::kTooSlow: return tl::unexpected(std::string("takes too long to decode; save it as PNG"));
-    case ChildResult::End::kNotStarted:
+    case platform::ChildResult::End::kFinished: break;
+    case platform::ChildResult::End::kTooSlow:
+      return tl::unexpected(std::string("takes too long to decode; save it as PNG"));
+    case platform::ChildResult::End::kNotStarted:
       return tl::unexpected(fmt::format("cannot start a process to decode it: {}", std::strerror(result.code)));
     default: return tl::unexpected(std::string("the decoder crashed; save it as PNG"));
   }
@@ -70,8 +71,8 @@ tl::expected<Image, std::string> decode_answer(const ChildResult& result) {
   return image;
 }
 
-const Job kDecodeImage("decode image", [](const JobCall& call) {
-  lock_up({}, {});  // As far as this machine can.
+const platform::Job kDecodeImage("decode image", [](const platform::JobCall& call) {
+  platform::lock_up({}, {});  // As far as this machine can.
   return encode_answer(decode_texels(call.request()));
 });
 
@@ -81,7 +82,7 @@ tl::expected<Image, std::string> decode_image(std::span<const std::uint8_t> byte
   if (bytes.size() > kMaxImageBytes) {
     return tl::unexpected(fmt::format("larger than {} MiB; reduce it", kMaxImageBytes >> 20));
   }
-  return decode_answer(run_in_child(kDecodeImage, bytes, {.limits = kDecoderLimits}));
+  return decode_answer(platform::run_in_child(kDecodeImage, bytes, {.limits = kDecoderLimits}));
 }
 
 tl::expected<Image, std::string> read_image(const std::filesystem::path& path) {
@@ -143,4 +144,4 @@ std::vector<Image> make_mips(Image image, std::uint32_t max_size, TexelMeaning m
   return mips;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// Eight bits a channel, rows top to bottom, channels interleaved.
 struct Image {
@@ -76,4 +76,4 @@ struct DetailedImage {
 /// and no single block of memory that decoding asks for is larger than an image within the limits of image.h needs.
 tl::expected<Image, std::string> decode_texels(std::span<const std::uint8_t> bytes);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -7,7 +7,7 @@
 
 #include <webp/decode.h>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr std::uint32_t kRgbaChannels = 4;
@@ -87,4 +87,4 @@ std::string size_fault(int width, int height) {
                      kMaxImageSide, kMaxImageTexels / 1000000);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

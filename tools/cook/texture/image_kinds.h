@@ -2,7 +2,7 @@
 
 #include "cook/texture/image.h"
 
-namespace coif {
+namespace coif::cook {
 
 /// "a KTX2 image, which is not read; make a PNG of it: ...", with the command that does; empty where the bytes begin
 /// like no kind of image that artists have and that is not read.
@@ -16,4 +16,4 @@ tl::expected<Image, std::string> decode_webp(std::span<const std::uint8_t> bytes
 /// What is wrong with an image's size, a sentence; empty: nothing.
 [[nodiscard]] std::string size_fault(int width, int height);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <Eigen/Core>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector2d;
@@ -208,4 +208,4 @@ Image strand_axes(const Image& normals) {
   return axes;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -3,7 +3,7 @@
 #include "base/encodings.h"
 #include "cook/texture/image.h"
 
-namespace coif {
+namespace coif::cook {
 
 /// Where green of a normal map leads as it grows: up the image, as glTF and OpenGL have it, or down, as DirectX has.
 enum class GreenAxis { kUp, kDown };
@@ -35,4 +35,4 @@ tl::expected<NormalMap, std::string> read_normal_map(const Image& map, const Nor
 /// only (the coherence of the structure tensor, Foerstner and Guelch 1987).
 [[nodiscard]] Image strand_axes(const Image& normals);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector2f;
@@ -84,7 +84,7 @@ void for_each_pixel(const std::array<Vector3f, 3>& corners, int pixels, const Vi
 
 struct Layer {
   float depth = 0;
-  std::uint32_t patch = kNoIndex;
+  std::uint32_t patch = importer::kNoIndex;
 };
 
 }  // namespace
@@ -113,7 +113,7 @@ PatchCoverage::View PatchCoverage::draw(const HairStrips& hair, const AlphaTest&
   view.cover.resize(hair.patches.count);
   view.seen.assign(hair.patches.count, 0);
   constexpr float kFar = std::numeric_limits<float>::infinity();
-  std::vector<Layer> front(all, {-kFar, kNoIndex}), back(all, {kFar, kNoIndex});
+  std::vector<Layer> front(all, {-kFar, importer::kNoIndex}), back(all, {kFar, importer::kNoIndex});
   const std::vector<PatchView> patches = hair.views();
   for (std::uint32_t patch = 0; patch < patches.size(); ++patch) {
     std::vector<std::uint32_t>& cover = view.cover[patch];
@@ -138,13 +138,13 @@ PatchCoverage::View PatchCoverage::draw(const HairStrips& hair, const AlphaTest&
   }
   for (const std::vector<Layer>& side : {front, back}) {
     for (const Layer& layer : side) {
-      if (layer.patch != kNoIndex) ++view.seen[layer.patch];
+      if (layer.patch != importer::kNoIndex) ++view.seen[layer.patch];
     }
   }
   return view;
 }
 
-PatchCoverage::PatchCoverage(const HairStrips& hair, const AlphaTest& alpha, const Threads& threads)
+PatchCoverage::PatchCoverage(const HairStrips& hair, const AlphaTest& alpha, const platform::Threads& threads)
     : seen_(hair.patches.count, 0) {
   const int pixels = choose_pixels(hair.mesh);
   parallel_for(kDirections, threads, [&](std::size_t d) { views_[d] = draw(hair, alpha, d, pixels); });
@@ -175,4 +175,4 @@ void PatchCoverage::drop(std::uint32_t patch) {
   }
 }
 
-}  // namespace coif
+}  // namespace coif::cook

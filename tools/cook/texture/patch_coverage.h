@@ -9,7 +9,7 @@
 #include <array>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 struct DrawnRecipe;
 
@@ -31,7 +31,7 @@ struct AlphaTest {
 /// have others behind or before them wherever they are.
 class PatchCoverage {
  public:
-  PatchCoverage(const HairStrips& hair, const AlphaTest& alpha, const Threads& threads);
+  PatchCoverage(const HairStrips& hair, const AlphaTest& alpha, const platform::Threads& threads);
 
   /// Pixels of all views in which nothing lies before the patch.
   [[nodiscard]] std::size_t seen(std::uint32_t patch) const { return seen_[patch]; }
@@ -65,7 +65,7 @@ class PatchCoverage {
 /// modelled to a point, what fades in alpha, closed shapes and ends tied up in other hair do not count. `opaque` has
 /// the threshold from which on texels are drawn as opaque.
 [[nodiscard]] std::vector<std::uint32_t> find_blunt_ends(const HairStrips& hair, const FittedHead& head,
-                                                         const AlphaTest& opaque, const Threads& threads,
+                                                         const AlphaTest& opaque, const platform::Threads& threads,
                                                          Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -6,7 +6,7 @@
 
 #include <map>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 tl::expected<std::optional<Image>, ToolError> read_map(const RecipeTexture& chosen, const char* key,
@@ -58,7 +58,7 @@ void take_opacity(const RecipeMaps& maps, SurfaceLooks& looks, Findings& finding
     const Image*& with_map = joined[look.image];
     if (with_map == nullptr) with_map = &looks.made.emplace_back(with_alpha(look.image, *maps.opacity));
     look.image = with_map;
-    if (look.alpha_use == AlphaUse::kOpaque) look.alpha_use = AlphaUse::kBlend;
+    if (look.alpha_use == importer::AlphaUse::kOpaque) look.alpha_use = importer::AlphaUse::kBlend;
   }
   findings.note("alpha is the recipe's \"textures.opacity\"");
 }
@@ -69,4 +69,4 @@ void place_maps(RecipeMaps maps, BaseColor& color) {
   color.recipe_files.insert(color.recipe_files.end(), maps.files.begin(), maps.files.end());
 }
 
-}  // namespace coif
+}  // namespace coif::cook

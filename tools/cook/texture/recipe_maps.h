@@ -4,7 +4,7 @@
 #include "cook/recipe/cook_settings.h"
 #include "cook/texture/base_color.h"
 
-namespace coif {
+namespace coif::cook {
 
 struct DrawnRecipe;
 
@@ -24,4 +24,4 @@ void take_opacity(const RecipeMaps& maps, SurfaceLooks& looks, Findings& finding
 /// Hands the maps of strands on in the coordinates of the cooked image.
 void place_maps(RecipeMaps maps, BaseColor& color);
 
-}  // namespace coif
+}  // namespace coif::cook

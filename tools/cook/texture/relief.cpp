@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr double kLeastRms = 0.02;  ///< Of what two_sided() gives: flatter or less sure than this nobody sees.
@@ -42,7 +42,7 @@ TexelFormat two_channel_format(const DrawnRecipe& recipe) {
 }
 
 StoredTextures bake_relief(const Image* normals, const Image* strands, const HairMesh& hair, const DrawnRecipe& recipe,
-                           const Threads& threads, Findings& findings) {
+                           const platform::Threads& threads, Findings& findings) {
   StoredTextures stored;
   const TexelFormat format = two_channel_format(recipe);
   const auto keep = [&](TextureRole role, const char* name, Image image) {
@@ -66,4 +66,4 @@ StoredTextures bake_relief(const Image* normals, const Image* strands, const Hai
   return stored;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

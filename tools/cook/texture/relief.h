@@ -6,7 +6,7 @@
 #include "cook/texture/stored_textures.h"
 #include "platform/stop.h"
 
-namespace coif {
+namespace coif::cook {
 
 struct DrawnRecipe;
 
@@ -18,6 +18,6 @@ struct DrawnRecipe;
 /// (SourceMaterial::strand_texture), else from the normals too. Null: there are none. A map that says nothing where the
 /// hair shows it is left out.
 StoredTextures bake_relief(const Image* normals, const Image* strands, const HairMesh& hair, const DrawnRecipe& recipe,
-                           const Threads& threads, Findings& findings);
+                           const platform::Threads& threads, Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector2d;
@@ -107,4 +107,4 @@ void repeat_edges(std::span<const TexelBorder> borders, const Image& used, Image
   for (const TexelBorder& border : borders) repeat_across(border, used, image);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 namespace fs = std::filesystem;
@@ -40,14 +40,14 @@ bool is_spelling_of(const std::string& written, const std::string& name) {
 
 }  // namespace
 
-const Image* SourceImages::of(const SourceMaterial& material) {
+const Image* SourceImages::of(const importer::SourceMaterial& material) {
   tell_other_maps(material);
   if (material.base_texture.image < source_.images.size()) return embedded(material, material.base_texture.image);
   return material.base_texture.path.empty() ? nullptr : beside(material);
 }
 
-const Image* SourceImages::normals_of(const SourceMaterial& material) {
-  const SourceTexture& texture = material.normal_texture;
+const Image* SourceImages::normals_of(const importer::SourceMaterial& material) {
+  const importer::SourceTexture& texture = material.normal_texture;
   if (texture.image < source_.images.size()) return embedded(material, texture.image);
   if (texture.path.empty()) return nullptr;
   const std::optional<fs::path> path = folder_.find(texture.path);
@@ -59,13 +59,13 @@ const Image* SourceImages::normals_of(const SourceMaterial& material) {
   return nullptr;
 }
 
-const Image* SourceImages::strands_of(const SourceMaterial& material) {
+const Image* SourceImages::strands_of(const importer::SourceMaterial& material) {
   const std::uint32_t image = material.strand_texture.image;
   return image < source_.images.size() ? embedded(material, image) : nullptr;
 }
 
-const Image* SourceImages::embedded(const SourceMaterial& material, std::uint32_t index) {
-  const SourceImage& image = source_.images[index];
+const Image* SourceImages::embedded(const importer::SourceMaterial& material, std::uint32_t index) {
+  const importer::SourceImage& image = source_.images[index];
   const std::string key = fmt::format("{}", index);
   if (const auto known = decoded_.find(key); known != decoded_.end()) {
     return known->second ? &*known->second : nullptr;
@@ -74,7 +74,7 @@ const Image* SourceImages::embedded(const SourceMaterial& material, std::uint32_
               fmt::format("material '{}': embedded image '{}'", material.name, image.name));
 }
 
-const Image* SourceImages::beside(const SourceMaterial& material) {
+const Image* SourceImages::beside(const importer::SourceMaterial& material) {
   const std::string& written = material.base_texture.path;
   const std::optional<fs::path> path = folder_.find(written);
   note_question(TextureQuestion::Kind::kFind, {written});
@@ -128,7 +128,7 @@ std::vector<fs::path> SourceImages::named_by_none() const {
   std::vector<fs::path> left;
   for (const fs::path& image : folder_.images()) {
     if (!names_color(stem_of_image(image.filename().string()))) continue;
-    const bool is_named = std::ranges::any_of(source_.materials, [&](const SourceMaterial& material) {
+    const bool is_named = std::ranges::any_of(source_.materials, [&](const importer::SourceMaterial& material) {
       const auto found = material.base_texture.path.empty() ? std::nullopt : folder_.find(material.base_texture.path);
       return found && *found == image;
     });
@@ -162,7 +162,7 @@ void SourceImages::note_question(TextureQuestion::Kind kind, std::vector<std::st
   questions_.push_back(std::move(question));
 }
 
-void SourceImages::warn_of_absent(const SourceMaterial& material) {
+void SourceImages::warn_of_absent(const importer::SourceMaterial& material) {
   if (const auto outside = folder_.find_outside(material.base_texture.path)) {
     return findings_.warn(
         "C144",
@@ -274,4 +274,4 @@ bool names_any(const std::string& stem, std::span<const std::string> names) {
   });
 }
 
-}  // namespace coif
+}  // namespace coif::cook

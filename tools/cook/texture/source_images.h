@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// Ends in the suffix of a format that the cooker reads, in letters of either case.
 [[nodiscard]] bool is_image_name(const std::string& file);
@@ -88,26 +88,26 @@ struct TextureQuestion {
 
 /// The image files that a source's materials name for any use: where their paths lead from its folder, and where
 /// they were found.
-[[nodiscard]] std::vector<std::filesystem::path> named_image_files(const SourceModel& source);
+[[nodiscard]] std::vector<std::filesystem::path> named_image_files(const importer::SourceModel& source);
 
 /// Finds and decodes the images that a source's materials name: embedded ones, and files beside the source. What cannot
 /// be had is a warning, never an error: hair without a texture is still hair.
 class SourceImages {
  public:
-  explicit SourceImages(const SourceModel& source) : source_(source), folder_(source.path, source.roots) {}
+  explicit SourceImages(const importer::SourceModel& source) : source_(source), folder_(source.path, source.roots) {}
 
   /// The base image of a material; null where it names none or has none that can be read. Valid as long as this object.
-  [[nodiscard]] const Image* of(const SourceMaterial& material);
+  [[nodiscard]] const Image* of(const importer::SourceMaterial& material);
 
   /// The base image of a material with its opacity texture as alpha; as of() where it has none, or none that can be
   /// read.
-  [[nodiscard]] const Image* with_opacity(const SourceMaterial& material);
+  [[nodiscard]] const Image* with_opacity(const importer::SourceMaterial& material);
 
   /// Its normal or bump map; null where it names none or has none that can be read.
-  [[nodiscard]] const Image* normals_of(const SourceMaterial& material);
+  [[nodiscard]] const Image* normals_of(const importer::SourceMaterial& material);
 
   /// What is known of its single strands; null where nothing is.
-  [[nodiscard]] const Image* strands_of(const SourceMaterial& material);
+  [[nodiscard]] const Image* strands_of(const importer::SourceMaterial& material);
 
   /// For hair whose materials name no image at all: the one file beside the source whose name says that it colours hair
   /// or something called one of `names`, or the only one that no other material names. Of several the one in whose name
@@ -123,17 +123,17 @@ class SourceImages {
  private:
   using Decoded = std::map<std::string, std::optional<Image>>;
 
-  const Image* embedded(const SourceMaterial& material, std::uint32_t index);
-  const Image* beside(const SourceMaterial& material);
+  const Image* embedded(const importer::SourceMaterial& material, std::uint32_t index);
+  const Image* beside(const importer::SourceMaterial& material);
   [[nodiscard]] std::vector<std::filesystem::path> named_by_none() const;
   const Image* read(const std::filesystem::path& path, const std::string& for_what);
   const Image* keep(const std::string& key, tl::expected<Image, std::string> image, const std::string& for_what);
   void note_question(TextureQuestion::Kind kind, std::vector<std::string> words);
-  void warn_of_absent(const SourceMaterial& material);
-  const Image* opacity_of(const SourceMaterial& material);
-  void tell_other_maps(const SourceMaterial& material);  ///< Each once.
+  void warn_of_absent(const importer::SourceMaterial& material);
+  const Image* opacity_of(const importer::SourceMaterial& material);
+  void tell_other_maps(const importer::SourceMaterial& material);  ///< Each once.
 
-  const SourceModel& source_;
+  const importer::SourceModel& source_;
   TextureFolder folder_;
   std::map<std::string, Image> joined_;  ///< Base images with their opacity, by both names.
   Decoded decoded_;                      ///< By file or number, so that two materials share what they show.
@@ -142,4 +142,4 @@ class SourceImages {
   std::vector<TextureQuestion> questions_;
 };
 
-}  // namespace coif
+}  // namespace coif::cook

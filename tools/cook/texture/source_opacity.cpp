@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::cook {
 
 // Alpha that a file keeps in an image of its own: a map_d of OBJ, TransparentColor of FBX, transparent of COLLADA.
 
@@ -13,14 +13,14 @@ namespace {
 
 constexpr const char* kChannelNames[] = {"", "red", "green", "blue", "alpha", "luminance"};  // as TextureChannel
 
-std::string texture_key(const SourceTexture& texture) {
-  return texture.image != kNoIndex ? fmt::format("{}", texture.image) : texture.path;
+std::string texture_key(const importer::SourceTexture& texture) {
+  return texture.image != importer::kNoIndex ? fmt::format("{}", texture.image) : texture.path;
 }
 
 }  // namespace
 
-const Image* SourceImages::opacity_of(const SourceMaterial& material) {
-  const SourceTexture& texture = material.opacity_texture;
+const Image* SourceImages::opacity_of(const importer::SourceMaterial& material) {
+  const importer::SourceTexture& texture = material.opacity_texture;
   if (texture.image < source_.images.size()) return embedded(material, texture.image);
   const auto path = folder_.find(texture.path);
   note_question(TextureQuestion::Kind::kFind, {texture.path});
@@ -33,7 +33,7 @@ const Image* SourceImages::opacity_of(const SourceMaterial& material) {
   return nullptr;
 }
 
-const Image* SourceImages::with_opacity(const SourceMaterial& material) {
+const Image* SourceImages::with_opacity(const importer::SourceMaterial& material) {
   const Image* const base = of(material);
   if (!material.opacity_texture.is_there()) return base;
   const Image* const opacity = opacity_of(material);
@@ -51,4 +51,4 @@ const Image* SourceImages::with_opacity(const SourceMaterial& material) {
               .first->second;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -1,6 +1,6 @@
 #include "cook/texture/stored_textures.h"
 
-namespace coif {
+namespace coif::cook {
 
 std::uint64_t bytes_with_mips(TexelFormat format, const Image& image) {
   std::uint64_t bytes = 0;
@@ -10,7 +10,8 @@ std::uint64_t bytes_with_mips(TexelFormat format, const Image& image) {
   return bytes;
 }
 
-void StoredTextures::append(TextureRole role, TexelFormat format, std::span<const Image> mips, const Threads& threads) {
+void StoredTextures::append(TextureRole role, TexelFormat format, std::span<const Image> mips,
+                            const platform::Threads& threads) {
   texels.resize((texels.size() + 63) / 64 * 64);
   TextureRecord record{};
   record.role = role;
@@ -28,4 +29,4 @@ void StoredTextures::append(TextureRole role, TexelFormat format, std::span<cons
   records.push_back(record);
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// Images with their mips in the form in which assets hold them.
 struct StoredTextures {
@@ -15,7 +15,7 @@ struct StoredTextures {
   std::vector<std::byte> texels;
 
   /// `mips`: largest first. `threads` encode.
-  void append(TextureRole role, TexelFormat format, std::span<const Image> mips, const Threads& threads);
+  void append(TextureRole role, TexelFormat format, std::span<const Image> mips, const platform::Threads& threads);
 };
 
 /// Bytes of an image of these dimensions with all its mips.
@@ -25,6 +25,6 @@ struct StoredTextures {
 /// first. Edges that are no multiple of four are padded with texels that the search ignores. The same bytes for any
 /// number of threads. Source of the layout: Khronos Data Format Specification 1.3, "ETC2 Compressed Texture Image
 /// Formats", "Format Unsigned R11 EAC" and "RG11 EAC".
-[[nodiscard]] std::vector<std::uint8_t> encode_eac_rg11(const Image& image, const Threads& threads);
+[[nodiscard]] std::vector<std::uint8_t> encode_eac_rg11(const Image& image, const platform::Threads& threads);
 
-}  // namespace coif
+}  // namespace coif::cook

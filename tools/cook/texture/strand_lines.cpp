@@ -8,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector2f;
@@ -136,13 +136,15 @@ void compare_ends(const HairMesh& mesh, const PatchView& patch, const Image& ima
 
 }  // namespace
 
-std::vector<SeenStrands> find_strand_lines(const HairStrips& hair, const BaseColor& color, const Threads& threads) {
+std::vector<SeenStrands> find_strand_lines(const HairStrips& hair, const BaseColor& color,
+                                           const platform::Threads& threads) {
   if (hair.mesh.uvs.empty() || !(color.image || color.normals)) return {};
   const std::vector<PatchView> views = hair.views();
   std::vector<SeenStrands> seen(views.size());
   parallel_for(views.size(), threads, [&](std::size_t p) {
     seen[p].lines = lines_of(hair.mesh, views[p], color);
-    if (color.image) compare_ends(hair.mesh, views[p], *color.image, color.alpha_use != AlphaUse::kOpaque, seen[p]);
+    if (color.image)
+      compare_ends(hair.mesh, views[p], *color.image, color.alpha_use != importer::AlphaUse::kOpaque, seen[p]);
   });
   return seen;
 }
@@ -166,4 +168,4 @@ void read_root_to_tip(const HairStrips& hair, const Image& map, std::vector<std:
   }
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// What the images show of how strands run, per patch; empty where there is no image. Strands are drawn as lines in
 /// colour, alpha and, most clearly, in normal maps: across them an image is steep, along them it is not (the structure
@@ -14,10 +14,10 @@ namespace coif {
 /// vote, so that a few highlights painted across the strands do not outvote them. Towards their tips strands are
 /// painted thinner and fewer: alpha fades.
 [[nodiscard]] std::vector<SeenStrands> find_strand_lines(const HairStrips& hair, const BaseColor& color,
-                                                         const Threads& threads);
+                                                         const platform::Threads& threads);
 
 /// Says of each patch for which `roots` (StrandSettings::roots) has "auto" at which end of the texture the map that
 /// grows from root to tip (one channel) has its root. Patches across which it does not grow clearly stay "auto".
 void read_root_to_tip(const HairStrips& hair, const Image& map, std::vector<std::string>& roots);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 /// A material without a normal map goes with one that has one: what it shows of the map is flat as a rule.
@@ -20,7 +20,7 @@ bool same(const SurfaceLook& a, const SurfaceLook& b) {
 }
 
 /// Material of each triangle; without the triangles' meshes the hair's main one.
-std::vector<std::uint32_t> material_of_triangle(const SourceModel& source, const HairMesh& hair) {
+std::vector<std::uint32_t> material_of_triangle(const importer::SourceModel& source, const HairMesh& hair) {
   std::vector<std::uint32_t> materials(hair.triangle_count(), hair.material);
   for (std::size_t t = 0; t < hair.mesh_of_triangle.size(); ++t) {
     materials[t] = source.meshes[hair.mesh_of_triangle[t]].material;
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> material_of_triangle(const SourceModel& source, const
 }
 
 /// Names that an image of this hair may bear.
-std::vector<std::string> names_of_hair(const SourceModel& source, const HairMesh& hair,
+std::vector<std::string> names_of_hair(const importer::SourceModel& source, const HairMesh& hair,
                                        std::span<const std::uint32_t> materials) {
   std::set<std::string> names{std::filesystem::path(source.path).stem().string()};
   for (const std::uint32_t mesh : hair.mesh_of_triangle) names.insert(source.meshes[mesh].name);
@@ -39,28 +39,30 @@ std::vector<std::string> names_of_hair(const SourceModel& source, const HairMesh
   return {names.begin(), names.end()};
 }
 
-bool names_texture(const SourceModel& source, std::uint32_t material) {
+bool names_texture(const importer::SourceModel& source, std::uint32_t material) {
   if (material >= source.materials.size()) return false;
-  const SourceTexture& texture = source.materials[material].base_texture;
-  return texture.image != kNoIndex || !texture.path.empty();
+  const importer::SourceTexture& texture = source.materials[material].base_texture;
+  return texture.image != importer::kNoIndex || !texture.path.empty();
 }
 
-SurfaceLook look_of(const SourceModel& source, SourceImages& images, const WantedMaps& wanted, std::uint32_t index) {
+SurfaceLook look_of(const importer::SourceModel& source, SourceImages& images, const WantedMaps& wanted,
+                    std::uint32_t index) {
   SurfaceLook look;
   if (index >= source.materials.size()) return look;
-  const SourceMaterial& material = source.materials[index];
+  const importer::SourceMaterial& material = source.materials[index];
   look.name = material.name;
   look.image = wanted.opacity ? images.with_opacity(material) : images.of(material);
   look.lacks_image = look.image == nullptr && names_texture(source, index);
   if (wanted.normals) look.normals = images.normals_of(material);
   look.normal_use.strength = double(material.normal_strength);
   look.strands = images.strands_of(material);
-  const SourceTexture& shown = material.base_texture.is_there() ? material.base_texture : material.opacity_texture;
+  const importer::SourceTexture& shown =
+      material.base_texture.is_there() ? material.base_texture : material.opacity_texture;
   std::ranges::copy(shown.wrap, look.wrap);
   if (says_what_it_lacks(source)) look.normal_use.green = GreenAxis::kUp;  // glTF 2.0, 3.9.3
   look.factor = color_factor(material);
   look.alpha_use = material.alpha_use;
-  if (material.alpha_use == AlphaUse::kMask) look.alpha_cutoff = material.alpha_cutoff;
+  if (material.alpha_use == importer::AlphaUse::kMask) look.alpha_cutoff = material.alpha_cutoff;
   return look;
 }
 
@@ -77,32 +79,32 @@ std::uint8_t linear_to_srgb(float linear) {
 }
 
 std::uint8_t painted_alpha(const SurfaceLook& look, const JointAlpha& joint, std::uint8_t stored) {
-  if (look.alpha_use == AlphaUse::kOpaque) return 255;
+  if (look.alpha_use == importer::AlphaUse::kOpaque) return 255;
   const float alpha = float(stored) * look.factor.w();
-  const bool cut = joint.cut_masks && look.alpha_use == AlphaUse::kMask;
+  const bool cut = joint.cut_masks && look.alpha_use == importer::AlphaUse::kMask;
   return cut ? (alpha >= look.alpha_cutoff * 255 ? 255 : 0) : std::uint8_t(std::lround(alpha));
 }
 
 }  // namespace
 
-bool says_what_it_lacks(const SourceModel& source) {
+bool says_what_it_lacks(const importer::SourceModel& source) {
   const std::string suffix = std::filesystem::path(source.path).extension().string();
   return matches_any(suffix, std::vector<std::string>{".gltf", ".glb", ".vrm"});
 }
 
-Eigen::Vector4f color_factor(const SourceMaterial& material) {
+Eigen::Vector4f color_factor(const importer::SourceMaterial& material) {
   return material.base_color.cwiseMax(0.0f).cwiseMin(1.0f);
 }
 
-SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const HairMesh& hair,
+SurfaceLooks find_looks(const importer::SourceModel& source, SourceImages& images, const HairMesh& hair,
                         const WantedMaps& wanted) {
   const std::vector<std::uint32_t> materials = material_of_triangle(source, hair);
   SurfaceLooks result;
-  std::vector<std::uint32_t> look_of_material(source.materials.size() + 1, kNoIndex);
+  std::vector<std::uint32_t> look_of_material(source.materials.size() + 1, importer::kNoIndex);
   std::vector<std::size_t> triangles;
   for (const std::uint32_t material : materials) {
     std::uint32_t& look = look_of_material[std::min<std::size_t>(material, source.materials.size())];
-    if (look == kNoIndex) {
+    if (look == importer::kNoIndex) {
       const SurfaceLook found = look_of(source, images, wanted, material);
       const auto known = std::ranges::find_if(result.looks, [&](const SurfaceLook& l) { return same(l, found); });
       look = std::uint32_t(known - result.looks.begin());
@@ -131,22 +133,24 @@ SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const H
 
 JointAlpha join_alpha(std::span<const SurfaceLook> looks) {
   const auto all = [&](auto holds) { return std::ranges::all_of(looks, holds); };
-  if (all([](const SurfaceLook& l) { return l.alpha_use == AlphaUse::kOpaque; }))
-    return {AlphaUse::kOpaque, 0.5f, false};
-  const auto mask = std::ranges::find(looks, AlphaUse::kMask, &SurfaceLook::alpha_use);
-  const bool solid =
-      all([](const SurfaceLook& l) { return l.alpha_use == AlphaUse::kOpaque || l.alpha_use == AlphaUse::kMask; });
-  const bool one_cutoff =
-      all([&](const SurfaceLook& l) { return l.alpha_use != AlphaUse::kMask || l.alpha_cutoff == mask->alpha_cutoff; });
-  if (solid && one_cutoff) return {AlphaUse::kMask, mask->alpha_cutoff, false};
-  return {solid ? AlphaUse::kMask : AlphaUse::kUnknown, 0.5f, true};
+  if (all([](const SurfaceLook& l) { return l.alpha_use == importer::AlphaUse::kOpaque; }))
+    return {importer::AlphaUse::kOpaque, 0.5f, false};
+  const auto mask = std::ranges::find(looks, importer::AlphaUse::kMask, &SurfaceLook::alpha_use);
+  const bool solid = all([](const SurfaceLook& l) {
+    return l.alpha_use == importer::AlphaUse::kOpaque || l.alpha_use == importer::AlphaUse::kMask;
+  });
+  const bool one_cutoff = all([&](const SurfaceLook& l) {
+    return l.alpha_use != importer::AlphaUse::kMask || l.alpha_cutoff == mask->alpha_cutoff;
+  });
+  if (solid && one_cutoff) return {importer::AlphaUse::kMask, mask->alpha_cutoff, false};
+  return {solid ? importer::AlphaUse::kMask : importer::AlphaUse::kUnknown, 0.5f, true};
 }
 
 Eigen::Vector3f mean_color(const SurfaceLook& look) {
   const std::array<float, 256> linear = srgb_to_linear();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double count = 0;
-  const bool has_alpha = look.alpha_use != AlphaUse::kOpaque;
+  const bool has_alpha = look.alpha_use != importer::AlphaUse::kOpaque;
   for (std::size_t i = 0; look.image != nullptr && i < look.image->texels.size(); i += 4) {
     const std::uint8_t* c = &look.image->texels[i];
     if (has_alpha && c[3] < 128) continue;
@@ -171,4 +175,4 @@ Image paint(const SurfaceLook& look, const JointAlpha& joint) {
   return image;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

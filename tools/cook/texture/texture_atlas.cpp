@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Vector2f;
@@ -128,12 +128,12 @@ Image draw_atlas(const AtlasLayout& layout, std::span<const Image* const> images
 
 void move_uvs_to_atlas(const AtlasLayout& layout, std::span<const std::uint32_t> surface_of_triangle, HairMesh& hair) {
   const std::size_t originals = hair.positions.size();
-  std::vector<std::uint32_t> surface_of_vertex(originals, kNoIndex);
+  std::vector<std::uint32_t> surface_of_vertex(originals, importer::kNoIndex);
   // For each further surface of a shared vertex its copy.
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> copies(originals);
   for (std::size_t i = 0; i < hair.triangles.size(); ++i) {
     const std::uint32_t surface = surface_of_triangle[i / 3], vertex = hair.triangles[i];
-    if (surface_of_vertex[vertex] == kNoIndex) surface_of_vertex[vertex] = surface;
+    if (surface_of_vertex[vertex] == importer::kNoIndex) surface_of_vertex[vertex] = surface;
     if (surface_of_vertex[vertex] == surface) continue;
     auto& known = copies[vertex];
     auto copy = std::ranges::find(known, surface, [](const auto& entry) { return entry.first; });
@@ -145,7 +145,7 @@ void move_uvs_to_atlas(const AtlasLayout& layout, std::span<const std::uint32_t>
   }
   const Vector2f atlas_size(float(layout.width), float(layout.height));
   for (std::size_t v = 0; v < hair.uvs.size(); ++v) {
-    if (surface_of_vertex[v] == kNoIndex) continue;
+    if (surface_of_vertex[v] == importer::kNoIndex) continue;
     const AtlasTile& tile = layout.tiles[surface_of_vertex[v]];
     const Vector2f inside = (hair.uvs[v] - tile.uv_low).cwiseQuotient(tile.uv_size);
     const Vector2f texels =
@@ -154,4 +154,4 @@ void move_uvs_to_atlas(const AtlasLayout& layout, std::span<const std::uint32_t>
   }
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 
 /// Where one surface's part of its own image lies in an atlas.
 struct AtlasTile {
@@ -77,4 +77,4 @@ void repeat_edges(std::span<const TexelBorder> borders, const Image& used, Image
 /// push-pull). An image without a used texel stays.
 void fill_gaps(Image& image, const Image& used);
 
-}  // namespace coif
+}  // namespace coif::cook

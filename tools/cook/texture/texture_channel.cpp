@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 std::uint8_t number_of(const std::uint8_t* texel, TextureChannel channel) {
@@ -65,4 +65,4 @@ Image as_chosen(Image image, const RecipeTexture& chosen) {
   return image;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -3,7 +3,7 @@
 #include "cook/recipe/recipe_texture.h"
 #include "cook/texture/image.h"
 
-namespace coif {
+namespace coif::cook {
 
 /// kAuto decided for an RGBA image: alpha where any of it is not opaque, else the luminance.
 [[nodiscard]] TextureChannel channel_in(const Image& image, TextureChannel channel);
@@ -18,4 +18,4 @@ namespace coif {
 /// An image that the recipe names, as it says: grey of one channel where it names one, or turned over.
 [[nodiscard]] Image as_chosen(Image image, const RecipeTexture& chosen);
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr double kMostTexelRms = 1;    ///< Of 255: 48 dB, and what one rounding more would do.
@@ -89,4 +89,4 @@ DetailedImage reduce_to_detail(Image image, const Image& used, TexelMeaning mean
   return result;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 namespace fs = std::filesystem;
@@ -150,7 +150,7 @@ std::string TextureFolder::short_name(const fs::path& path) const {
   return path.lexically_proximate(root_).generic_string();
 }
 
-std::vector<fs::path> named_image_files(const SourceModel& source) {
+std::vector<fs::path> named_image_files(const importer::SourceModel& source) {
   std::vector<fs::path> files;
   if (source.named_images.empty()) return files;
   const TextureFolder folder(source.path, source.roots);
@@ -185,4 +185,4 @@ std::vector<std::string> answer_to(const TextureQuestion& question, const Textur
   return {};
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 constexpr float kFarthestClamped = 0.45f;  ///< Beyond 0..1, in repeats: what an atlas's tile holds with its image.
@@ -126,16 +126,17 @@ void settle_wraps(SurfaceLooks& looks, HairMesh& hair, Findings& findings) {
   if (hair.uvs.empty()) return;
   for (std::uint32_t i = 0; i < looks.looks.size(); ++i) {
     SurfaceLook& look = looks.looks[i];
-    if (look.wrap[0] == TextureWrap::kRepeat && look.wrap[1] == TextureWrap::kRepeat) continue;
+    if (look.wrap[0] == importer::TextureWrap::kRepeat && look.wrap[1] == importer::TextureWrap::kRepeat) continue;
     const LookCoordinates at = coordinates_of(looks, i, hair);
     for (int axis = 0; axis < 2; ++axis) {
-      TextureWrap& wrap = look.wrap[axis];
-      const bool is_clamp = wrap == TextureWrap::kClamp;
-      if (wrap == TextureWrap::kMirror && at.leaves_image[std::size_t(axis)])
+      importer::TextureWrap& wrap = look.wrap[axis];
+      const bool is_clamp = wrap == importer::TextureWrap::kClamp;
+      if (wrap == importer::TextureWrap::kMirror && at.leaves_image[std::size_t(axis)])
         mirror(looks, look, at, axis, hair, findings);
-      if (!is_clamp || look.image == nullptr || clamp(look, at, axis, hair, findings)) wrap = TextureWrap::kRepeat;
+      if (!is_clamp || look.image == nullptr || clamp(look, at, axis, hair, findings))
+        wrap = importer::TextureWrap::kRepeat;
     }
   }
 }
 
-}  // namespace coif
+}  // namespace coif::cook

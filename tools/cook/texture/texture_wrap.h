@@ -2,7 +2,7 @@
 
 #include "cook/texture/base_color.h"
 
-namespace coif {
+namespace coif::cook {
 
 /// Cooked textures repeat. Makes hair whose textures do not look the same on one that does, the cheapest way first:
 ///
@@ -15,4 +15,4 @@ namespace coif {
 /// Coordinates farther out than a tile can be are taken back to it, with a warning.
 void settle_wraps(SurfaceLooks& looks, HairMesh& hair, Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

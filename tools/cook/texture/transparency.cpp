@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 /// Of the texels that the hair uses; where an opaque material has more of them clear, its author may not have meant it.
@@ -82,8 +82,8 @@ Transparency choose_transparency(const BaseColor& color, const Image* image, con
   if (image != nullptr) histogram = alpha_histogram(*image, used, factor);
   if (image == nullptr) histogram[std::size_t(std::lround(factor * 255))] = 1;
   if (recipe.opaque_threshold > 0) return as_recipe_says(histogram, recipe, findings);
-  if (color.alpha_use == AlphaUse::kOpaque) return as_opaque(histogram, findings);
-  if (color.alpha_use == AlphaUse::kMask) return as_mask(color.alpha_cutoff, findings);
+  if (color.alpha_use == importer::AlphaUse::kOpaque) return as_opaque(histogram, findings);
+  if (color.alpha_use == importer::AlphaUse::kMask) return as_mask(color.alpha_cutoff, findings);
   return as_painted(histogram, recipe, findings);
 }
 
@@ -251,4 +251,4 @@ Image used_texels(const HairMesh& hair, std::uint32_t width, std::uint32_t heigh
   return used;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -7,7 +7,7 @@
 #include <array>
 #include <string>
 
-namespace coif {
+namespace coif::cook {
 
 struct DrawnRecipe;
 
@@ -51,4 +51,4 @@ struct Transparency {
 [[nodiscard]] Transparency choose_transparency(const BaseColor& color, const Image* image, const Image& used,
                                                const DrawnRecipe& recipe, Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

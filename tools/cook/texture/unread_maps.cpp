@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::cook {
 
 // What a material has beside its base colour: who made it should hear that it does not count.
 
-void SourceImages::tell_other_maps(const SourceMaterial& material) {
+void SourceImages::tell_other_maps(const importer::SourceMaterial& material) {
   const auto leave_out = [&](const std::string& map, const char* why) {
     LeftOut part{fmt::format("material '{}': {}", material.name, map), why};
     const bool is_new = std::ranges::find(findings_.left_out, part.what, &LeftOut::what) == findings_.left_out.end();
@@ -18,4 +18,4 @@ void SourceImages::tell_other_maps(const SourceMaterial& material) {
     leave_out(map, "it is not read; light is computed from the hair's form");
 }
 
-}  // namespace coif
+}  // namespace coif::cook

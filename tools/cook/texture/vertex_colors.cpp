@@ -12,7 +12,7 @@
 #include <numeric>
 #include <vector>
 
-namespace coif {
+namespace coif::cook {
 namespace {
 
 using Eigen::Array4f;
@@ -244,12 +244,12 @@ std::vector<std::vector<std::size_t>> color_islands(const HairMesh& hair,
     sets.unite(hair.triangles[3 * t], hair.triangles[3 * t + 1]);
     sets.unite(hair.triangles[3 * t], hair.triangles[3 * t + 2]);
   }
-  std::vector<std::uint32_t> number(hair.positions.size(), kNoIndex);
+  std::vector<std::uint32_t> number(hair.positions.size(), importer::kNoIndex);
   std::vector<std::vector<std::size_t>> islands;
   for (std::size_t t = 0; t < hair.triangle_count(); ++t) {
     if (!takes(t)) continue;
     std::uint32_t& island = number[sets.find(hair.triangles[3 * t])];
-    if (island == kNoIndex) {
+    if (island == importer::kNoIndex) {
       island = std::uint32_t(islands.size());
       islands.emplace_back();
     }
@@ -258,4 +258,4 @@ std::vector<std::vector<std::size_t>> color_islands(const HairMesh& hair,
   return islands;
 }
 
-}  // namespace coif
+}  // namespace coif::cook

@@ -2,7 +2,7 @@
 
 #include "cook/texture/base_color.h"
 
-namespace coif {
+namespace coif::cook {
 
 struct DrawnRecipe;
 
@@ -32,4 +32,4 @@ void bake_vertex_colors(Image& image, HairMesh& hair, Findings& findings);
 /// planes differ get squares of their own. Takes the colours from `hair`.
 [[nodiscard]] Image make_color_squares(HairMesh& hair, Findings& findings);
 
-}  // namespace coif
+}  // namespace coif::cook

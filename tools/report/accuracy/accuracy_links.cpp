@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 // What that page has of what reports have.
@@ -32,7 +32,7 @@ void choose_solvers(const AccuracyReport& report, ViewLink& link) {
 
 ViewLink link_at(const AccuracyReport& report, const std::string& motion, double fps) {
   ViewLink link;
-  if (find_motion(motion)) link.motion = motion;
+  if (motion::find_motion(motion)) link.motion = motion;
   if (fps >= kSlowestView && fps <= kFastestView) link.rate = fps;
   choose_solvers(report, link);
   return link;
@@ -42,7 +42,7 @@ ViewLink link_at(const AccuracyReport& report, const std::string& motion, double
 
 ViewLink accuracy_link(const AccuracyReport& report) {
   for (const std::string& motion : names_of(report.rows, &AccuracyRow::motion)) {
-    if (motion != "still" && find_motion(motion)) return link_at(report, motion, main_frame_rate(report));
+    if (motion != "still" && motion::find_motion(motion)) return link_at(report, motion, main_frame_rate(report));
   }
   return link_at(report, "", main_frame_rate(report));
 }
@@ -52,7 +52,7 @@ nlohmann::ordered_json motion_links(const ReportHeading& heading, const Accuracy
   if (heading.view.empty()) return links;
   std::set<std::pair<std::string, double>> shown;
   for (const AccuracyRow& row : report.rows) {
-    if (find_motion(row.motion) && row.fps >= kSlowestView && row.fps <= kFastestView) {
+    if (motion::find_motion(row.motion) && row.fps >= kSlowestView && row.fps <= kFastestView) {
       shown.insert({row.motion, row.fps});
     }
   }
@@ -63,4 +63,4 @@ nlohmann::ordered_json motion_links(const ReportHeading& heading, const Accuracy
   return links;
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <map>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 // Unlike std::max, keeps a NaN: what failed once must not look good.
@@ -154,4 +154,4 @@ void choose_shown(AccuracyReport& report) {
   for (AccuracyRow& row : report.rows) row.shown_first = std::ranges::find(shown, row.solver) != shown.end();
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 /// One solver with one setting, run through one motion at one frame rate. Also of all motions together: then the time
 /// is their mean, the RMS error the root of the mean square (and what it is of the motion, that of both), the others
@@ -221,4 +221,4 @@ extern "C" const char coif_accuracy_page[];
 /// Who knows how fast the head moves; empty where nobody does.
 [[nodiscard]] std::string velocities_told(const AccuracyReport& report);
 
-}  // namespace coif
+}  // namespace coif::report

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace coif {
+namespace coif::report {
 
 using nlohmann::ordered_json;
 
@@ -241,4 +241,4 @@ std::string accuracy_text(const ReportHeading& heading, const AccuracyReport& re
          line_of(velocities_told(report));
 }
 
-}  // namespace coif
+}  // namespace coif::report

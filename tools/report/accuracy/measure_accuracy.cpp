@@ -13,7 +13,7 @@
 #include <cmath>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 using Eigen::Vector3d;
@@ -27,15 +27,18 @@ constexpr double kLeastMoved = 1e-3;  ///< Lengths, RMS: of less no share is tol
 class AccuracyMeasurement {
  public:
   AccuracyMeasurement(const Asset& asset, const AccuracySettings& settings, const ReportProgress& progress)
-      : asset_(asset), settings_(settings), progress_(progress), sample_(sample_of(rig_of(asset), kMostBones)) {}
+      : asset_(asset),
+        settings_(settings),
+        progress_(progress),
+        sample_(lab::sample_of(lab::rig_of(asset), kMostBones)) {}
 
   AccuracyReport run(std::span<const NamedPath> motions, std::span<const MeasuredSolver* const> solvers) {
     report_.budget_rms_pct = settings_.budget_rms_pct;
     for (const NamedPath& motion : motions) measure_motion(motion, solvers);
     measure_settling(solvers);
-    const auto passive = std::ranges::count(sample_.rig.bones, ChainModel::kPassive, &RigBone::model);
+    const auto passive = std::ranges::count(sample_.rig.bones, ChainModel::kPassive, &lab::RigBone::model);
     const auto changed =
-        std::ranges::count_if(sample_.rig.bones, [](const RigBone& bone) { return bone.asked.has_value(); });
+        std::ranges::count_if(sample_.rig.bones, [](const lab::RigBone& bone) { return bone.asked.has_value(); });
     const double bones = double(std::max<std::size_t>(sample_.rig.bones.size(), 1));
     report_.passive_share = double(passive) / bones;
     report_.conditioned_share = double(changed) / bones;
@@ -63,9 +66,9 @@ class AccuracyMeasurement {
 
   void measure_motion(const NamedPath& motion, std::span<const MeasuredSolver* const> solvers) {
     tell(fmt::format("reference, {}", motion.name));
-    const ReferenceRun reference =
-        solve_reference(sample_.rig, scene_, *motion.path,
-                        {.sample_times = frame_times(settings_.fps, settings_.seconds), .threads = all_threads()});
+    const lab::ReferenceRun reference = lab::solve_reference(
+        sample_.rig, scene_, *motion.path,
+        {.sample_times = frame_times(settings_.fps, settings_.seconds), .threads = platform::all_threads()});
     report_.reference.push_back({motion.name, reference.self_difference_pct(), reference.steps_per_second()});
     std::vector<FramePoses> frames;
     for (const double fps : settings_.fps) {
@@ -83,8 +86,8 @@ class AccuracyMeasurement {
   }
 
   /// Empty too where the solver's own motion is not one: nothing can be said of errors against it.
-  std::optional<ReferenceRun> own_model(const MeasuredSolver& solver, const NamedPath& motion,
-                                        const ReferenceRun& reference) {
+  std::optional<lab::ReferenceRun> own_model(const MeasuredSolver& solver, const NamedPath& motion,
+                                             const lab::ReferenceRun& reference) {
     auto own = own_model_run(solver, sample_.rig, scene_, *motion.path, reference);
     if (!own) return own;
     const double apart = own->self_difference_pct();
@@ -100,8 +103,8 @@ class AccuracyMeasurement {
   };
 
   /// `own` may be null.
-  void measure_setting(const Setting& setting, std::span<const FramePoses> frames, const ReferenceRun& reference,
-                       const ReferenceRun* own) {
+  void measure_setting(const Setting& setting, std::span<const FramePoses> frames, const lab::ReferenceRun& reference,
+                       const lab::ReferenceRun* own) {
     const auto& [motion, solver, effort] = setting;
     std::vector<MotionTrial> trials;
     for (const FramePoses& at_rate : frames) {
@@ -145,9 +148,10 @@ class AccuracyMeasurement {
 
   /// Tips at rest: in closed form, and by the reference where they lie on something.
   [[nodiscard]] std::vector<Vector3d> resting_tips() const {
-    const StaticPose pose = static_pose(sample_.rig, scene_);
-    const ReferenceRun settled = solve_reference(sample_.rig, scene_, *path_of(Motion::kStill),
-                                                 {.sample_times = {kSettleSeconds}, .threads = all_threads()});
+    const lab::StaticPose pose = lab::static_pose(sample_.rig, scene_);
+    const lab::ReferenceRun settled =
+        lab::solve_reference(sample_.rig, scene_, *motion::path_of(motion::Motion::kStill),
+                             {.sample_times = {kSettleSeconds}, .threads = platform::all_threads()});
     std::vector<Vector3d> tips;
     for (std::size_t i = 0; i < sample_.rig.tips.size(); ++i) {
       const std::uint32_t tip = sample_.rig.tips[i];
@@ -159,7 +163,7 @@ class AccuracyMeasurement {
   void measure_settling(std::span<const MeasuredSolver* const> solvers) {
     tell("settling");
     const std::vector<Vector3d> tips = resting_tips();
-    const FramePoses frames(*path_of(Motion::kStill), kSettleRate, kSettleSeconds);
+    const FramePoses frames(*motion::path_of(motion::Motion::kStill), kSettleRate, kSettleSeconds);
     for (const MeasuredSolver* solver : solvers) {
       const SolverAtWork at_work = make_solver(*solver, asset_, sample_, scene_, efforts_of(*solver).front());
       const MotionTrial trial = try_motion(*at_work.solver, sample_.rig, frames);
@@ -190,9 +194,9 @@ class AccuracyMeasurement {
   const Asset& asset_;
   const AccuracySettings& settings_;
   const ReportProgress& progress_;
-  SolverScene scene_;
-  RigSample sample_;
-  ConstraintMeter meter_{sample_.rig};
+  lab::SolverScene scene_;
+  lab::RigSample sample_;
+  lab::ConstraintMeter meter_{sample_.rig};
   AccuracyReport report_;
 };
 
@@ -214,9 +218,9 @@ tl::expected<void, ToolError> check(const AccuracySettings& settings) {
 std::vector<NamedPath> motions_of(const AccuracySettings& settings) {
   std::vector<NamedPath> motions;
   const bool suite = settings.motions.empty() && !settings.clip;
-  for (const MotionInfo& info : all_motions()) {
+  for (const motion::MotionInfo& info : motion::all_motions()) {
     const bool wanted = suite || std::ranges::find(settings.motions, info.motion) != settings.motions.end();
-    if (wanted) motions.push_back({info.name, path_of(info.motion)});
+    if (wanted) motions.push_back({info.name, motion::path_of(info.motion)});
   }
   if (settings.clip) motions.push_back(*settings.clip);
   return motions;
@@ -235,4 +239,4 @@ tl::expected<AccuracyReport, ToolError> measure_accuracy(const Asset& asset, con
   return AccuracyMeasurement(asset, settings, progress).run(motions_of(settings), *solvers);
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -18,17 +18,17 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 /// A movement of the head that is not built in.
 struct NamedPath {
-  std::string name;                      ///< As in the report, printable.
-  std::shared_ptr<const HeadPath> path;  ///< Not null.
+  std::string name;                              ///< As in the report, printable.
+  std::shared_ptr<const motion::HeadPath> path;  ///< Not null.
 };
 
 struct AccuracySettings {
-  std::vector<Motion> motions;    ///< Empty: the whole suite, unless `clip` is set.
-  std::optional<NamedPath> clip;  ///< One more motion.
+  std::vector<motion::Motion> motions;  ///< Empty: the whole suite, unless `clip` is set.
+  std::optional<NamedPath> clip;        ///< One more motion.
   std::vector<double> fps{24, 30, 60, 90, 120, 144, 240};
   std::vector<std::uint32_t> substeps{1, 2, 4};  ///< Of each frame, for the solvers that have them.
   double seconds = 4;                            ///< Of each motion, at most 60.
@@ -44,7 +44,7 @@ tl::expected<AccuracyReport, ToolError> measure_accuracy(const Asset& asset, con
 
 /// A head's poses, frame by frame from time 0, as a game has them.
 struct FramePoses {
-  FramePoses(const HeadPath& path, double fps, double seconds, bool tells_velocities = false);
+  FramePoses(const motion::HeadPath& path, double fps, double seconds, bool tells_velocities = false);
 
   double fps;
   std::vector<double> times;  ///< Seconds; the first is 0.
@@ -59,11 +59,11 @@ struct FramePoses {
 struct MotionTrial {
   bool is_finite = true;              ///< False where it refused a step or left finite numbers; then `tips` ends there.
   std::vector<Eigen::Vector3d> tips;  ///< Head space, metres; Rig::tips for each frame but the first.
-  ConstraintErrors worst;
+  lab::ConstraintErrors worst;
 };
 
 /// From the rest pose through all frames.
-[[nodiscard]] MotionTrial try_motion(ChainSolver& solver, const Rig& rig, const FramePoses& frames);
+[[nodiscard]] MotionTrial try_motion(lab::ChainSolver& solver, const lab::Rig& rig, const FramePoses& frames);
 
 /// Distance of tips to the reference, as shares of their chain's length.
 struct TipError {
@@ -73,20 +73,20 @@ struct TipError {
   double moved = 0;         ///< RMS distance of the reference's tips from their rest.
 };
 /// Over all frames and tips; NaN for a trial that is not finite. Every frame's time is one of the reference's.
-[[nodiscard]] TipError tip_error(const MotionTrial& trial, const FramePoses& frames, const Rig& rig,
-                                 const ReferenceRun& reference);
+[[nodiscard]] TipError tip_error(const MotionTrial& trial, const FramePoses& frames, const lab::Rig& rig,
+                                 const lab::ReferenceRun& reference);
 
 /// RMS distance of two trials' tips at the times that both have frames, as a share of the chain's length; NaN where one
 /// is not finite or there is no such time.
 [[nodiscard]] double rms_between(const MotionTrial& a, const FramePoses& a_frames, const MotionTrial& b,
-                                 const FramePoses& b_frames, const Rig& rig);
+                                 const FramePoses& b_frames, const lab::Rig& rig);
 
 /// RMS distance of two runs' tips at the frames, as a share of the chain's length.
-[[nodiscard]] double rms_between(const ReferenceRun& a, const ReferenceRun& b, const FramePoses& frames,
-                                 const Rig& rig);
+[[nodiscard]] double rms_between(const lab::ReferenceRun& a, const lab::ReferenceRun& b, const FramePoses& frames,
+                                 const lab::Rig& rig);
 
 /// Nanoseconds of one step per bone, by the thread's own clock: the least of some rounds through the motion's first
 /// frames, on the calling thread. NaN where a step is refused.
 [[nodiscard]] double time_steps(SolverAtWork& at_work, const FramePoses& frames);
 
-}  // namespace coif
+}  // namespace coif::report

@@ -7,14 +7,14 @@
 #include <cmath>
 #include <limits>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 using Eigen::Vector3d;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-bool keep_tips(const Rig& rig, std::span<const Vector3d> ends, std::vector<Vector3d>& tips) {
+bool keep_tips(const lab::Rig& rig, std::span<const Vector3d> ends, std::vector<Vector3d>& tips) {
   for (const std::uint32_t tip : rig.tips) {
     if (!ends[tip].allFinite()) return false;
     tips.push_back(ends[tip]);
@@ -36,9 +36,9 @@ struct SquareMean {
   [[nodiscard]] double root() const { return std::sqrt(mean()); }
 };
 
-std::vector<Vector3d> tips_at_rest(const Rig& rig) {
+std::vector<Vector3d> tips_at_rest(const lab::Rig& rig) {
   std::vector<Vector3d> ends, tips;
-  for (const RigBone& bone : rig.bones) {
+  for (const lab::RigBone& bone : rig.bones) {
     const Vector3d start = bone.parent < 0 ? bone.joint : ends[std::size_t(bone.parent)];
     ends.push_back(start + bone.length * bone.rest_direction);
   }
@@ -48,14 +48,15 @@ std::vector<Vector3d> tips_at_rest(const Rig& rig) {
 
 }  // namespace
 
-FramePoses::FramePoses(const HeadPath& path, double frames_per_second, double seconds, bool tells_velocities)
+FramePoses::FramePoses(const motion::HeadPath& path, double frames_per_second, double seconds, bool tells_velocities)
     : fps(frames_per_second) {
   constexpr double kLittle = 1.0e-6;  // frames: at a corner the head arrives as fast as it came
   const auto count = long(std::floor(seconds * fps + 1.0e-6));
   for (long i = 0; i <= count; ++i) {
     times.push_back(double(i) / fps);
     poses.push_back(path.pose(times.back()));
-    if (tells_velocities) velocities.push_back(velocity_of(path.at(times.back(), times.back() - kLittle / fps)));
+    if (tells_velocities)
+      velocities.push_back(motion::velocity_of(path.at(times.back(), times.back() - kLittle / fps)));
   }
 }
 
@@ -73,7 +74,7 @@ std::vector<double> frame_times(std::span<const double> rates, double seconds) {
 
 namespace {
 
-bool take_step(ChainSolver& solver, const FramePoses& frames, std::size_t frame) {
+bool take_step(lab::ChainSolver& solver, const FramePoses& frames, std::size_t frame) {
   const double dt = frames.times[frame] - frames.times[frame - 1];
   if (frames.velocities.empty()) return solver.step(frames.poses[frame], dt);
   return solver.step_told(frames.poses[frame], frames.velocities[frame], dt);
@@ -81,9 +82,9 @@ bool take_step(ChainSolver& solver, const FramePoses& frames, std::size_t frame)
 
 }  // namespace
 
-MotionTrial try_motion(ChainSolver& solver, const Rig& rig, const FramePoses& frames) {
+MotionTrial try_motion(lab::ChainSolver& solver, const lab::Rig& rig, const FramePoses& frames) {
   MotionTrial trial;
-  ConstraintMeter meter(rig);
+  lab::ConstraintMeter meter(rig);
   solver.reset(frames.poses.front());
   for (std::size_t i = 1; i < frames.poses.size(); ++i) {
     trial.is_finite = take_step(solver, frames, i) && keep_tips(rig, solver.bone_ends(), trial.tips);
@@ -96,13 +97,14 @@ MotionTrial try_motion(ChainSolver& solver, const Rig& rig, const FramePoses& fr
 
 namespace {
 
-std::size_t sample_at(const ReferenceRun& run, double time) {
+std::size_t sample_at(const lab::ReferenceRun& run, double time) {
   return std::size_t(std::ranges::lower_bound(run.times, time) - run.times.begin());
 }
 
 }  // namespace
 
-TipError tip_error(const MotionTrial& trial, const FramePoses& frames, const Rig& rig, const ReferenceRun& reference) {
+TipError tip_error(const MotionTrial& trial, const FramePoses& frames, const lab::Rig& rig,
+                   const lab::ReferenceRun& reference) {
   if (!trial.is_finite) return {kNan, kNan, kNan, kNan};
   SquareMean mean, moved;
   std::vector<double> of_frames;
@@ -120,11 +122,11 @@ TipError tip_error(const MotionTrial& trial, const FramePoses& frames, const Rig
     }
     of_frames.push_back(of_frame.mean());
   }
-  return {mean.root(), std::sqrt(mean.worst), worst_second(of_frames, frames.fps), moved.root()};
+  return {mean.root(), std::sqrt(mean.worst), lab::worst_second(of_frames, frames.fps), moved.root()};
 }
 
 double rms_between(const MotionTrial& a, const FramePoses& a_frames, const MotionTrial& b, const FramePoses& b_frames,
-                   const Rig& rig) {
+                   const lab::Rig& rig) {
   if (!a.is_finite || !b.is_finite) return kNan;
   SquareMean mean;
   std::size_t i = 1, j = 1;
@@ -143,7 +145,8 @@ double rms_between(const MotionTrial& a, const FramePoses& a_frames, const Motio
   return mean.root();
 }
 
-double rms_between(const ReferenceRun& a, const ReferenceRun& b, const FramePoses& frames, const Rig& rig) {
+double rms_between(const lab::ReferenceRun& a, const lab::ReferenceRun& b, const FramePoses& frames,
+                   const lab::Rig& rig) {
   SquareMean mean;
   for (std::size_t frame = 1; frame < frames.times.size(); ++frame) {
     const std::size_t sample = sample_at(a, frames.times[frame]);
@@ -179,4 +182,4 @@ double time_steps(SolverAtWork& at_work, const FramePoses& frames) {
   return best;
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 constexpr double kStepsPerSecond = 15360;  // the finest setting that reports measure, at 60 frames a second
 
 /// Takes the solver from its last time to `until`.
-bool go_on(ChainSolver& solver, const HeadPath& path, double rate, double from, double until) {
+bool go_on(lab::ChainSolver& solver, const motion::HeadPath& path, double rate, double from, double until) {
   const auto steps = long(std::ceil((until - from) * rate - 1e-6));
   for (long i = 1; i <= steps; ++i) {
     const double time = i < steps ? from + (until - from) * double(i) / double(steps) : until;
@@ -25,9 +25,9 @@ bool go_on(ChainSolver& solver, const HeadPath& path, double rate, double from, 
 
 struct OwnMotion {
   const ListedSolver& listed;
-  const Rig& rig;
-  const SolverScene& scene;
-  const HeadPath& path;
+  const lab::Rig& rig;
+  const lab::SolverScene& scene;
+  const motion::HeadPath& path;
   const std::vector<double>& times;
 };
 
@@ -48,9 +48,9 @@ std::vector<Eigen::Vector3d> places_at(const OwnMotion& motion, double rate) {
   return places;
 }
 
-TipAgreement agreement_of(const Rig& rig, std::size_t tip, std::span<const Eigen::Vector3d> fine,
-                          std::span<const Eigen::Vector3d> coarse) {
-  TipAgreement agreement{.steps_per_second = kStepsPerSecond};
+lab::TipAgreement agreement_of(const lab::Rig& rig, std::size_t tip, std::span<const Eigen::Vector3d> fine,
+                               std::span<const Eigen::Vector3d> coarse) {
+  lab::TipAgreement agreement{.steps_per_second = kStepsPerSecond};
   double sum = 0;
   for (std::size_t i = 0; i < fine.size(); ++i) {
     const double pct = 100 * (fine[i] - coarse[i]).norm() / rig.tip_length[tip];
@@ -62,11 +62,11 @@ TipAgreement agreement_of(const Rig& rig, std::size_t tip, std::span<const Eigen
 }
 
 /// As the reference is: twice, the second time with steps of double length.
-ReferenceRun run_finely(const OwnMotion& motion) {
+lab::ReferenceRun run_finely(const OwnMotion& motion) {
   std::vector<Eigen::Vector3d> runs[2];
-  parallel_for(2, all_threads(),
+  parallel_for(2, platform::all_threads(),
                [&](std::size_t i) { runs[i] = places_at(motion, kStepsPerSecond / (i == 0 ? 1 : 2)); });
-  ReferenceRun run{.times = motion.times, .agreement = {}, .places = std::move(runs[0])};
+  lab::ReferenceRun run{.times = motion.times, .agreement = {}, .places = std::move(runs[0])};
   for (std::size_t tip = 0; tip < motion.rig.tips.size(); ++tip) {
     const auto coarse = std::span(runs[1]).subspan(tip * run.times.size(), run.times.size());
     run.agreement.push_back(agreement_of(motion.rig, tip, run.path_of_tip(tip), coarse));
@@ -76,16 +76,17 @@ ReferenceRun run_finely(const OwnMotion& motion) {
 
 }  // namespace
 
-std::optional<ReferenceRun> own_model_run(const MeasuredSolver& solver, const Rig& rig, const SolverScene& scene,
-                                          const HeadPath& path, const ReferenceRun& reference) {
+std::optional<lab::ReferenceRun> own_model_run(const MeasuredSolver& solver, const lab::Rig& rig,
+                                               const lab::SolverScene& scene, const motion::HeadPath& path,
+                                               const lab::ReferenceRun& reference) {
   if (!solver.has_model) return std::nullopt;
   if (solver.model) {
-    return solve_reference(in_model(rig, *solver.model), scene, path,
-                           {.sample_times = reference.times, .threads = all_threads()});
+    return lab::solve_reference(lab::in_model(rig, *solver.model), scene, path,
+                                {.sample_times = reference.times, .threads = platform::all_threads()});
   }
   if (solver.is_runtime()) return reference;
   const auto listed = std::ranges::find(historical_solvers(), solver.name, &ListedSolver::name);
   return run_finely({*listed, rig, scene, path, reference.times});
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 using Eigen::Vector3d;
@@ -20,7 +20,7 @@ constexpr double kInHundredths = 100;
 
 /// A hand as a capsule that points at the head and goes round in an upright ellipse through the hair's middle, once in
 /// two seconds: down on one side and up on the other.
-MovingCollider hand_at(const HairPlace& hair, double seconds) {
+MovingCollider hand_at(const lab::HairPlace& hair, double seconds) {
   constexpr double kRadius = 0.025, kLength = 0.12, kAside = 0.10, kUp = 0.08;
   const double angle = std::numbers::pi * seconds;
   const Vector3d aside = Vector3d::UnitY().cross(hair.outward);
@@ -37,9 +37,11 @@ MovingCollider hand_at(const HairPlace& hair, double seconds) {
 class Stroke {
  public:
   explicit Stroke(const Asset& asset)
-      : asset_(asset), sample_(sample_of(rig_of(asset), kMostStrokedBones)), place_(place_of(sample_.rig)) {}
+      : asset_(asset),
+        sample_(lab::sample_of(lab::rig_of(asset), kMostStrokedBones)),
+        place_(lab::place_of(sample_.rig)) {}
 
-  [[nodiscard]] const Rig& rig() const { return sample_.rig; }
+  [[nodiscard]] const lab::Rig& rig() const { return sample_.rig; }
 
   /// `times`: of frames, ascending; the first is where it begins.
   struct Run {
@@ -49,16 +51,16 @@ class Stroke {
   /// Each frame in so many equal parts of which the hair is told, and each of those in `substeps`.
   [[nodiscard]] Run run(const std::vector<double>& times, double parts_per_second, int substeps) const {
     const SolverAtWork at_work =
-        make_solver(solver_on_a_character(), asset_, sample_, SolverScene{.moving_colliders = 1}, substeps);
-    ConstraintMeter meter(sample_.rig);
-    MovingMeter moving(sample_.rig);
+        make_solver(solver_on_a_character(), asset_, sample_, lab::SolverScene{.moving_colliders = 1}, substeps);
+    lab::ConstraintMeter meter(sample_.rig);
+    lab::MovingMeter moving(sample_.rig);
     Run run;
     at_work.solver->reset({});
     for (std::size_t frame = 1; frame < times.size() && run.trial.is_finite; ++frame) {
       run.trial.is_finite = go_on(*at_work.solver, times[frame - 1], times[frame], parts_per_second);
       const auto ends = at_work.solver->bone_ends();
       if (!std::ranges::all_of(ends, [](const Vector3d& end) { return end.allFinite(); })) run.trial.is_finite = false;
-      const PlacedSolid hand(hand_at(place_, times[frame]), {});
+      const lab::PlacedSolid hand(hand_at(place_, times[frame]), {});
       moving.look(ends, {&hand, 1});
       meter.look(ends);
       for (const std::uint32_t tip : sample_.rig.tips) run.trial.tips.push_back(ends[tip]);
@@ -69,15 +71,15 @@ class Stroke {
   }
 
   /// As the references of other motions are: twice, the second time with steps of double length.
-  [[nodiscard]] ReferenceRun converged(const std::vector<double>& times, double steps_per_second) const {
+  [[nodiscard]] lab::ReferenceRun converged(const std::vector<double>& times, double steps_per_second) const {
     MotionTrial trials[2];
-    parallel_for(2, all_threads(),
+    parallel_for(2, platform::all_threads(),
                  [&](std::size_t i) { trials[i] = run(times, steps_per_second / double(i + 1), 1).trial; });
-    ReferenceRun reference{.times = times, .agreement = {}, .places = {}};
+    lab::ReferenceRun reference{.times = times, .agreement = {}, .places = {}};
     const std::size_t tips = sample_.rig.tips.size();
     for (std::size_t tip = 0; tip < tips; ++tip) {
       double sum = 0;
-      TipAgreement agreement{.steps_per_second = steps_per_second};
+      lab::TipAgreement agreement{.steps_per_second = steps_per_second};
       // At time 0 all are the same; trials have no frame there.
       reference.places.push_back(Vector3d::Zero());
       for (std::size_t at = tip; at < trials[0].tips.size(); at += tips) {
@@ -96,7 +98,7 @@ class Stroke {
   }
 
  private:
-  [[nodiscard]] bool go_on(ChainSolver& solver, double from, double until, double parts_per_second) const {
+  [[nodiscard]] bool go_on(lab::ChainSolver& solver, double from, double until, double parts_per_second) const {
     const auto parts = std::max(1L, long(std::ceil((until - from) * parts_per_second - 1e-6)));
     for (long i = 1; i <= parts; ++i) {
       const double time = i < parts ? from + (until - from) * double(i) / double(parts) : until;
@@ -107,16 +109,16 @@ class Stroke {
   }
 
   const Asset& asset_;
-  RigSample sample_;
-  HairPlace place_;
+  lab::RigSample sample_;
+  lab::HairPlace place_;
 };
 
 }  // namespace
 
 std::vector<StrokeRow> measure_stroke(const Asset& asset, const StrokeSettings& settings) {
   const Stroke stroke(asset);
-  const auto still = path_of(Motion::kStill);
-  const ReferenceRun reference =
+  const auto still = motion::path_of(motion::Motion::kStill);
+  const lab::ReferenceRun reference =
       stroke.converged(frame_times(settings.fps, settings.seconds), settings.reference_steps_per_second);
   std::vector<StrokeRow> rows;
   for (const double fps : settings.fps) {
@@ -137,4 +139,4 @@ std::vector<StrokeRow> measure_stroke(const Asset& asset, const StrokeSettings& 
   return rows;
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 /// `coif` on a character (kCharacterSolver) at one frame rate, a hand stroking the hair of a head that stands still.
 /// Errors are against the same solver told of the same hand at far shorter steps: how much is lost by frames, not by
@@ -50,4 +50,4 @@ struct StrokeSettings {
 /// `asset` has simulated bones.
 [[nodiscard]] std::vector<StrokeRow> measure_stroke(const Asset& asset, const StrokeSettings& settings);
 
-}  // namespace coif
+}  // namespace coif::report

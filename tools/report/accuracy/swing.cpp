@@ -11,7 +11,7 @@
 #include <numeric>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 using Eigen::Vector3d;
@@ -24,8 +24,8 @@ constexpr int kArtistIterations = 8;  ///< Of Algorithm 1: more change nothing t
 constexpr double kInPercent = 100;
 
 /// Tips of all frames from rest; none where the solver broke down.
-std::vector<Vector3d> run(const Asset& asset, const RigSample& sample, const FramePoses& frames, const char* solver,
-                          int effort) {
+std::vector<Vector3d> run(const Asset& asset, const lab::RigSample& sample, const FramePoses& frames,
+                          const char* solver, int effort) {
   const SolverAtWork at_work = make_solver(*find_measured_solver(solver), asset, sample, {}, effort);
   MotionTrial trial = try_motion(*at_work.solver, sample.rig, frames);
   return trial.is_finite ? std::move(trial.tips) : std::vector<Vector3d>();
@@ -86,8 +86,8 @@ Swing swing_of(std::span<const Vector3d> tips, const Vector3d& rest, double dt) 
 }
 
 Swings measure_swings(const Asset& asset) {
-  const auto path = path_of(Motion::kCharge);
-  const RigSample sample = sample_of(rig_of(asset), kMostSwingBones);
+  const auto path = motion::path_of(motion::Motion::kCharge);
+  const lab::RigSample sample = lab::sample_of(lab::rig_of(asset), kMostSwingBones);
   const FramePoses frames(*path, kRate, kSeconds);
   const std::vector<Vector3d> ours = run(asset, sample, frames, "coif", 0);
   const std::vector<Vector3d> artists = run(asset, sample, frames, "thesis", kArtistIterations);
@@ -124,4 +124,4 @@ Swings measure_swings(const Asset& asset) {
   return swings;
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 /// A tip that was thrown from where it rests.
 struct Swing {
@@ -72,4 +72,4 @@ struct Swings {
 /// Of the chains that at most 128 bones of the asset make up, evenly chosen.
 [[nodiscard]] Swings measure_swings(const Asset& asset);
 
-}  // namespace coif
+}  // namespace coif::report

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 constexpr double kSameBox = 0.5;    // share of both boxes that cards and their strands have in common, at least
@@ -44,10 +44,10 @@ double common_share(Eigen::AlignedBox3f a, Eigen::AlignedBox3f b) {
 }
 
 /// Those that a cook chooses from (cook/size).
-std::vector<UnitPrior> units_of(const Groom& groom) {
-  SourceModel words;  // what the file says of its size
+std::vector<cook::UnitPrior> units_of(const groom::Groom& groom) {
+  importer::SourceModel words;  // what the file says of its size
   words.space = groom.space;
-  return unit_priors(words, {}, scalp_radius_of(shape_of(groom, 0).strands));
+  return cook::unit_priors(words, {}, cards::scalp_radius_of(cards::shape_of(groom, 0).strands));
 }
 
 std::string box_text(const Eigen::AlignedBox3f& box) {
@@ -58,16 +58,16 @@ std::string box_text(const Eigen::AlignedBox3f& box) {
 
 }  // namespace
 
-tl::expected<CookedPlace, ToolError> find_cooked_place(const Asset& asset, const Groom& groom) {
+tl::expected<CookedPlace, ToolError> find_cooked_place(const Asset& asset, const groom::Groom& groom) {
   const Eigen::AlignedBox3f cooked = box_of_asset(asset);
   Eigen::AlignedBox3f strands;
   for (const Eigen::Vector3f& point : groom.points) strands.extend(point);
-  const std::vector<UnitPrior> units = units_of(groom);
+  const std::vector<cook::UnitPrior> units = units_of(groom);
   CookedPlace best;
   double most = -1;
-  for (std::size_t up = 0; up < kUps; ++up) {
-    for (const UnitPrior& unit : units) {
-      const CookedPlace place{unit.factor, y_up_from_direction(up).cast<float>(),
+  for (std::size_t up = 0; up < cook::kUps; ++up) {
+    for (const cook::UnitPrior& unit : units) {
+      const CookedPlace place{unit.factor, cook::y_up_from_direction(up).cast<float>(),
                               Eigen::Vector3f(asset.skeleton().head_joint)};
       const double share = common_share(cooked, placed(strands, place));
       if (!(share > (most < kSameBox ? most : kClearly * most))) continue;
@@ -88,11 +88,11 @@ namespace {
 /// The vertices that some triangles use, numbered afresh.
 class LevelVertices {
  public:
-  LevelVertices(const Asset& asset, const CookedPlace& place, CardSurface& surface)
-      : asset_(asset), place_(place), surface_(surface), number_(asset.vertices().size(), kNoIndex) {}
+  LevelVertices(const Asset& asset, const CookedPlace& place, cards::CardSurface& surface)
+      : asset_(asset), place_(place), surface_(surface), number_(asset.vertices().size(), importer::kNoIndex) {}
 
   std::uint32_t operator()(std::uint32_t vertex) {
-    if (number_[vertex] == kNoIndex) {
+    if (number_[vertex] == importer::kNoIndex) {
       number_[vertex] = std::uint32_t(surface_.positions.size());
       add(asset_.vertices()[vertex]);
     }
@@ -113,12 +113,12 @@ class LevelVertices {
 
   const Asset& asset_;
   const CookedPlace& place_;
-  CardSurface& surface_;
+  cards::CardSurface& surface_;
   std::vector<std::uint32_t> number_;
 };
 
 /// Alpha as it is, without thresholds; 1 everywhere without a texture.
-void set_opacity(const Asset& asset, CardSurface& surface) {
+void set_opacity(const Asset& asset, cards::CardSurface& surface) {
   const float factor = asset.material() != nullptr ? asset.material()->base_color[3] : 1.0f;
   const TextureRecord* const texture = asset.texture(TextureRole::kBaseColor);
   if (texture == nullptr) {
@@ -136,12 +136,12 @@ void set_opacity(const Asset& asset, CardSurface& surface) {
 
 }  // namespace
 
-CardSurface surface_of_asset(const Asset& asset, std::uint32_t lod, const CookedPlace& place) {
-  CardSurface surface;
+cards::CardSurface surface_of_asset(const Asset& asset, std::uint32_t lod, const CookedPlace& place) {
+  cards::CardSurface surface;
   LevelVertices vertices(asset, place, surface);
   for (const std::uint32_t vertex : asset.lod_indices(lod)) surface.triangles.push_back(vertices(vertex));
   set_opacity(asset, surface);
   return surface;
 }
 
-}  // namespace coif
+}  // namespace coif::report

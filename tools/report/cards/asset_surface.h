@@ -11,7 +11,7 @@
 
 #include <cstdint>
 
-namespace coif {
+namespace coif::report {
 
 /// How strands became the places of an asset: as the cook found their unit and what is up, and about the head's joint,
 /// which the asset knows.
@@ -31,10 +31,10 @@ struct CookedPlace {
 /// Of the units and up directions that a cook chooses among, those with which the box around the strands is most nearly
 /// the one around the asset's finest level. kBadInput where no box is near it: the asset was cooked from other strands,
 /// or by a recipe with another unit.
-[[nodiscard]] tl::expected<CookedPlace, ToolError> find_cooked_place(const Asset& asset, const Groom& groom);
+[[nodiscard]] tl::expected<CookedPlace, ToolError> find_cooked_place(const Asset& asset, const groom::Groom& groom);
 
 /// What one level of detail draws, at rest, in the groom's space: its own triangles, tangents, and the alpha of its
 /// largest mip.
-[[nodiscard]] CardSurface surface_of_asset(const Asset& asset, std::uint32_t lod, const CookedPlace& place);
+[[nodiscard]] cards::CardSurface surface_of_asset(const Asset& asset, std::uint32_t lod, const CookedPlace& place);
 
-}  // namespace coif
+}  // namespace coif::report

@@ -9,7 +9,7 @@
 #include <array>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 constexpr std::uint32_t kTileSize = 384;  // pixels
@@ -24,38 +24,40 @@ const std::array<ShownSide, 3>& shown_sides() {
   return sides;
 }
 
-std::vector<PictureFrame> frames_of_sides(const Groom& groom, const Eigen::Matrix3f& turn, bool faces_backwards) {
+std::vector<cards::PictureFrame> frames_of_sides(const groom::Groom& groom, const Eigen::Matrix3f& turn,
+                                                 bool faces_backwards) {
   std::vector<Eigen::Vector3f> directions;
   for (const ShownSide& side : shown_sides()) directions.push_back(faces_backwards ? -side.towards : side.towards);
-  std::vector<PictureFrame> frames = frames_around(groom, turn, directions, kTileSize);
-  for (PictureFrame& frame : frames) frame = closer(frame, groom);
+  std::vector<cards::PictureFrame> frames = frames_around(groom, turn, directions, kTileSize);
+  for (cards::PictureFrame& frame : frames) frame = closer(frame, groom);
   return frames;
 }
 
-SheetSection row_of(std::string title, const std::vector<std::string>& captions, const std::vector<Picture>& pictures) {
-  SheetSection section{std::move(title), {}};
+render::SheetSection row_of(std::string title, const std::vector<std::string>& captions,
+                            const std::vector<render::Picture>& pictures) {
+  render::SheetSection section{std::move(title), {}};
   for (std::size_t i = 0; i < pictures.size(); ++i) section.tiles.push_back({captions[i], pictures[i]});
   return section;
 }
 
-CardsSheet sheet_of(std::string caption, std::span<const SheetSection> sections) {
-  const Picture sheet = contact_sheet(sections, kColumns);
+CardsSheet sheet_of(std::string caption, std::span<const render::SheetSection> sections) {
+  const render::Picture sheet = render::contact_sheet(sections, kColumns);
   return {std::move(caption), encode_png(sheet.rgba, sheet.width, sheet.height)};
 }
 
 }  // namespace
 
-CardSheets::CardSheets(const Groom& groom, float width, const Eigen::Matrix3f& turn, bool faces_backwards,
-                       const Threads& threads)
+CardSheets::CardSheets(const groom::Groom& groom, float width, const Eigen::Matrix3f& turn, bool faces_backwards,
+                       const platform::Threads& threads)
     : threads_(threads),
       views_(groom, width, frames_of_sides(groom, turn, faces_backwards), threads),
       sides_(views_.count()) {}
 
-void CardSheets::add(const std::string& caption, const CardSurface& surface) {
+void CardSheets::add(const std::string& caption, const cards::CardSurface& surface) {
   captions_.push_back(caption);
   textures_.push_back(texture_tile(surface, kTileSize));
   for (std::size_t i = 0; i < sides_.size(); ++i) {
-    const HairPicture seen = draw_cards(surface, views_.frame(i), threads_);
+    const cards::HairPicture seen = cards::draw_cards(surface, views_.frame(i), threads_);
     sides_[i].hair.push_back(hair_tile(seen, views_.frame(i)));
     sides_[i].wires.push_back(wire_tile(surface, views_.frame(i)));
     sides_[i].differences.push_back(difference_tile(views_.strands(i), seen));
@@ -67,16 +69,16 @@ std::vector<CardsSheet> CardSheets::finish() const {
   std::vector<CardsSheet> sheets;
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const Side& side = sides_[i];
-    SheetSection hair = row_of(shown_sides()[i].name, captions_, side.hair);
+    render::SheetSection hair = row_of(shown_sides()[i].name, captions_, side.hair);
     hair.tiles.insert(hair.tiles.begin(), {"strands", hair_tile(views_.strands(i), views_.frame(i))});
-    const SheetSection sections[] = {
+    const render::SheetSection sections[] = {
         std::move(hair), row_of("difference: red too bright or too much, blue missing", captions_, side.differences),
         row_of("triangles, without their texture", captions_, side.wires)};
     sheets.push_back(sheet_of(fmt::format("From the {}.", shown_sides()[i].name), sections));
   }
-  const SheetSection textures[] = {row_of("textures: what of each texel strands cover", captions_, textures_)};
+  const render::SheetSection textures[] = {row_of("textures: what of each texel strands cover", captions_, textures_)};
   sheets.push_back(sheet_of("What lies on the cards, all on one texture.", textures));
   return sheets;
 }
 
-}  // namespace coif
+}  // namespace coif::report

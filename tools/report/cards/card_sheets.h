@@ -11,32 +11,32 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 // One surface as tiles of a contact sheet.
 
 /// By a light at the eye, and darker the farther behind.
-[[nodiscard]] Picture hair_tile(const HairPicture& hair, const PictureFrame& frame);
+[[nodiscard]] render::Picture hair_tile(const cards::HairPicture& hair, const cards::PictureFrame& frame);
 
 /// What is seen less what is wanted: red where a surface is too bright, or is and should not be; blue where it is
 /// missing.
-[[nodiscard]] Picture difference_tile(const HairPicture& wanted, const HairPicture& seen);
+[[nodiscard]] render::Picture difference_tile(const cards::HairPicture& wanted, const cards::HairPicture& seen);
 
 /// Its triangles without their texture, solid, each outlined.
-[[nodiscard]] Picture wire_tile(const CardSurface& surface, const PictureFrame& frame);
+[[nodiscard]] render::Picture wire_tile(const cards::CardSurface& surface, const cards::PictureFrame& frame);
 
 /// Its texture's opacity, white on black, reduced to `size` pixels each way.
-[[nodiscard]] Picture texture_tile(const CardSurface& surface, std::uint32_t size);
+[[nodiscard]] render::Picture texture_tile(const cards::CardSurface& surface, std::uint32_t size);
 
 /// Strands beside sets of cards, from the front, a side and the back.
 class CardSheets {
  public:
   /// As frames_around() and GroomViews; `faces_backwards`: the hair's front is where -Z points.
-  CardSheets(const Groom& groom, float width, const Eigen::Matrix3f& turn, bool faces_backwards,
-             const Threads& threads);
+  CardSheets(const groom::Groom& groom, float width, const Eigen::Matrix3f& turn, bool faces_backwards,
+             const platform::Threads& threads);
 
   /// In the order in which they shall stand.
-  void add(const std::string& caption, const CardSurface& surface);
+  void add(const std::string& caption, const cards::CardSurface& surface);
 
   /// One sheet for each side, and one of textures.
   [[nodiscard]] std::vector<CardsSheet> finish() const;
@@ -44,14 +44,14 @@ class CardSheets {
  private:
   /// Of each set of cards, from one side.
   struct Side {
-    std::vector<Picture> hair, wires, differences;
+    std::vector<render::Picture> hair, wires, differences;
   };
 
-  Threads threads_;
+  platform::Threads threads_;
   GroomViews views_;
   std::vector<std::string> captions_;
   std::vector<Side> sides_;
-  std::vector<Picture> textures_;
+  std::vector<render::Picture> textures_;
 };
 
-}  // namespace coif
+}  // namespace coif::report

@@ -9,14 +9,14 @@
 #include <functional>
 #include <limits>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 const Eigen::Vector3f kHair(0.66f, 0.40f, 0.22f), kGround(0.045f, 0.05f, 0.06f);  // linear
 constexpr float kLine = 0.8f;  // pixels, from a triangle's edge inwards
 
-Picture square_picture(std::uint32_t size, const std::function<Eigen::Vector3f(std::size_t)>& linear_color) {
-  Picture picture;
+render::Picture square_picture(std::uint32_t size, const std::function<Eigen::Vector3f(std::size_t)>& linear_color) {
+  render::Picture picture;
   picture.width = picture.height = size;
   picture.rgba.resize(std::size_t{4} * size * size, 255);
   for (std::size_t i = 0; i < std::size_t(size) * size; ++i) {
@@ -43,7 +43,7 @@ struct NearestTriangle {
 };
 
 /// One for each triangle: those that share vertices have the same.
-std::vector<std::uint32_t> strips_of(const CardSurface& surface) {
+std::vector<std::uint32_t> strips_of(const cards::CardSurface& surface) {
   std::vector<std::uint32_t> first(surface.positions.size());
   for (std::uint32_t v = 0; v < first.size(); ++v) first[v] = v;
   const auto find = [&first](std::uint32_t v) {
@@ -90,7 +90,7 @@ void draw_outlined(const std::array<Eigen::Vector3f, 3>& corners, std::uint32_t 
 
 }  // namespace
 
-Picture hair_tile(const HairPicture& hair, const PictureFrame& frame) {
+render::Picture hair_tile(const cards::HairPicture& hair, const cards::PictureFrame& frame) {
   const float wide = float(frame.size) / frame.pixels_of_metre;
   return square_picture(hair.size, [&](std::size_t i) -> Eigen::Vector3f {
     const float near = std::clamp(0.6f - 1.6f * hair.depth[i] / wide, 0.15f, 1.0f);
@@ -98,7 +98,7 @@ Picture hair_tile(const HairPicture& hair, const PictureFrame& frame) {
   });
 }
 
-Picture difference_tile(const HairPicture& wanted, const HairPicture& seen) {
+render::Picture difference_tile(const cards::HairPicture& wanted, const cards::HairPicture& seen) {
   return square_picture(wanted.size, [&](std::size_t i) -> Eigen::Vector3f {
     const float more = seen.shade[i] - wanted.shade[i];
     const Eigen::Vector3f color = more > 0 ? Eigen::Vector3f(1, 0.15f, 0.05f) : Eigen::Vector3f(0.1f, 0.35f, 1);
@@ -107,7 +107,7 @@ Picture difference_tile(const HairPicture& wanted, const HairPicture& seen) {
   });
 }
 
-Picture wire_tile(const CardSurface& surface, const PictureFrame& frame) {
+render::Picture wire_tile(const cards::CardSurface& surface, const cards::PictureFrame& frame) {
   std::vector<NearestTriangle> pixels(std::size_t(frame.size) * frame.size);
   const std::vector<std::uint32_t> strips = strips_of(surface);
   for (std::size_t t = 0; t < strips.size(); ++t) {
@@ -121,7 +121,7 @@ Picture wire_tile(const CardSurface& surface, const PictureFrame& frame) {
   });
 }
 
-Picture texture_tile(const CardSurface& surface, std::uint32_t size) {
+render::Picture texture_tile(const cards::CardSurface& surface, std::uint32_t size) {
   const std::uint32_t longer = std::max(surface.width, surface.height);
   return square_picture(size, [&](std::size_t i) -> Eigen::Vector3f {
     // The texels that the pixel stands for.
@@ -140,4 +140,4 @@ Picture texture_tile(const CardSurface& surface, std::uint32_t size) {
   });
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 /// One set of cards from one direction.
 struct CardsRow {
@@ -158,4 +158,4 @@ extern "C" const char coif_cards_page[];
 /// What was compared with what, in a sentence.
 [[nodiscard]] std::string cards_method(const CardsReport& report);
 
-}  // namespace coif
+}  // namespace coif::report

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 /// Strands as places among all strands.
-using StrandShapes = PointClusters<3 * EvenStrands::kStations>;
+using StrandShapes = cards::PointClusters<3 * cards::EvenStrands::kStations>;
 
-StrandShapes::Point shape_at(const EvenStrands& strands, std::uint32_t i) {
+StrandShapes::Point shape_at(const cards::EvenStrands& strands, std::uint32_t i) {
   StrandShapes::Point shape;
   const auto points = strands.strand(i);
   for (std::size_t k = 0; k < points.size(); ++k)
@@ -19,11 +19,11 @@ StrandShapes::Point shape_at(const EvenStrands& strands, std::uint32_t i) {
 
 }  // namespace
 
-std::vector<std::vector<std::uint32_t>> cluster_strands(const EvenStrands& strands, std::size_t count,
-                                                        const Threads& threads) {
+std::vector<std::vector<std::uint32_t>> cluster_strands(const cards::EvenStrands& strands, std::size_t count,
+                                                        const platform::Threads& threads) {
   std::vector<StrandShapes::Point> shapes(strands.count());
   for (std::uint32_t i = 0; i < shapes.size(); ++i) shapes[i] = shape_at(strands, i);
   return StrandShapes::find(shapes, count, threads);
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -5,44 +5,45 @@
 #include <cmath>
 #include <optional>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 constexpr std::size_t kSegments[] = {1, 2, 3, 4, 5, 6, 8, 10, 12, 15};
 constexpr std::size_t kChoosingViews = 8;  // about, that choose between them
 
-tl::expected<EvenCards, ToolError> cut_evenly(const Groom& groom, const GroomShape& shape, const CardsBudget& budget,
-                                              std::size_t segments, const Threads& threads) {
+tl::expected<EvenCards, ToolError> cut_evenly(const groom::Groom& groom, const cards::GroomShape& shape,
+                                              const cards::CardsBudget& budget, std::size_t segments,
+                                              const platform::Threads& threads) {
   const auto begin = std::chrono::steady_clock::now();
-  std::vector<Wisp> wisps = find_wisps(shape.strands, budget.triangles / (2 * segments), threads);
-  std::vector<CardStrip> strips;
+  std::vector<cards::Wisp> wisps = cards::find_wisps(shape.strands, budget.triangles / (2 * segments), threads);
+  std::vector<cards::CardStrip> strips;
   for (std::uint32_t i = 0; i < wisps.size(); ++i) strips.push_back(even_strip(i, segments));
-  auto cards = texture_cards(groom, shape, {std::move(wisps), std::move(strips)}, budget.texels, threads);
+  auto cards = cards::texture_cards(groom, shape, {std::move(wisps), std::move(strips)}, budget.texels, threads);
   if (!cards) return tl::unexpected(cards.error());
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
   return EvenCards{std::move(*cards), segments, taken.count()};
 }
 
-double mean_iou(const std::vector<HairLikeness>& likeness) {
+double mean_iou(const std::vector<cards::HairLikeness>& likeness) {
   double sum = 0;
-  for (const HairLikeness& one : likeness) sum += one.coverage_iou;
+  for (const cards::HairLikeness& one : likeness) sum += one.coverage_iou;
   return sum / double(likeness.size());
 }
 
 }  // namespace
 
-CardStrip even_strip(std::uint32_t wisp, std::size_t segments) {
-  CardStrip strip{wisp, {}};
+cards::CardStrip even_strip(std::uint32_t wisp, std::size_t segments) {
+  cards::CardStrip strip{wisp, {}};
   for (std::size_t k = 0; k <= segments; ++k) {
-    const double at = double(k) * double(Ribbon::kStations - 1) / double(segments);
+    const double at = double(k) * double(cards::Ribbon::kStations - 1) / double(segments);
     strip.stations.push_back(std::uint8_t(std::lround(at)));
   }
   return strip;
 }
 
-tl::expected<EvenCards, ToolError> make_even_cards(const Groom& groom, const GroomShape& shape,
-                                                   const CardsBudget& budget, const GroomViews& views,
-                                                   const Threads& threads) {
+tl::expected<EvenCards, ToolError> make_even_cards(const groom::Groom& groom, const cards::GroomShape& shape,
+                                                   const cards::CardsBudget& budget, const GroomViews& views,
+                                                   const platform::Threads& threads) {
   std::optional<EvenCards> best;
   std::optional<ToolError> refusal;
   double most = -1;
@@ -54,7 +55,7 @@ tl::expected<EvenCards, ToolError> make_even_cards(const Groom& groom, const Gro
       refusal = std::move(cards.error());
       continue;
     }
-    const double iou = mean_iou(views.compare(surface_of(cards->cards), step));
+    const double iou = mean_iou(views.compare(cards::surface_of(cards->cards), step));
     if (!(iou > most)) continue;
     most = iou;
     best = std::move(*cards);
@@ -64,4 +65,4 @@ tl::expected<EvenCards, ToolError> make_even_cards(const Groom& groom, const Gro
   return file_failure(ToolError::Kind::kOverBudget, groom.path, "a card has 2 triangles at least; allow them more");
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 struct PlaneAxes {
@@ -13,9 +13,9 @@ struct PlaneAxes {
 };
 
 /// By principal axes of the strands' points, each strand counted alike.
-PlaneAxes plane_of(const EvenStrands& strands, std::span<const std::uint32_t> members) {
+PlaneAxes plane_of(const cards::EvenStrands& strands, std::span<const std::uint32_t> members) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  const double points = double(members.size() * EvenStrands::kStations);
+  const double points = double(members.size() * cards::EvenStrands::kStations);
   for (const std::uint32_t i : members) {
     for (const Eigen::Vector3f& point : strands.strand(i)) middle += point.cast<double>() / points;
   }
@@ -35,7 +35,8 @@ PlaneAxes plane_of(const EvenStrands& strands, std::span<const std::uint32_t> me
 
 }  // namespace
 
-Ribbon flat_ribbon_of(const Groom& groom, const EvenStrands& strands, std::span<const std::uint32_t> members) {
+cards::Ribbon flat_ribbon_of(const groom::Groom& groom, const cards::EvenStrands& strands,
+                             std::span<const std::uint32_t> members) {
   const PlaneAxes plane = plane_of(strands, members);
   const Eigen::Vector3f normal = plane.along.cross(plane.across);
   Eigen::AlignedBox3f box;  // along, across, off the plane
@@ -45,9 +46,9 @@ Ribbon flat_ribbon_of(const Groom& groom, const EvenStrands& strands, std::span<
       box.extend(Eigen::Vector3f(off.dot(plane.along), off.dot(plane.across), off.dot(normal)));
     }
   }
-  Ribbon ribbon;
-  for (std::size_t k = 0; k < Ribbon::kStations; ++k) {
-    const float share = float(k) / float(Ribbon::kStations - 1);
+  cards::Ribbon ribbon;
+  for (std::size_t k = 0; k < cards::Ribbon::kStations; ++k) {
+    const float share = float(k) / float(cards::Ribbon::kStations - 1);
     const float at = box.min().x() + share * box.sizes().x();
     ribbon.middle[k] = plane.middle + at * plane.along + box.center().y() * plane.across;
     ribbon.along[k] = plane.along;
@@ -58,16 +59,17 @@ Ribbon flat_ribbon_of(const Groom& groom, const EvenStrands& strands, std::span<
   return ribbon;
 }
 
-tl::expected<Cards, ToolError> make_flat_cards(const Groom& groom, const GroomShape& shape, const CardsBudget& budget,
-                                               const Threads& threads) {
+tl::expected<cards::Cards, ToolError> make_flat_cards(const groom::Groom& groom, const cards::GroomShape& shape,
+                                                      const cards::CardsBudget& budget,
+                                                      const platform::Threads& threads) {
   const auto clusters = cluster_strands(shape.strands, std::max<std::size_t>(budget.triangles / 2, 1), threads);
-  std::vector<Wisp> wisps(clusters.size());
-  std::vector<CardStrip> strips(clusters.size());
+  std::vector<cards::Wisp> wisps(clusters.size());
+  std::vector<cards::CardStrip> strips(clusters.size());
   parallel_for(clusters.size(), threads, [&](std::size_t i) {
     wisps[i] = {clusters[i], flat_ribbon_of(groom, shape.strands, clusters[i])};
     strips[i] = even_strip(std::uint32_t(i), 1);
   });
-  return texture_cards(groom, shape, {std::move(wisps), std::move(strips)}, budget.texels, threads);
+  return cards::texture_cards(groom, shape, {std::move(wisps), std::move(strips)}, budget.texels, threads);
 }
 
-}  // namespace coif
+}  // namespace coif::report

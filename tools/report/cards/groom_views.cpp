@@ -9,14 +9,14 @@
 #include <algorithm>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 
-SurfaceCost cost_of(const CardSurface& surface, const PictureFrame& frame) {
+SurfaceCost cost_of(const cards::CardSurface& surface, const cards::PictureFrame& frame) {
   std::vector<std::uint8_t> is_met(std::size_t(frame.size) * frame.size, 0);
   std::size_t fragments = 0;
-  const SampleRows all{frame.size, 0, frame.size};
+  const cards::SampleRows all{frame.size, 0, frame.size};
   for (std::uint32_t t = 0; 3 * std::size_t(t) < surface.triangles.size(); ++t) {
-    for_each_sample(surface, frame, all, t, [&](std::uint32_t x, std::uint32_t y, const SurfacePoint&) {
+    cards::for_each_sample(surface, frame, all, t, [&](std::uint32_t x, std::uint32_t y, const cards::SurfacePoint&) {
       ++fragments;
       is_met[std::size_t(y) * frame.size + x] = 1;
     });
@@ -25,18 +25,18 @@ SurfaceCost cost_of(const CardSurface& surface, const PictureFrame& frame) {
   return {double(fragments), met > 0 ? double(fragments) / double(met) : 0.0};
 }
 
-std::vector<PictureFrame> frames_around(const Groom& groom, const Eigen::Matrix3f& turn,
-                                        std::span<const Eigen::Vector3f> directions, std::uint32_t size) {
-  const ShownBall ball = ball_around(groom.points);
-  std::vector<PictureFrame> frames;
+std::vector<cards::PictureFrame> frames_around(const groom::Groom& groom, const Eigen::Matrix3f& turn,
+                                               std::span<const Eigen::Vector3f> directions, std::uint32_t size) {
+  const cards::ShownBall ball = cards::ball_around(groom.points);
+  std::vector<cards::PictureFrame> frames;
   for (const Eigen::Vector3f& direction : directions) {
-    frames.push_back(frame_along(direction, ball, size));
+    frames.push_back(cards::frame_along(direction, ball, size));
     frames.back().axes *= turn;
   }
   return frames;
 }
 
-PictureFrame closer(PictureFrame frame, const Groom& groom) {
+cards::PictureFrame closer(cards::PictureFrame frame, const groom::Groom& groom) {
   constexpr float kFilled = 0.96f;  // of the picture
   Eigen::AlignedBox2f seen;         // metres
   for (const Eigen::Vector3f& point : groom.points) {
@@ -50,20 +50,22 @@ PictureFrame closer(PictureFrame frame, const Groom& groom) {
   return frame;
 }
 
-GroomViews::GroomViews(const Groom& groom, float width, std::vector<PictureFrame> frames, const Threads& threads)
+GroomViews::GroomViews(const groom::Groom& groom, float width, std::vector<cards::PictureFrame> frames,
+                       const platform::Threads& threads)
     : threads_(threads), frames_(std::move(frames)) {
-  for (const PictureFrame& frame : frames_) strands_.push_back(draw_strands(groom, frame, width, threads));
+  for (const cards::PictureFrame& frame : frames_)
+    strands_.push_back(cards::draw_strands(groom, frame, width, threads));
 }
 
-std::vector<HairLikeness> GroomViews::compare(const CardSurface& surface, std::size_t step) const {
-  std::vector<HairLikeness> likeness;
+std::vector<cards::HairLikeness> GroomViews::compare(const cards::CardSurface& surface, std::size_t step) const {
+  std::vector<cards::HairLikeness> likeness;
   for (std::size_t i = 0; i < count(); i += step) {
-    likeness.push_back(compare_hair(strands_[i], draw_cards(surface, frames_[i], threads_)));
+    likeness.push_back(cards::compare_hair(strands_[i], cards::draw_cards(surface, frames_[i], threads_)));
   }
   return likeness;
 }
 
-SurfaceCost GroomViews::cost(const CardSurface& surface) const {
+SurfaceCost GroomViews::cost(const cards::CardSurface& surface) const {
   std::vector<SurfaceCost> costs(count());
   parallel_for(count(), threads_, [&](std::size_t i) { costs[i] = cost_of(surface, frames_[i]); });
   SurfaceCost mean;
@@ -74,4 +76,4 @@ SurfaceCost GroomViews::cost(const CardSurface& surface) const {
   return mean;
 }
 
-}  // namespace coif
+}  // namespace coif::report

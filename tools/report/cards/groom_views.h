@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 /// What drawing a surface from a direction takes.
 struct SurfaceCost {
@@ -22,36 +22,38 @@ struct SurfaceCost {
 };
 
 /// At one sample a pixel.
-[[nodiscard]] SurfaceCost cost_of(const CardSurface& surface, const PictureFrame& frame);
+[[nodiscard]] SurfaceCost cost_of(const cards::CardSurface& surface, const cards::PictureFrame& frame);
 
 /// All of one scale, as frame_along() has them, of `size` pixels each way. `turn`: from the groom's axes to those that
 /// the directions are in, Y up.
-[[nodiscard]] std::vector<PictureFrame> frames_around(const Groom& groom, const Eigen::Matrix3f& turn,
-                                                      std::span<const Eigen::Vector3f> directions, std::uint32_t size);
+[[nodiscard]] std::vector<cards::PictureFrame> frames_around(const groom::Groom& groom, const Eigen::Matrix3f& turn,
+                                                             std::span<const Eigen::Vector3f> directions,
+                                                             std::uint32_t size);
 
 /// The same frame moved and scaled so that the groom just fits in.
-[[nodiscard]] PictureFrame closer(PictureFrame frame, const Groom& groom);
+[[nodiscard]] cards::PictureFrame closer(cards::PictureFrame frame, const groom::Groom& groom);
 
 /// Strands as they look in some frames, drawn once, and how near surfaces come to that.
 class GroomViews {
  public:
   /// `width` of strands whose groom says none, metres.
-  GroomViews(const Groom& groom, float width, std::vector<PictureFrame> frames, const Threads& threads);
+  GroomViews(const groom::Groom& groom, float width, std::vector<cards::PictureFrame> frames,
+             const platform::Threads& threads);
 
   [[nodiscard]] std::size_t count() const { return frames_.size(); }
-  [[nodiscard]] const PictureFrame& frame(std::size_t i) const { return frames_[i]; }
-  [[nodiscard]] const HairPicture& strands(std::size_t i) const { return strands_[i]; }
+  [[nodiscard]] const cards::PictureFrame& frame(std::size_t i) const { return frames_[i]; }
+  [[nodiscard]] const cards::HairPicture& strands(std::size_t i) const { return strands_[i]; }
 
   /// Of each `step`-th direction, from the first on.
-  [[nodiscard]] std::vector<HairLikeness> compare(const CardSurface& surface, std::size_t step = 1) const;
+  [[nodiscard]] std::vector<cards::HairLikeness> compare(const cards::CardSurface& surface, std::size_t step = 1) const;
 
   /// Mean over the directions.
-  [[nodiscard]] SurfaceCost cost(const CardSurface& surface) const;
+  [[nodiscard]] SurfaceCost cost(const cards::CardSurface& surface) const;
 
  private:
-  Threads threads_;
-  std::vector<PictureFrame> frames_;
-  std::vector<HairPicture> strands_;
+  platform::Threads threads_;
+  std::vector<cards::PictureFrame> frames_;
+  std::vector<cards::HairPicture> strands_;
 };
 
-}  // namespace coif
+}  // namespace coif::report

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 constexpr char kOwn[] = "none", kFlat[] = "kmeans", kEven[] = "even";
@@ -38,22 +38,22 @@ tl::expected<void, ToolError> check(const Asset& asset, const CardsSettings& set
 
 /// Cards, how long they took and what they were made of.
 struct MadeCards {
-  Cards cards;
+  cards::Cards cards;
   double seconds = 0;
   std::optional<double> segments = {};
 };
 
 class CardsMeasurement {
  public:
-  CardsMeasurement(const Asset& asset, const Groom& groom, const CookedPlace& place, const CardsSettings& settings,
-                   const ReportProgress& progress)
+  CardsMeasurement(const Asset& asset, const groom::Groom& groom, const CookedPlace& place,
+                   const CardsSettings& settings, const ReportProgress& progress)
       : asset_(asset),
         groom_(groom),
         place_(place),
         settings_(settings),
         progress_(progress),
-        shape_(shape_of(groom, settings.strand_width)),
-        directions_(spread_directions(settings.directions)) {
+        shape_(cards::shape_of(groom, settings.strand_width)),
+        directions_(cards::spread_directions(settings.directions)) {
     progress_("strands");
     views_.emplace(groom, shape_.strands.width, frames_around(groom, place.turn, directions_, settings.size), kThreads);
     if (settings.sheets) {
@@ -65,8 +65,9 @@ class CardsMeasurement {
   tl::expected<CardsReport, ToolError> run() {
     describe_strands();
     for (const std::size_t triangles : settings_.budgets) {
-      const CardsBudget budget{triangles, settings_.texels, settings_.rounds, settings_.strand_width, settings_.caps};
-      measure(kOwn, budget, [&] { return timed([&] { return make_cards(groom_, shape_, budget, kThreads); }); });
+      const cards::CardsBudget budget{triangles, settings_.texels, settings_.rounds, settings_.strand_width,
+                                      settings_.caps};
+      measure(kOwn, budget, [&] { return timed([&] { return cards::make_cards(groom_, shape_, budget, kThreads); }); });
       measure(kFlat, budget, [&] { return timed([&] { return make_flat_cards(groom_, shape_, budget, kThreads); }); });
       measure(kEven, budget, [&] { return even_cards(budget); });
     }
@@ -78,7 +79,7 @@ class CardsMeasurement {
 
  private:
   using Made = tl::expected<MadeCards, ToolError>;
-  static inline const unsigned kThreads = all_threads();
+  static inline const unsigned kThreads = platform::all_threads();
 
   template <typename Make>
   static Made timed(const Make& make) {
@@ -89,7 +90,7 @@ class CardsMeasurement {
     return MadeCards{std::move(*cards), taken.count()};
   }
 
-  [[nodiscard]] Made even_cards(const CardsBudget& budget) const {
+  [[nodiscard]] Made even_cards(const cards::CardsBudget& budget) const {
     auto even = make_even_cards(groom_, shape_, budget, *views_, kThreads);
     if (!even) return tl::unexpected(even.error());
     return MadeCards{std::move(even->cards), even->seconds, double(even->segments)};
@@ -105,7 +106,7 @@ class CardsMeasurement {
   }
 
   template <typename Make>
-  void measure(const char* baseline, const CardsBudget& budget, const Make& make) {
+  void measure(const char* baseline, const cards::CardsBudget& budget, const Make& make) {
     progress_(fmt::format("{} triangles, {}", budget.triangles, cards_name(baseline)));
     const Made made = make();
     if (!made) {
@@ -113,14 +114,14 @@ class CardsMeasurement {
       if (!refusal_) refusal_ = made.error();
       return;
     }
-    const CardSurface surface = surface_of(made->cards);
+    const cards::CardSurface surface = cards::surface_of(made->cards);
     CardsSummary summary{.baseline = baseline, .triangles = budget.triangles, .texels = budget.texels};
     summary.cards = made->cards.wisps.size();
     summary.made_triangles = surface.triangles.size() / 3;
     summary.made_texels = std::uint64_t{surface.width} * surface.height;
     summary.segments = made->segments;
     summary.seconds = made->seconds;
-    const std::vector<HairLikeness> likeness = views_->compare(surface);
+    const std::vector<cards::HairLikeness> likeness = views_->compare(surface);
     summary.figures = figures_of(surface, likeness);
     for (std::size_t i = 0; i < likeness.size(); ++i) {
       const Eigen::Vector3d direction = directions_[i].cast<double>();
@@ -129,7 +130,7 @@ class CardsMeasurement {
                               budget.texels,
                               {direction.x(), direction.y(), direction.z()},
                               likeness[i].coverage_iou,
-                              psnr_db(likeness[i].error)});
+                              cards::psnr_db(likeness[i].error)});
     }
     report_.summary.push_back(std::move(summary));
     if (sheets_ && std::string_view(baseline) == kOwn)
@@ -138,20 +139,21 @@ class CardsMeasurement {
 
   void measure_level(std::uint32_t lod) {
     progress_(fmt::format("the asset's level {}", lod));
-    const CardSurface surface = surface_of_asset(asset_, lod, place_);
+    const cards::CardSurface surface = surface_of_asset(asset_, lod, place_);
     report_.asset.push_back({lod, surface.triangles.size() / 3, std::uint64_t{surface.width} * surface.height,
                              figures_of(surface, views_->compare(surface))});
     if (sheets_ && lod == 0)
       sheets_->add(fmt::format("the asset, {} triangles", surface.triangles.size() / 3), surface);
   }
 
-  [[nodiscard]] CardsFigures figures_of(const CardSurface& surface, const std::vector<HairLikeness>& likeness) const {
+  [[nodiscard]] CardsFigures figures_of(const cards::CardSurface& surface,
+                                        const std::vector<cards::HairLikeness>& likeness) const {
     CardsFigures figures;
     figures.worst_iou = 1;
-    figures.worst_psnr_db = psnr_db(0);
+    figures.worst_psnr_db = cards::psnr_db(0);
     const auto count = double(likeness.size());
-    for (const HairLikeness& one : likeness) {
-      const double psnr = psnr_db(one.error);
+    for (const cards::HairLikeness& one : likeness) {
+      const double psnr = cards::psnr_db(one.error);
       figures.mean_iou += one.coverage_iou / count;
       figures.worst_iou = std::min(figures.worst_iou, one.coverage_iou);
       figures.mean_psnr_db += psnr / count;
@@ -166,11 +168,11 @@ class CardsMeasurement {
   }
 
   const Asset& asset_;
-  const Groom& groom_;
+  const groom::Groom& groom_;
   const CookedPlace& place_;
   const CardsSettings& settings_;
   const ReportProgress& progress_;
-  GroomShape shape_;
+  cards::GroomShape shape_;
   std::vector<Eigen::Vector3f> directions_;
   std::optional<GroomViews> views_;
   std::optional<CardSheets> sheets_;
@@ -180,8 +182,9 @@ class CardsMeasurement {
 
 }  // namespace
 
-tl::expected<CardsReport, ToolError> measure_cards(const Asset& asset, const Groom& groom, std::uint64_t groom_hash,
-                                                   const CardsSettings& settings, const ReportProgress& progress) {
+tl::expected<CardsReport, ToolError> measure_cards(const Asset& asset, const groom::Groom& groom,
+                                                   std::uint64_t groom_hash, const CardsSettings& settings,
+                                                   const ReportProgress& progress) {
   if (const auto checked = check(asset, settings); !checked) return tl::unexpected(checked.error());
   const auto place = find_cooked_place(asset, groom);
   if (!place) return tl::unexpected(place.error());
@@ -192,4 +195,4 @@ tl::expected<CardsReport, ToolError> measure_cards(const Asset& asset, const Gro
   return report;
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 inline constexpr std::uint32_t kLeastCardsPicture = 16, kMostCardsPicture = 1024;  ///< Pixels each way.
 
@@ -32,7 +32,8 @@ struct CardsSettings {
 /// Makes cards of `groom` for each budget, coif's own and the baselines, and compares all of them and the asset, which
 /// was cooked from that groom, with the strands. `groom_hash`: XXH64 of its file. Errors: kUsage for settings out of
 /// range; kBadInput for an asset without a mesh or from other strands; kOverBudget where no cards can be made at all.
-tl::expected<CardsReport, ToolError> measure_cards(const Asset& asset, const Groom& groom, std::uint64_t groom_hash,
-                                                   const CardsSettings& settings, const ReportProgress& progress);
+tl::expected<CardsReport, ToolError> measure_cards(const Asset& asset, const groom::Groom& groom,
+                                                   std::uint64_t groom_hash, const CardsSettings& settings,
+                                                   const ReportProgress& progress);
 
-}  // namespace coif
+}  // namespace coif::report

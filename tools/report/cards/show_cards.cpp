@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 const CardsSummary* find_cards(const CardsReport& report, const std::string& baseline, std::uint64_t triangles) {
@@ -97,4 +97,4 @@ std::string cards_text(const ReportHeading& heading, const CardsReport& report) 
   return text + cards_summary(report) + "\n";
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 const PublishedFrameRate* find_published(std::uint32_t heads) {
@@ -86,4 +86,4 @@ std::vector<RenderingCostRow> drawings_of(const CostReport& report, const std::s
   return rows;
 }
 
-}  // namespace coif
+}  // namespace coif::report

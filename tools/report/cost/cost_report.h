@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 /// A crowd of heads that all move, one frame of 1/60 s: poses handed over, hair stepped, bone matrices made.
 struct SimulationCostRow {
@@ -190,4 +190,4 @@ extern "C" const char coif_cost_page[];
 /// Where the times on the device itself come from, or why there are none.
 [[nodiscard]] std::string device_time_text(const RenderingCost& rendering);
 
-}  // namespace coif
+}  // namespace coif::report

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace coif {
+namespace coif::report {
 
 using nlohmann::ordered_json;
 
@@ -230,4 +230,4 @@ std::string cost_text(const ReportHeading& heading, const CostReport& report) {
   return text + cost_summary(report) + "\n";
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -13,7 +13,7 @@
 #include <numbers>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 constexpr std::string_view kAlgorithm1 = "thesis";
@@ -122,4 +122,4 @@ std::vector<CrowdFeature> crowd_features(const Asset& asset, const CrowdSettings
   return features;
 }
 
-}  // namespace coif
+}  // namespace coif::report

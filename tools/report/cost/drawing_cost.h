@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 inline constexpr const char* kNotMeasured = "not measured";
 
@@ -197,4 +197,4 @@ struct RenderingCost {
   std::string note;  ///< Why there are no rows; empty where there are.
 };
 
-}  // namespace coif
+}  // namespace coif::report

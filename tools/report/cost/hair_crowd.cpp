@@ -13,19 +13,19 @@
 #include <numbers>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 constexpr std::string_view kPublished = "thesis";
 constexpr std::string_view kSolvers[] = {"coif", kPublished};
 
-constexpr Motion kMotion = Motion::kRun;
+constexpr motion::Motion kMotion = motion::Motion::kRun;
 constexpr std::size_t kFramesThere = 240;  // of the motion; then they play backwards, so that nothing ever jumps
 constexpr unsigned kMostFramesToSleep = 3600;
 constexpr std::size_t kFramesApart = 7;  // between neighbours, so that no two heads do the same
 
 std::vector<HeadPose> running_poses() {
-  const auto path = path_of(kMotion);
+  const auto path = motion::path_of(kMotion);
   std::vector<HeadPose> poses;
   for (std::size_t i = 0; i < kFramesThere; ++i) poses.push_back(path->pose(double(i) / kCrowdRate));
   for (std::size_t i = kFramesThere - 1; i-- > 1;) poses.push_back(poses[i]);
@@ -53,7 +53,7 @@ constexpr std::size_t kPosedFrames = 60;
 std::vector<Eigen::Vector3d> collider_places(const Asset& asset, const CrowdCharacter& character) {
   std::vector<Eigen::Vector3d> places;
   if (character.colliders == 0) return places;
-  const HairPlace hair = place_of(rig_of(asset));
+  const lab::HairPlace hair = lab::place_of(lab::rig_of(asset));
   const Eigen::Vector3d aside = Eigen::Vector3d::UnitY().cross(hair.outward);
   for (std::uint32_t i = 0; i < character.colliders; ++i) {
     const double off = 1.5 * double(kColliderRadius) * (double(i) - 0.5 * (character.colliders - 1));
@@ -218,4 +218,4 @@ std::vector<Timing> CrowdLineUp::time() const {
   return timings;
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -13,7 +13,7 @@
 #include <optional>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 constexpr std::uint32_t kSubsteps[] = {1, 2, 4, 8};
@@ -122,8 +122,8 @@ class CostMeasurement {
 
   /// As cooked, or made of that.
   const Asset& asset_for(FeatureAsset kind) {
-    if (kind == FeatureAsset::kTouchingNothing) return bald_.emplace(untouched_part(asset_)).asset();
-    if (kind == FeatureAsset::kLinked) return linked_.emplace(with_neighbours_linked(asset_)).asset();
+    if (kind == FeatureAsset::kTouchingNothing) return bald_.emplace(lab::untouched_part(asset_)).asset();
+    if (kind == FeatureAsset::kLinked) return linked_.emplace(lab::with_neighbours_linked(asset_)).asset();
     return asset_;
   }
 
@@ -152,8 +152,8 @@ class CostMeasurement {
   std::vector<std::string> solvers_;
   std::map<std::string, double> pace_;  ///< Seconds a frame of one head.
   std::uint32_t compared_heads_ = 1;
-  std::optional<OpenedAsset> bald_;
-  std::optional<OpenedAsset> linked_;
+  std::optional<lab::OpenedAsset> bald_;
+  std::optional<lab::OpenedAsset> linked_;
   CrowdLineUp line_up_;
   CostReport report_;  ///< Rows in the order of line_up_: simulation, then features.
 };
@@ -207,4 +207,4 @@ AssetBytes asset_bytes(const Asset& asset) {
   return bytes;
 }
 
-}  // namespace coif
+}  // namespace coif::report

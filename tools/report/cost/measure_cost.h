@@ -22,7 +22,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 inline constexpr double kCrowdRate = 60;  ///< Frames per second of a crowd.
 
@@ -143,4 +143,4 @@ struct CostSettings {
 tl::expected<CostReport, ToolError> measure_cost(const Asset& asset, const CostSettings& settings,
                                                  const ReportProgress& progress);
 
-}  // namespace coif
+}  // namespace coif::report

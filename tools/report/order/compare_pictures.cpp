@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 constexpr std::size_t kChannels = 4;
@@ -129,9 +129,9 @@ struct Running {
   std::vector<PictureError> errors;
   double worst_db = std::numeric_limits<double>::infinity();
   ViewAngle worst_view;
-  Picture worst, worst_exact;
+  render::Picture worst, worst_exact;
 
-  void add(const PictureError& error, const ViewAngle& view, const Picture& exact, Picture& picture) {
+  void add(const PictureError& error, const ViewAngle& view, const render::Picture& exact, render::Picture& picture) {
     errors.push_back(error);
     if (error.psnr_db() >= worst_db) return;
     worst_db = error.psnr_db();
@@ -142,15 +142,16 @@ struct Running {
 
   [[nodiscard]] WayComparison comparison(const std::string& way, const std::string& pose) const {
     WayComparison result{sum_up(errors), {way, pose, worst_view.yaw_degrees, worst_view.pitch_degrees, worst_db, {}}};
-    const Picture joined{3 * worst.width, worst.height, side_by_side(worst_exact.rgba, worst.rgba, worst.width), "", 0};
-    result.worst.png = encode_png(joined);
+    const render::Picture joined{3 * worst.width, worst.height, side_by_side(worst_exact.rgba, worst.rgba, worst.width),
+                                 "", 0};
+    result.worst.png = render::encode_png(joined);
     return result;
   }
 };
 
 }  // namespace
 
-HairShot PictureComparer::shot(const DrawnWay& way, const PosedHair& hair, const ViewAngle& view) const {
+render::HairShot PictureComparer::shot(const DrawnWay& way, const PosedHair& hair, const ViewAngle& view) const {
   return {.model = way.model,
           .transparency = way.transparency,
           .material = way.material,
@@ -163,16 +164,16 @@ HairShot PictureComparer::shot(const DrawnWay& way, const PosedHair& hair, const
           .samples = way.samples};
 }
 
-tl::expected<Picture, ToolError> PictureComparer::take(const DrawnWay& way, const PosedHair& hair,
-                                                       const ViewAngle& view, std::uint32_t divisor) {
-  HairShot taken = shot(way, hair, view);
+tl::expected<render::Picture, ToolError> PictureComparer::take(const DrawnWay& way, const PosedHair& hair,
+                                                               const ViewAngle& view, std::uint32_t divisor) {
+  render::HairShot taken = shot(way, hair, view);
   taken.width /= divisor;
   taken.height /= divisor;
   if (!way.sorted_units.empty()) {
     const Eigen::Vector3f eye = pictures_.eye(taken).cast<float>();
     AssetContents contents = sorted_by_unit(finest_, way.sorted_units, hair.positions, eye);
     set_faces(contents, way.faces_together);
-    const OpenedAsset sorted(contents);
+    const lab::OpenedAsset sorted(contents);
     if (auto replaced = pictures_.replace(way.model, sorted.asset()); !replaced) {
       return tl::unexpected(replaced.error());
     }
@@ -206,8 +207,8 @@ tl::expected<std::vector<double>, ToolError> PictureComparer::on_orbit(
     std::span<const DrawnWay> ways, const OrderPose& pose, std::uint32_t frames,
     const std::function<void(std::uint32_t frame)>& progress) {
   std::vector<PictureError> changes(ways.size());
-  std::vector<Picture> before(ways.size());
-  Picture exact_before;
+  std::vector<render::Picture> before(ways.size());
+  render::Picture exact_before;
   for (std::uint32_t frame = 0; frame < frames; ++frame) {
     progress(frame);
     const ViewAngle view{double(frame), kOrbitPitch};
@@ -226,4 +227,4 @@ tl::expected<std::vector<double>, ToolError> PictureComparer::on_orbit(
   return popping;
 }
 
-}  // namespace coif
+}  // namespace coif::report

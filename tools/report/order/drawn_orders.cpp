@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 constexpr std::size_t kTexelAlignment = 16;  // of each texture, as the format asks for
@@ -156,4 +156,4 @@ AssetContents sorted_by_unit(AssetContents finest, std::span<const std::uint32_t
   return in_stored_order(std::move(finest));
 }
 
-}  // namespace coif
+}  // namespace coif::report

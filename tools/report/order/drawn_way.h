@@ -24,7 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 struct DrawnWay {
   std::string name;
@@ -34,7 +34,7 @@ struct DrawnWay {
   std::uint32_t samples = 1;
   /// Per triangle what is sorted far to near for each picture, for which `model` is made anew; empty: nothing is.
   std::vector<std::uint32_t> sorted_units = {};
-  std::shared_ptr<KeptBoneOrder> bones = {};  ///< The renderer sorts these for each picture, unless null.
+  std::shared_ptr<render::KeptBoneOrder> bones = {};  ///< The renderer sorts these for each picture, unless null.
   bool faces_together = false;
   std::uint64_t bytes = 0;  ///< Of indices.
 };
@@ -109,6 +109,6 @@ inline constexpr std::uint32_t kListBytes = 256u << 20;
 [[nodiscard]] MaterialRecord with_true_alphas(MaterialRecord material);
 
 /// Uploads the asset once per order. Errors: those of OrderPictures.
-tl::expected<OrderWays, ToolError> make_order_ways(const Asset& asset, OrderPictures& pictures);
+tl::expected<OrderWays, ToolError> make_order_ways(const Asset& asset, render::OrderPictures& pictures);
 
-}  // namespace coif
+}  // namespace coif::report

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 constexpr std::uint32_t kMostPixels = 1024, kLeastPixels = 16, kMostFrames = 360;
@@ -54,7 +54,7 @@ tl::expected<const Solver*, ToolError> chosen_solver(const std::string& name) {
 class OrderMeasurement {
  public:
   OrderMeasurement(const Asset& asset, const OrderSettings& settings, const ReportProgress& progress,
-                   OrderPictures& pictures, OrderWays ways, std::vector<OrderPose> poses)
+                   render::OrderPictures& pictures, OrderWays ways, std::vector<OrderPose> poses)
       : asset_(asset),
         settings_(settings),
         progress_(progress),
@@ -201,7 +201,7 @@ class OrderMeasurement {
   const Asset& asset_;
   const OrderSettings& settings_;
   const ReportProgress& progress_;
-  OrderPictures& pictures_;
+  render::OrderPictures& pictures_;
   const OrderWays ways_;
   const std::vector<OrderPose> poses_;
   PictureComparer comparer_;
@@ -220,7 +220,8 @@ tl::expected<OrderReport, ToolError> measure_order(const Asset& asset, const Ord
   if (progress) progress("exact pictures");
   auto exactness = measure_exactness(asset, poses->front().moments.front(), settings.width, settings.height);
   if (!exactness) return tl::unexpected(exactness.error());
-  auto pictures = OrderPictures::create(asset, {.stream_bytes = stream_bytes_for(asset), .list_bytes = kListBytes});
+  auto pictures =
+      render::OrderPictures::create(asset, {.stream_bytes = render::stream_bytes_for(asset), .list_bytes = kListBytes});
   if (!pictures) return tl::unexpected(pictures.error());
   auto ways = make_order_ways(asset, **pictures);
   if (!ways) return tl::unexpected(ways.error());
@@ -229,4 +230,4 @@ tl::expected<OrderReport, ToolError> measure_order(const Asset& asset, const Ord
   return report;
 }
 
-}  // namespace coif
+}  // namespace coif::report

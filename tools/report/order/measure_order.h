@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 /// Sums of a picture's differences from the exact one, or of several pictures'.
 struct PictureError {
@@ -64,8 +64,8 @@ struct WayComparison {
 class PictureComparer {
  public:
   /// `finest`: what ways that sort triangles are made from. All must outlive this object.
-  PictureComparer(OrderPictures& pictures, const AssetContents& finest, const DrawnWay& exact, std::uint32_t width,
-                  std::uint32_t height)
+  PictureComparer(render::OrderPictures& pictures, const AssetContents& finest, const DrawnWay& exact,
+                  std::uint32_t width, std::uint32_t height)
       : pictures_(pictures), finest_(finest), exact_(exact), width_(width), height_(height) {}
 
   /// One per way. `progress` hears of each view before. Errors: those of OrderPictures.
@@ -80,13 +80,13 @@ class PictureComparer {
                                                         const std::function<void(std::uint32_t frame)>& progress);
 
   /// `divisor`: of width and height.
-  tl::expected<Picture, ToolError> take(const DrawnWay& way, const PosedHair& hair, const ViewAngle& view,
-                                        std::uint32_t divisor = 1);
+  tl::expected<render::Picture, ToolError> take(const DrawnWay& way, const PosedHair& hair, const ViewAngle& view,
+                                                std::uint32_t divisor = 1);
 
-  [[nodiscard]] HairShot shot(const DrawnWay& way, const PosedHair& hair, const ViewAngle& view) const;
+  [[nodiscard]] render::HairShot shot(const DrawnWay& way, const PosedHair& hair, const ViewAngle& view) const;
 
  private:
-  OrderPictures& pictures_;
+  render::OrderPictures& pictures_;
   const AssetContents& finest_;
   const DrawnWay& exact_;
   std::uint32_t width_, height_;
@@ -94,19 +94,19 @@ class PictureComparer {
 
 /// Milliseconds of a frame of each way, one head, all ways in turns for about `seconds`. Triangles that are sorted in
 /// every frame, of `indices`, are not handed to the device.
-[[nodiscard]] std::vector<double> measure_order_times(OrderPictures& pictures, const PictureComparer& comparer,
+[[nodiscard]] std::vector<double> measure_order_times(render::OrderPictures& pictures, const PictureComparer& comparer,
                                                       std::span<const DrawnWay> ways, const PosedHair& hair,
                                                       std::span<const std::uint32_t> indices, double seconds);
 
 /// Nanoseconds of the processor that it takes to choose or to make one head's order, seen from one side after the
 /// other, all ways in turns for about `seconds`; nothing for a way with one order for all sides.
-[[nodiscard]] std::vector<std::optional<double>> measure_sorting(const OrderPictures& pictures,
+[[nodiscard]] std::vector<std::optional<double>> measure_sorting(const render::OrderPictures& pictures,
                                                                  const PictureComparer& comparer, const OrderWays& ways,
                                                                  const PosedHair& hair, double seconds);
 
 /// How much of the hair is left where `asset`, which `pictures` has as `model` with all its levels, is drawn as in a
 /// game at 512, 256, ... 16 pixels, mean over some views around it. Errors: those of OrderPictures.
-tl::expected<std::vector<DistanceRow>, ToolError> measure_distances(const Asset& asset, OrderPictures& pictures,
+tl::expected<std::vector<DistanceRow>, ToolError> measure_distances(const Asset& asset, render::OrderPictures& pictures,
                                                                     std::size_t model, const DrawnWay& exact,
                                                                     const PosedHair& hair);
 
@@ -134,4 +134,4 @@ struct OrderSettings {
 tl::expected<OrderReport, ToolError> measure_order(const Asset& asset, const OrderSettings& settings,
                                                    const ReportProgress& progress);
 
-}  // namespace coif
+}  // namespace coif::report

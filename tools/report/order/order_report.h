@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 inline constexpr double kEqualDb = 99;         ///< The most that any PSNR says.
 inline constexpr double kBadDifference = 0.1;  ///< Of any channel, from which on a pixel counts as wrong.
@@ -235,4 +235,4 @@ extern "C" const char coif_order_page[];
 /// What a hurried reader should know, in a few sentences.
 [[nodiscard]] std::string order_summary(const OrderReport& report);
 
-}  // namespace coif
+}  // namespace coif::report

@@ -11,7 +11,7 @@
 #include <memory>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 constexpr std::uint32_t kLargest = 512, kSmallest = 16;
@@ -19,7 +19,7 @@ constexpr double kYaws[] = {0, 60, 120, 180, 240, 300};
 constexpr double kPitch = 5;
 
 /// Mean over the views.
-tl::expected<double, ToolError> coverage(OrderPictures& pictures, HairShot shot) {
+tl::expected<double, ToolError> coverage(render::OrderPictures& pictures, render::HairShot shot) {
   double sum = 0;
   for (const double yaw : kYaws) {
     shot.yaw_degrees = yaw;
@@ -33,10 +33,10 @@ tl::expected<double, ToolError> coverage(OrderPictures& pictures, HairShot shot)
 
 }  // namespace
 
-tl::expected<std::vector<DistanceRow>, ToolError> measure_distances(const Asset& asset, OrderPictures& pictures,
+tl::expected<std::vector<DistanceRow>, ToolError> measure_distances(const Asset& asset, render::OrderPictures& pictures,
                                                                     std::size_t model, const DrawnWay& exact,
                                                                     const PosedHair& hair) {
-  HairShot shot{
+  render::HairShot shot{
       .model = exact.model, .transparency = exact.transparency, .material = exact.material, .palette = hair.palette};
   shot.width = shot.height = kLargest;
   const auto whole = coverage(pictures, shot);
@@ -68,9 +68,9 @@ namespace {
 constexpr std::uint32_t kViews = 6;
 constexpr RendererDesc kTooFewForLists{.list_bytes = 64u << 10};
 
-using Pictures = std::vector<Picture>;
+using Pictures = std::vector<render::Picture>;
 
-tl::expected<Pictures, ToolError> take_from_all_sides(OrderPictures& pictures, HairShot shot) {
+tl::expected<Pictures, ToolError> take_from_all_sides(render::OrderPictures& pictures, render::HairShot shot) {
   const MaterialRecord material = with_true_alphas(pictures.material(shot.model));
   shot.material = &material;
   Pictures taken;
@@ -85,9 +85,9 @@ tl::expected<Pictures, ToolError> take_from_all_sides(OrderPictures& pictures, H
 }
 
 /// As often as `times`, one series after the other.
-tl::expected<std::vector<Pictures>, ToolError> take_series(const Asset& asset, const RendererDesc& desc, HairShot shot,
-                                                           int times) {
-  const auto pictures = OrderPictures::create(asset, desc);
+tl::expected<std::vector<Pictures>, ToolError> take_series(const Asset& asset, const RendererDesc& desc,
+                                                           render::HairShot shot, int times) {
+  const auto pictures = render::OrderPictures::create(asset, desc);
   if (!pictures) return tl::unexpected(pictures.error());
   const auto model = (*pictures)->add(asset);
   if (!model) return tl::unexpected(model.error());
@@ -116,7 +116,7 @@ SelfDifferenceRow difference(const char* against, const Pictures& a, const Pictu
 
 tl::expected<std::vector<SelfDifferenceRow>, ToolError> measure_exactness(const Asset& asset, const PosedHair& hair,
                                                                           std::uint32_t width, std::uint32_t height) {
-  HairShot shot{.transparency = &kExactMode, .palette = hair.palette, .width = width, .height = height};
+  render::HairShot shot{.transparency = &kExactMode, .palette = hair.palette, .width = width, .height = height};
   const auto listed = take_series(asset, {.list_bytes = kListBytes}, shot, 2);
   if (!listed) return tl::unexpected(listed.error());
   const auto peeled = take_series(asset, kTooFewForLists, shot, 1);
@@ -134,7 +134,7 @@ constexpr std::uint32_t kSides = 16;
 /// Eyes in head space, from all sides in turns.
 class Sides {
  public:
-  Sides(const OrderPictures& pictures, HairShot shot) {
+  Sides(const render::OrderPictures& pictures, render::HairShot shot) {
     for (const ViewAngle& view : spread_directions(kSides)) {
       shot.yaw_degrees = view.yaw_degrees;
       shot.pitch_degrees = view.pitch_degrees;
@@ -173,8 +173,9 @@ std::function<void()> sorting_of(const DrawnWay& way, const OrderWays& ways, con
 
 }  // namespace
 
-std::vector<std::optional<double>> measure_sorting(const OrderPictures& pictures, const PictureComparer& comparer,
-                                                   const OrderWays& ways, const PosedHair& hair, double seconds) {
+std::vector<std::optional<double>> measure_sorting(const render::OrderPictures& pictures,
+                                                   const PictureComparer& comparer, const OrderWays& ways,
+                                                   const PosedHair& hair, double seconds) {
   const auto sides = std::make_shared<Sides>(pictures, comparer.shot(ways.own, hair, kView));
   std::vector<std::optional<double>> nanoseconds(ways.orders.size());
   std::vector<std::size_t> of_work;
@@ -190,12 +191,12 @@ std::vector<std::optional<double>> measure_sorting(const OrderPictures& pictures
   return nanoseconds;
 }
 
-std::vector<double> measure_order_times(OrderPictures& pictures, const PictureComparer& comparer,
+std::vector<double> measure_order_times(render::OrderPictures& pictures, const PictureComparer& comparer,
                                         std::span<const DrawnWay> ways, const PosedHair& hair,
                                         std::span<const std::uint32_t> indices, double seconds) {
   std::vector<std::function<void()>> works;
   for (const DrawnWay& way : ways) {
-    const HairShot shot = comparer.shot(way, hair, kView);
+    const render::HairShot shot = comparer.shot(way, hair, kView);
     const Eigen::Vector3f eye = pictures.eye(shot).cast<float>();
     works.emplace_back([&pictures, &hair, indices, shot, eye, &way] {
       if (!way.sorted_units.empty()) (void)far_to_near(indices, way.sorted_units, hair.positions, eye);
@@ -208,4 +209,4 @@ std::vector<double> measure_order_times(OrderPictures& pictures, const PictureCo
   return milliseconds;
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace coif {
+namespace coif::report {
 
 using nlohmann::ordered_json;
 
@@ -145,4 +145,4 @@ std::string order_text(const ReportHeading& heading, const OrderReport& report) 
   return text + order_summary(report) + "\n";
 }
 
-}  // namespace coif
+}  // namespace coif::report

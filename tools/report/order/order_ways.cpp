@@ -11,7 +11,7 @@
 #include <numbers>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 constexpr std::uint32_t kCoverageSamples = 4;
@@ -28,7 +28,7 @@ std::uint64_t index_bytes(const AssetContents& contents) {
 
 class WayMaker {
  public:
-  WayMaker(const Asset& asset, OrderPictures& pictures)
+  WayMaker(const Asset& asset, render::OrderPictures& pictures)
       : pictures_(pictures),
         ways_{.finest = finest_level(asset),
               .exact = {},
@@ -56,7 +56,7 @@ class WayMaker {
 
  private:
   [[nodiscard]] bool add(const char* name, const AssetContents& contents) {
-    const OpenedAsset variant(contents);
+    const lab::OpenedAsset variant(contents);
     const auto model = pictures_.add(variant.asset());
     if (!model) {
       error_ = model.error();
@@ -94,8 +94,8 @@ class WayMaker {
     }
     const AssetContents& contents = ways_.finest;
     if (!add("bones", in_stored_order(contents))) return false;
-    const OpenedAsset opened(contents);
-    auto bones = KeptBoneOrder::create(opened.asset());
+    const lab::OpenedAsset opened(contents);
+    auto bones = render::KeptBoneOrder::create(opened.asset());
     if (!bones) {
       error_ = bones.error();
       return false;
@@ -106,17 +106,17 @@ class WayMaker {
   }
 
   void add_modes() {
-    for (const TransparencyMode* mode : transparency_modes()) {
+    for (const TransparencyMode* mode : render::transparency_modes()) {
       if (mode == &kExactMode) continue;
       DrawnWay way = ways_.own;
       way.name = name_of(*mode);
       way.transparency = mode;
-      way.samples = covers_samples(*mode) ? kCoverageSamples : 1;
+      way.samples = render::covers_samples(*mode) ? kCoverageSamples : 1;
       ways_.modes.push_back(std::move(way));
     }
   }
 
-  OrderPictures& pictures_;
+  render::OrderPictures& pictures_;
   OrderWays ways_;
   ToolError error_;
 };
@@ -131,27 +131,27 @@ MaterialRecord with_true_alphas(MaterialRecord material) {
   return material;
 }
 
-tl::expected<OrderWays, ToolError> make_order_ways(const Asset& asset, OrderPictures& pictures) {
+tl::expected<OrderWays, ToolError> make_order_ways(const Asset& asset, render::OrderPictures& pictures) {
   return WayMaker(asset, pictures).make();
 }
 
 namespace {
 
 struct MovingPose {
-  Motion motion;
+  motion::Motion motion;
   const char* name;
   double seconds[3];
 };
 /// The cooker looks for its orders in moments of the first two. Of the last it knows nothing.
-constexpr MovingPose kMovingPoses[] = {{Motion::kTurn, "turn", {0.2, 0.45, 0.7}},
-                                       {Motion::kCharge, "charge", {0.15, 0.35, 0.8}},
-                                       {Motion::kTumble, "tumble", {0.25, 0.5, 0.85}}};
+constexpr MovingPose kMovingPoses[] = {{motion::Motion::kTurn, "turn", {0.2, 0.45, 0.7}},
+                                       {motion::Motion::kCharge, "charge", {0.15, 0.35, 0.8}},
+                                       {motion::Motion::kTumble, "tumble", {0.25, 0.5, 0.85}}};
 
-tl::expected<PosedHair, ToolError> posed(const Asset& asset, const Solver& solver, const HeadPath* path,
+tl::expected<PosedHair, ToolError> posed(const Asset& asset, const Solver& solver, const motion::HeadPath* path,
                                          double seconds) {
-  auto pose = simulate_pose(asset, path, seconds, {}, &solver);
+  auto pose = motion::simulate_pose(asset, path, seconds, {}, &solver);
   if (!pose) return tl::unexpected(pose.error());
-  std::vector<Eigen::Vector3f> positions = posed_positions(asset, pose->palette);
+  std::vector<Eigen::Vector3f> positions = visibility::posed_positions(asset, pose->palette);
   return PosedHair{std::move(pose->palette), std::move(positions)};
 }
 
@@ -165,7 +165,7 @@ tl::expected<std::vector<OrderPose>, ToolError> make_order_poses(const Asset& as
   for (const MovingPose& moving : kMovingPoses) {
     poses.push_back({moving.name, {}});
     for (const double seconds : moving.seconds) {
-      auto moment = posed(asset, solver, path_of(moving.motion).get(), seconds);
+      auto moment = posed(asset, solver, motion::path_of(moving.motion).get(), seconds);
       if (!moment) return tl::unexpected(moment.error());
       poses.back().moments.push_back(std::move(*moment));
     }
@@ -184,4 +184,4 @@ std::vector<ViewAngle> spread_directions(std::uint32_t count) {
   return angles;
 }
 
-}  // namespace coif
+}  // namespace coif::report

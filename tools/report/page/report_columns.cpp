@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 /// Where those stand that are in a form (&ColumnForm::page or text), in its order.
@@ -57,4 +57,4 @@ std::string text_line(const std::vector<ColumnForm>& columns, const std::vector<
   return line + "\n";
 }
 
-}  // namespace coif
+}  // namespace coif::report

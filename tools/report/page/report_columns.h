@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 /// A column of the page's table. Without a heading (null) there is none. Columns stand by their places, those of one
 /// place as in the list, which is in the order of the JSON.
@@ -146,4 +146,4 @@ void add_list(nlohmann::ordered_json& report, const char* key, const Columns<Rec
   report["columns"][key] = page_columns(columns.forms());
 }
 
-}  // namespace coif
+}  // namespace coif::report

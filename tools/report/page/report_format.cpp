@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 std::string number_as(const std::string& place, double number) {
@@ -54,4 +54,4 @@ Format half_spread() {
   return Format("\u00b1{:.1f} %", "-", 0.5).colored({{{"least", kUnsteadyPct}, {"look", "warning"}}});
 }
 
-}  // namespace coif
+}  // namespace coif::report

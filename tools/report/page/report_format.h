@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace coif {
+namespace coif::report {
 
 /// How a value is shown, in a terminal and on the page (script/format.mjs has the same rules).
 ///
@@ -44,4 +44,4 @@ class Format {
 /// was not steady: samples that differ by a quarter are of one that had other work.
 [[nodiscard]] Format half_spread();
 
-}  // namespace coif
+}  // namespace coif::report

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 /// Way from the rigid bone to each bone's tail, metres; 0 for rigid bones.
@@ -104,4 +104,4 @@ std::string device_text(const std::string& device) {
   return device.starts_with("llvmpipe") ? device + ", which draws on the processor, not on a graphics card" : device;
 }
 
-}  // namespace coif
+}  // namespace coif::report

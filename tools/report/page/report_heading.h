@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 /// A number that does not exist: printed as "-", null in JSON.
 inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
@@ -68,4 +68,4 @@ template <typename Record>
 /// The device's name, and that it is none where the processor draws.
 [[nodiscard]] std::string device_text(const std::string& device);
 
-}  // namespace coif
+}  // namespace coif::report

@@ -15,7 +15,7 @@ extern const char coif_page_script[];
 extern const char coif_page_script_hash[];
 }
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 /// JSON that can stand within an element <script>: no text in it can end that.
@@ -57,4 +57,4 @@ std::string page_html(const nlohmann::ordered_json& report, const char* layout) 
                                  {"SCRIPT", coif_page_script}});
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace coif {
+namespace coif::report {
 
 /// One HTML document that needs nothing but itself: no file beside it, no network; its own policy forbids a browser to
 /// fetch any, and to run any script but the page's. A script draws `report`, which has a "title", as the layout says;
@@ -13,4 +13,4 @@ namespace coif {
 /// `layout`: JSON, a list of parts as page_layout.schema.json has them.
 [[nodiscard]] std::string page_html(const nlohmann::ordered_json& report, const char* layout);
 
-}  // namespace coif
+}  // namespace coif::report

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 /// So that it means itself in a URL: a colon in a name is no scheme, a # no end.
@@ -43,4 +43,4 @@ std::string view_url(const std::string& page, const ViewLink& link) {
   return page + settings;
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace coif {
+namespace coif::report {
 
 /// What a link sets on the page of `coif view`, by the words of its controls; empty, or a rate of 0: as the page comes.
 struct ViewLink {
@@ -17,4 +17,4 @@ struct ViewLink {
 /// `page`, a URL, with these settings; a motion plays.
 [[nodiscard]] std::string view_url(const std::string& page, const ViewLink& link);
 
-}  // namespace coif
+}  // namespace coif::report

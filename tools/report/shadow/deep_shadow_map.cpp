@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 constexpr float kStep = 1e-6f;      // metres within which a fragment takes its light: no slope is infinite
@@ -29,7 +29,7 @@ struct SlopeWindow {
 
 }  // namespace
 
-std::vector<VisibilityVertex> visibility_of(std::span<const Fragment> line, float solid, float reach) {
+std::vector<VisibilityVertex> visibility_of(std::span<const visibility::Fragment> line, float solid, float reach) {
   std::vector<VisibilityVertex> vertices;
   float light = 1, last = -kFar;
   for (std::size_t i = 0; i < line.size() && line[i].depth <= solid; ++i) {
@@ -72,7 +72,8 @@ float light_at(std::span<const VisibilityVertex> visibility, float depth) {
   return before.light + share * (behind->light - before.light);
 }
 
-DeepShadowMap::DeepShadowMap(const FragmentView& seen, const Eigen::Vector3f& towards_light, float texel, float bound)
+DeepShadowMap::DeepShadowMap(const visibility::FragmentView& seen, const Eigen::Vector3f& towards_light, float texel,
+                             float bound)
     : seen_(seen), towards_light_(towards_light), texel_(texel) {
   for (std::size_t line = 0; line < seen.line_count(); ++line) {
     const auto exact = visibility_of(seen.line(line), seen.solid_depth(line), kReachTexels * texel);
@@ -92,9 +93,9 @@ float DeepShadowMap::light_at(const ShadowPoint& point) const {
     const float rise = facing != 0 ? point.normal.dot(aside) / facing : 0;
     const float there = depth + std::clamp(rise, -kSteepest * run, kSteepest * run);
     if (there - bias > seen_.solid_depth(line)) continue;
-    light += share * coif::light_at(texel(line), there);
+    light += share * coif::report::light_at(texel(line), there);
   }
   return light;
 }
 
-}  // namespace coif
+}  // namespace coif::report

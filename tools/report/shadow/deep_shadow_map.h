@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 /// A corner of a visibility function, which is linear between two of them.
 struct VisibilityVertex {
@@ -22,7 +22,8 @@ struct VisibilityVertex {
 /// surface transmittance of thesis section 4.2.1, which for cards is all of it. A fragment takes its light half way to
 /// the next one behind it, at most `reach` metres behind itself, so that it does not shade itself. Up to `solid`,
 /// behind which there is no hair to shade.
-[[nodiscard]] std::vector<VisibilityVertex> visibility_of(std::span<const Fragment> line, float solid, float reach);
+[[nodiscard]] std::vector<VisibilityVertex> visibility_of(std::span<const visibility::Fragment> line, float solid,
+                                                          float reach);
 
 /// Fewer vertices whose function is nowhere more than `bound` away, and falls as it did: in one walk along the line,
 /// which keeps the slopes that stay within the bound of all vertices since the last one kept (Lokovic and Veach, "Deep
@@ -35,7 +36,7 @@ struct VisibilityVertex {
 class DeepShadowMap {
  public:
   /// Each line of `seen` is a texel, `texel` metres wide. Keeps `seen`, which must outlive this object.
-  DeepShadowMap(const FragmentView& seen, const Eigen::Vector3f& towards_light, float texel, float bound);
+  DeepShadowMap(const visibility::FragmentView& seen, const Eigen::Vector3f& towards_light, float texel, float bound);
 
   /// By the four texels around the point, each asked at the depth that the point's surface has there.
   [[nodiscard]] float light_at(const ShadowPoint& point) const;
@@ -50,11 +51,11 @@ class DeepShadowMap {
     return std::span(vertices_).subspan(begin_[line], begin_[line + 1] - begin_[line]);
   }
 
-  const FragmentView& seen_;
+  const visibility::FragmentView& seen_;
   Eigen::Vector3f towards_light_;
   float texel_;
   std::vector<std::uint32_t> begin_ = {0};
   std::vector<VisibilityVertex> vertices_;
 };
 
-}  // namespace coif
+}  // namespace coif::report

@@ -19,7 +19,7 @@
 #include <numbers>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 constexpr std::uint32_t kLeastSize = 16, kMostSize = 4096;
@@ -63,15 +63,16 @@ struct Pose {
 
 tl::expected<std::vector<Pose>, ToolError> make_poses(const Asset& asset) {
   std::vector<Pose> poses;
-  const auto add = [&](const char* name, const HeadPath* path, double seconds) -> tl::expected<void, ToolError> {
-    auto pose = simulate_pose(asset, path, seconds, {});
+  const auto add = [&](const char* name, const motion::HeadPath* path,
+                       double seconds) -> tl::expected<void, ToolError> {
+    auto pose = motion::simulate_pose(asset, path, seconds, {});
     if (!pose) return tl::unexpected(pose.error());
     poses.push_back({name, std::move(pose->palette)});
     return {};
   };
   if (auto added = add("rest", nullptr, 0); !added) return tl::unexpected(added.error());
   if (asset.dynamics().empty()) return poses;
-  if (auto added = add("turn", path_of(Motion::kTurn).get(), kTurnSeconds); !added) {
+  if (auto added = add("turn", motion::path_of(motion::Motion::kTurn).get(), kTurnSeconds); !added) {
     return tl::unexpected(added.error());
   }
   return poses;
@@ -80,7 +81,7 @@ tl::expected<std::vector<Pose>, ToolError> make_poses(const Asset& asset) {
 /// A technique with its map and who asks it.
 struct Measured {
   ShadowDesc desc;
-  StudioShadow shadow;
+  render::StudioShadow shadow;
   ShadowProbe probe;
 };
 
@@ -90,7 +91,7 @@ class ShadowMeasurement {
   static tl::expected<std::unique_ptr<ShadowMeasurement>, ToolError> create(const Asset& asset,
                                                                             const ShadowSettings& settings,
                                                                             const ReportProgress& progress) {
-    auto context = EglContext::create();
+    auto context = render::EglContext::create();
     if (!context) return tl::unexpected(context.error());
     std::unique_ptr<ShadowMeasurement> made(new ShadowMeasurement(asset, settings, progress, std::move(*context)));
     if (auto begun = made->begin(); !begun) return tl::unexpected(begun.error());
@@ -101,9 +102,9 @@ class ShadowMeasurement {
     const auto poses = make_poses(asset_);
     if (!poses) return tl::unexpected(poses.error());
     for (const Pose& pose : *poses) {
-      const std::vector<Eigen::Vector3f> positions = posed_positions(asset_, pose.palette);
+      const std::vector<Eigen::Vector3f> positions = visibility::posed_positions(asset_, pose.palette);
       for (const ShadowLight& light : report_.lights) {
-        const FragmentView seen(surface_, positions, {towards(light), float(settings_.spacing), kPixel});
+        const visibility::FragmentView seen(surface_, positions, {towards(light), float(settings_.spacing), kPixel});
         add_truth(light, seen, positions);
         const std::vector<ShadowPoint> points = shadow_points(seen, surface_, positions);
         if (auto done = add_light(pose, light, points); !done) return tl::unexpected(done.error());
@@ -119,7 +120,7 @@ class ShadowMeasurement {
 
  private:
   ShadowMeasurement(const Asset& asset, const ShadowSettings& settings, const ReportProgress& progress,
-                    EglContext&& context)
+                    render::EglContext&& context)
       : asset_(asset), settings_(settings), progress_(progress), surface_(asset), context_(std::move(context)) {
     report_.device = context_.device();
     report_.spacing = settings.spacing;
@@ -133,11 +134,11 @@ class ShadowMeasurement {
     if (const Status status = model_.upload(renderer_, asset_); status != Status::kOk) {
       return failure(ToolError::Kind::kUnsupported, std::string("the driver refuses the asset: ") + describe(status));
     }
-    auto stage = StageRenderer::create(mannequin_meshes(asset_.colliders()));
+    auto stage = render::StageRenderer::create(render::mannequin_meshes(asset_.colliders()));
     if (!stage) return tl::unexpected(stage.error());
     stage_ = std::move(*stage);
     const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-    ball_ = ball_around(framed_points(asset_), {&origin, 1});
+    ball_ = render::ball_around(render::framed_points(asset_), {&origin, 1});
     for (const std::uint32_t size : settings_.sizes) {
       const std::initializer_list<ShadowDesc> descs = {{.technique = &kPlainShadow, .size = size},
                                                        {.technique = &kOpacityShadow, .size = size, .layers = 4},
@@ -154,7 +155,7 @@ class ShadowMeasurement {
   }
 
   tl::expected<void, ToolError> add_technique(const ShadowDesc& desc) {
-    auto shadow = StudioShadow::create(renderer_, context_.loader(), desc);
+    auto shadow = render::StudioShadow::create(renderer_, context_.loader(), desc);
     if (!shadow) return tl::unexpected(shadow.error());
     auto probe = ShadowProbe::create(shadow->shadow());
     if (!probe) return tl::unexpected(probe.error());
@@ -193,7 +194,7 @@ class ShadowMeasurement {
                         const std::vector<ShadowPoint>& points, std::uint32_t size) {
     const float texel = 2 * ball_.radius / float(size);
     const auto start = std::chrono::steady_clock::now();
-    const FragmentView seen(surface_, positions, {towards(light), texel, texel});
+    const visibility::FragmentView seen(surface_, positions, {towards(light), texel, texel});
     const DeepShadowMap map(seen, towards(light), texel, kBound);
     const double made = nanoseconds_since(start);
     const auto asked = std::chrono::steady_clock::now();
@@ -210,10 +211,11 @@ class ShadowMeasurement {
             points, found);
   }
 
-  void add_truth(const ShadowLight& light, const FragmentView& seen, std::span<const Eigen::Vector3f> positions) {
-    const ViewGrid moved{
+  void add_truth(const ShadowLight& light, const visibility::FragmentView& seen,
+                 std::span<const Eigen::Vector3f> positions) {
+    const visibility::ViewGrid moved{
         .towards_eye = towards(light), .spacing = float(settings_.spacing), .pixel = kPixel, .aside = kAside};
-    agreement_.add(seen, FragmentView(surface_, positions, moved), surface_, positions);
+    agreement_.add(seen, visibility::FragmentView(surface_, positions, moved), surface_, positions);
   }
 
   static double nanoseconds_since(std::chrono::steady_clock::time_point start) {
@@ -251,11 +253,11 @@ class ShadowMeasurement {
   const Asset& asset_;
   const ShadowSettings& settings_;
   const ReportProgress& progress_;
-  HairSurface surface_;
-  EglContext context_;
+  visibility::HairSurface surface_;
+  render::EglContext context_;
   HairRenderer renderer_;
   HairModel model_;
-  StageRenderer stage_;
+  render::StageRenderer stage_;
   ShadowBall ball_;
   std::vector<Measured> measured_;
   TruthAgreement agreement_;
@@ -272,4 +274,4 @@ tl::expected<ShadowReport, ToolError> measure_shadows(const Asset& asset, const 
   return (*measurement)->run();
 }
 
-}  // namespace coif
+}  // namespace coif::report

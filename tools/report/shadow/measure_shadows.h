@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 /// A point and how much of a light reaches it, exactly.
 struct ShadowPoint {
@@ -29,7 +29,8 @@ struct ShadowPoint {
 /// Where lines from the light meet hair, up to the head, and where they meet the head. What lies before a point on its
 /// line is known exactly, so no point needs a margin to its own card. `seen`: from the light, `hair` with its vertices
 /// at `positions`.
-[[nodiscard]] std::vector<ShadowPoint> shadow_points(const FragmentView& seen, const HairSurface& hair,
+[[nodiscard]] std::vector<ShadowPoint> shadow_points(const visibility::FragmentView& seen,
+                                                     const visibility::HairSurface& hair,
                                                      std::span<const Eigen::Vector3f> positions);
 
 /// Whether the exact reference agrees with itself: its light at a point, and on the same surface a little aside. No map
@@ -37,8 +38,8 @@ struct ShadowPoint {
 class TruthAgreement {
  public:
   /// `aside`: as `seen`, its lines moved (ViewGrid::aside).
-  void add(const FragmentView& seen, const FragmentView& aside, const HairSurface& hair,
-           std::span<const Eigen::Vector3f> positions);
+  void add(const visibility::FragmentView& seen, const visibility::FragmentView& aside,
+           const visibility::HairSurface& hair, std::span<const Eigen::Vector3f> positions);
 
   [[nodiscard]] double rmse() const { return met_ > 0 ? std::sqrt(squares_ / met_) : 0; }
   /// Of the hair, the share whose surface goes on so far aside, 0..1; the rest is not compared.
@@ -83,4 +84,4 @@ struct ShadowSettings {
 tl::expected<ShadowReport, ToolError> measure_shadows(const Asset& asset, const ShadowSettings& settings,
                                                       const ReportProgress& progress);
 
-}  // namespace coif
+}  // namespace coif::report

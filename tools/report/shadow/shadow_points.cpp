@@ -8,24 +8,25 @@
 #include <cmath>
 #include <optional>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 constexpr float kSameSurface =
     0.3f;  // of the way aside and of the slope's, within which a surface is the one looked for
 
-Eigen::Vector3f normal_of(const HairSurface::Triangle& triangle, std::span<const Eigen::Vector3f> positions) {
+Eigen::Vector3f normal_of(const visibility::HairSurface::Triangle& triangle,
+                          std::span<const Eigen::Vector3f> positions) {
   const Eigen::Vector3f& a = positions[triangle.vertex[0]];
   return (positions[triangle.vertex[1]] - a).cross(positions[triangle.vertex[2]] - a);
 }
 
 /// Light at the patch's surface next to this depth; none where the line does not meet it.
-std::optional<float> light_on_patch(const FragmentView& view, std::size_t line, std::uint32_t patch, float depth,
-                                    float tolerance) {
+std::optional<float> light_on_patch(const visibility::FragmentView& view, std::size_t line, std::uint32_t patch,
+                                    float depth, float tolerance) {
   std::optional<float> found;
   const float solid = view.solid_depth(line);
   float passes = 1;
-  for (const Fragment& fragment : view.line(line)) {
+  for (const visibility::Fragment& fragment : view.line(line)) {
     if (fragment.depth > solid) break;
     const float distance = std::fabs(fragment.depth - depth);
     if (fragment.patch == patch && distance < tolerance) {
@@ -39,13 +40,13 @@ std::optional<float> light_on_patch(const FragmentView& view, std::size_t line, 
 
 }  // namespace
 
-std::vector<ShadowPoint> shadow_points(const FragmentView& seen, const HairSurface& hair,
+std::vector<ShadowPoint> shadow_points(const visibility::FragmentView& seen, const visibility::HairSurface& hair,
                                        std::span<const Eigen::Vector3f> positions) {
   std::vector<ShadowPoint> points;
   for (std::size_t line = 0; line < seen.line_count(); ++line) {
     const float solid = seen.solid_depth(line);
     float passes = 1;
-    for (const Fragment& fragment : seen.line(line)) {
+    for (const visibility::Fragment& fragment : seen.line(line)) {
       if (fragment.depth > solid) break;
       points.push_back({seen.place(line, fragment.depth), normal_of(hair.triangles[fragment.triangle], positions),
                         passes, fragment.alpha, false});
@@ -56,13 +57,13 @@ std::vector<ShadowPoint> shadow_points(const FragmentView& seen, const HairSurfa
   return points;
 }
 
-void TruthAgreement::add(const FragmentView& seen, const FragmentView& aside, const HairSurface& hair,
-                         std::span<const Eigen::Vector3f> positions) {
+void TruthAgreement::add(const visibility::FragmentView& seen, const visibility::FragmentView& aside,
+                         const visibility::HairSurface& hair, std::span<const Eigen::Vector3f> positions) {
   const Eigen::Vector3f towards = seen.place(0, 0) - seen.place(0, 1), offset = aside.place(0, 0) - seen.place(0, 0);
   for (std::size_t line = 0; line < std::min(seen.line_count(), aside.line_count()); ++line) {
     const float solid = seen.solid_depth(line);
     float passes = 1;
-    for (const Fragment& fragment : seen.line(line)) {
+    for (const visibility::Fragment& fragment : seen.line(line)) {
       if (fragment.depth > solid) break;
       const Eigen::Vector3f normal = normal_of(hair.triangles[fragment.triangle], positions);
       const float facing = normal.dot(towards);
@@ -79,4 +80,4 @@ void TruthAgreement::add(const FragmentView& seen, const FragmentView& aside, co
   }
 }
 
-}  // namespace coif
+}  // namespace coif::report

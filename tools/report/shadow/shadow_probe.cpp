@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 constexpr GLsizei kColumns = 512;  // points in a row of the picture that they are written to
@@ -161,4 +161,4 @@ std::vector<float> ShadowProbe::light_at(std::span<const ShadowPoint> points) co
   return light;
 }
 
-}  // namespace coif
+}  // namespace coif::report

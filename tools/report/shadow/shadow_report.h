@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 /// Of a technique's transmittance over many points.
 struct ShadowError {
@@ -154,4 +154,4 @@ extern "C" const char coif_shadows_page[];
 /// What was compared with what, in a sentence.
 [[nodiscard]] std::string shadow_method(const ShadowReport& report);
 
-}  // namespace coif
+}  // namespace coif::report

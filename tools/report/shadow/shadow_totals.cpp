@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 bool is_of(const ShadowTotal& total, const ShadowRow& row) {
@@ -78,4 +78,4 @@ std::vector<ShadowTotal> shadow_totals(std::span<const ShadowRow> rows) {
   return totals;
 }
 
-}  // namespace coif
+}  // namespace coif::report

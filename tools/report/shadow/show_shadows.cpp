@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 constexpr double kNearly = 1.5;  // of the least error
@@ -117,4 +117,4 @@ std::string shadow_text(const ReportHeading& heading, const ShadowReport& report
          text_table(shadow_total_columns(), report.totals) + shadow_summary(report) + "\n";
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -4,7 +4,7 @@
 
 #include <Eigen/Dense>
 
-namespace coif {
+namespace coif::report {
 
 /// Point masses on springs, integrated explicitly: thesis 5.2 "Initial attempt", after Rosenblum, Carlson and
 /// Tripp, "Simulating the Structure and Dynamics of Human Hair", 1991. Forces change velocities, the new velocities
@@ -13,7 +13,7 @@ namespace coif {
 /// its place in history.
 class MassSpringSolver : public PosedSolver {
  public:
-  MassSpringSolver(const Rig& rig, const SolverScene& scene);
+  MassSpringSolver(const lab::Rig& rig, const lab::SolverScene& scene);
 
  protected:
   /// Sets all forces to those that hold the pose. Here they pull on particles alone.
@@ -35,7 +35,7 @@ class MassSpringSolver : public PosedSolver {
 /// model reads these numbers too.
 class AngularSpringSolver final : public MassSpringSolver {
  public:
-  AngularSpringSolver(const Rig& rig, const SolverScene& scene);
+  AngularSpringSolver(const lab::Rig& rig, const lab::SolverScene& scene);
 
  private:
   void add_pose_forces(const ParticleStep& step) override;
@@ -53,7 +53,7 @@ class AngularSpringSolver final : public MassSpringSolver {
 class ImpulseSolver final : public ParticleSolver {
  public:
   /// `iterations`: passes over lengths and collisions, the thesis has one.
-  ImpulseSolver(const Rig& rig, const SolverScene& scene, int iterations);
+  ImpulseSolver(const lab::Rig& rig, const lab::SolverScene& scene, int iterations);
 
  private:
   void advance(const ParticleStep& step) override;
@@ -77,7 +77,7 @@ class ImpulseSolver final : public ParticleSolver {
 class SeparateSolver final : public ParticleSolver {
  public:
   /// `iterations`: passes over lengths and collisions, the thesis has one.
-  SeparateSolver(const Rig& rig, const SolverScene& scene, int iterations);
+  SeparateSolver(const lab::Rig& rig, const lab::SolverScene& scene, int iterations);
 
  private:
   void advance(const ParticleStep& step) override;
@@ -115,7 +115,7 @@ class ProjectiveSolver final : public PosedSolver {
 /// head that moves evenly changes nothing. The pose's pull follows the parent too, which makes the matrix unsymmetric.
 class ImplicitSolver final : public PosedSolver {
  public:
-  ImplicitSolver(const Rig& rig, const SolverScene& scene);
+  ImplicitSolver(const lab::Rig& rig, const lab::SolverScene& scene);
 
  private:
   /// Row i of the system: diagonal * change[i] + by_parent * change[parent] = right, and what change[i] does to the row
@@ -144,7 +144,7 @@ class ImplicitSolver final : public PosedSolver {
 /// (PosedSolver::pull()), so that what is measured is the method and not an explicit spring.
 class FollowLeaderSolver final : public PosedSolver {
  public:
-  FollowLeaderSolver(const Rig& rig, const SolverScene& scene);
+  FollowLeaderSolver(const lab::Rig& rig, const lab::SolverScene& scene);
 
  private:
   void advance(const ParticleStep& step) override;
@@ -168,7 +168,7 @@ class FollowLeaderSolver final : public PosedSolver {
 /// hang from a particle that is fixed for them; the paper has no forks.
 class TridiagonalSolver final : public ParticleSolver {
  public:
-  TridiagonalSolver(const Rig& rig, const SolverScene& scene, int iterations);
+  TridiagonalSolver(const lab::Rig& rig, const lab::SolverScene& scene, int iterations);
 
  private:
   using Strand = std::vector<std::size_t>;  ///< Bones, root to tip, without forks.
@@ -207,4 +207,4 @@ class XpbdSolver final : public PosedSolver {
   std::vector<Eigen::Vector3d> before_;
 };
 
-}  // namespace coif
+}  // namespace coif::report

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 using Eigen::Vector3d;
@@ -49,7 +49,7 @@ struct Swing {
   double default_rate;  ///< rad/s
   double off;
 
-  [[nodiscard]] double next_rate(const RigBone& bone, double dt) const {
+  [[nodiscard]] double next_rate(const lab::RigBone& bone, double dt) const {
     const double spring = bone.stiffness * dt;
     const double damper = bone.damping * dt;
     return (rate - off * spring + default_rate * damper) / (1 + damper + spring * dt);
@@ -103,7 +103,7 @@ void ProjectiveSolver::swing(std::size_t i, const ParticleStep& step) {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-ImplicitSolver::ImplicitSolver(const Rig& rig, const SolverScene& scene)
+ImplicitSolver::ImplicitSolver(const lab::Rig& rig, const lab::SolverScene& scene)
     : PosedSolver(rig, scene), springs_(segment_springs(rig)), rows_(rig.bones.size()), changes_(rig.bones.size()) {}
 
 void ImplicitSolver::advance(const ParticleStep& step) {
@@ -170,4 +170,4 @@ void ImplicitSolver::solve() {
   }
 }
 
-}  // namespace coif
+}  // namespace coif::report

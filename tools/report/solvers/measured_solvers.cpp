@@ -10,16 +10,16 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 template <typename Solver>
-std::unique_ptr<ChainSolver> iterated(const Rig& rig, const SolverScene& scene, int iterations) {
+std::unique_ptr<lab::ChainSolver> iterated(const lab::Rig& rig, const lab::SolverScene& scene, int iterations) {
   return std::make_unique<Solver>(rig, scene, iterations);
 }
 
 template <typename Solver>
-std::unique_ptr<ChainSolver> sub_stepped(const Rig& rig, const SolverScene& scene, int count) {
+std::unique_ptr<lab::ChainSolver> sub_stepped(const lab::Rig& rig, const lab::SolverScene& scene, int count) {
   return in_sub_steps(std::make_unique<Solver>(rig, scene), count);
 }
 
@@ -64,9 +64,9 @@ namespace {
 constexpr int kRuntimeEfforts[] = {1, 2, 4, 8};
 
 /// The sample's bones of a solver that moves all.
-class SampledSolver final : public ChainSolver {
+class SampledSolver final : public lab::ChainSolver {
  public:
-  SampledSolver(std::unique_ptr<ChainSolver> whole, std::vector<std::uint32_t> bones)
+  SampledSolver(std::unique_ptr<lab::ChainSolver> whole, std::vector<std::uint32_t> bones)
       : whole_(std::move(whole)), bones_(std::move(bones)), ends_(bones_.size()) {}
 
   void reset(const HeadPose& head) override { whole_->reset(head); }
@@ -85,7 +85,7 @@ class SampledSolver final : public ChainSolver {
   }
 
  private:
-  std::unique_ptr<ChainSolver> whole_;
+  std::unique_ptr<lab::ChainSolver> whole_;
   std::vector<std::uint32_t> bones_;
   mutable std::vector<Eigen::Vector3d> ends_;
 };
@@ -141,14 +141,14 @@ tl::expected<std::vector<const MeasuredSolver*>, ToolError> chosen_solvers(const
   return solvers;
 }
 
-SolverAtWork make_solver(const MeasuredSolver& measured, const Asset& asset, const RigSample& sample,
-                         const SolverScene& scene, int effort) {
+SolverAtWork make_solver(const MeasuredSolver& measured, const Asset& asset, const lab::RigSample& sample,
+                         const lab::SolverScene& scene, int effort) {
   if (measured.is_runtime()) {
-    auto whole = std::make_unique<RuntimeSolver>(asset, scene, *measured.runtime, effort);
+    auto whole = std::make_unique<lab::RuntimeSolver>(asset, scene, *measured.runtime, effort);
     return {std::make_unique<SampledSolver>(std::move(whole), sample.bones), asset.skeleton().simulated_count};
   }
   const auto listed = std::ranges::find(historical_solvers(), measured.name, &ListedSolver::name);
   return {listed->create(sample.rig, scene, effort), sample.rig.bones.size()};
 }
 
-}  // namespace coif
+}  // namespace coif::report

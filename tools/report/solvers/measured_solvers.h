@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 /// A way to move hair that a report can measure.
 struct ListedSolver {
@@ -24,7 +24,7 @@ struct ListedSolver {
   std::string_view effort_unit;  ///< What the number `effort` counts.
   std::span<const int> efforts;  ///< Worth measuring, ascending.
   /// `effort` > 0. The solver has to be reset() before its first step.
-  std::unique_ptr<ChainSolver> (*create)(const Rig& rig, const SolverScene& scene, int effort);
+  std::unique_ptr<lab::ChainSolver> (*create)(const lab::Rig& rig, const lab::SolverScene& scene, int effort);
   /// Ever finer steps come to one motion: that of its own model. Where a setting is a share per step or a constant pull
   /// there is none.
   bool has_model = false;
@@ -38,7 +38,7 @@ struct ListedSolver {
 /// `solver` run `count` times per step, each time for an equal share of it. The head moves as the runtime has it move
 /// between poses, on a cubic; where it jumps, `solver` is run once and sees the jump. With a count of 1 (or less) it is
 /// `solver` itself.
-[[nodiscard]] std::unique_ptr<ChainSolver> in_sub_steps(std::unique_ptr<ChainSolver> solver, int count);
+[[nodiscard]] std::unique_ptr<lab::ChainSolver> in_sub_steps(std::unique_ptr<lab::ChainSolver> solver, int count);
 
 /// A solver that reports measure: one of the runtime's, or one of historical_solvers().
 struct MeasuredSolver {
@@ -71,12 +71,12 @@ struct MeasuredSolver {
 
 /// A solver at work. Its bone_ends() are in the order of the sample's rig.
 struct SolverAtWork {
-  std::unique_ptr<ChainSolver> solver;
+  std::unique_ptr<lab::ChainSolver> solver;
   std::size_t bones = 0;  ///< That a step moves: the runtime's solvers always move the whole asset.
 };
 
 /// `asset`, whose part `sample` is, must outlive the result.
-[[nodiscard]] SolverAtWork make_solver(const MeasuredSolver& measured, const Asset& asset, const RigSample& sample,
-                                       const SolverScene& scene, int effort);
+[[nodiscard]] SolverAtWork make_solver(const MeasuredSolver& measured, const Asset& asset, const lab::RigSample& sample,
+                                       const lab::SolverScene& scene, int effort);
 
-}  // namespace coif
+}  // namespace coif::report

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 using Eigen::Quaterniond;
@@ -51,9 +51,9 @@ bool jumps(const HeadPose& from, const HeadPose& to) {
          rotation_of(from).angularDistance(rotation_of(to)) > double(runtime.teleport_angle);
 }
 
-ParticleSolver::ParticleSolver(const Rig& rig, const SolverScene& scene)
-    : rig_(as_asked(rig)), scene_(scene), has_children_(rig.bones.size()) {
-  for (const RigBone& bone : rig_.bones) {
+ParticleSolver::ParticleSolver(const lab::Rig& rig, const lab::SolverScene& scene)
+    : rig_(lab::as_asked(rig)), scene_(scene), has_children_(rig.bones.size()) {
+  for (const lab::RigBone& bone : rig_.bones) {
     if (bone.parent >= 0) has_children_[std::size_t(bone.parent)] = true;
     if (bone.parent_share > 0) turns_with_parents_ = true;
   }
@@ -140,7 +140,7 @@ Vector3d PosedSolver::pull(std::size_t i, const Vector3d& way, const Vector3d& d
   return (off * spring + (default_velocity * step.dt - way) * damper) / (1 + spring + damper);
 }
 
-std::vector<double> segment_springs(const Rig& rig) {
+std::vector<double> segment_springs(const lab::Rig& rig) {
   constexpr double kEarth = 9.81;
   std::vector<double> carried(rig.bones.size(), 1.0);
   for (std::size_t i = rig.bones.size(); i-- > 0;) {  // Parents come first, so children have been counted.
@@ -153,4 +153,4 @@ std::vector<double> segment_springs(const Rig& rig) {
   return springs;
 }
 
-}  // namespace coif
+}  // namespace coif::report

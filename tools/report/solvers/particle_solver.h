@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 /// World from head space, unit.
 [[nodiscard]] Eigen::Quaterniond rotation_of(const HeadPose& head);
@@ -33,9 +33,9 @@ struct ParticleStep {
 
 /// Base of the solvers that hold a point mass at every bone's tail. They work relative to the head as the runtime does,
 /// in double precision, so that what is compared is the method and not its number format.
-class ParticleSolver : public ChainSolver {
+class ParticleSolver : public lab::ChainSolver {
  public:
-  ParticleSolver(const Rig& rig, const SolverScene& scene);
+  ParticleSolver(const lab::Rig& rig, const lab::SolverScene& scene);
 
   void reset(const HeadPose& head) final;
   /// Refuses what is not finite, steps that are not above zero, and to begin without reset().
@@ -51,9 +51,9 @@ class ParticleSolver : public ChainSolver {
   /// Called after reset(): positions are the rest pose, velocities zero, and `still` says how the head is turned.
   virtual void on_reset(const ParticleStep& still) { static_cast<void>(still); }
 
-  [[nodiscard]] const Rig& rig() const { return rig_; }
+  [[nodiscard]] const lab::Rig& rig() const { return rig_; }
   [[nodiscard]] std::size_t bone_count() const { return rig_.bones.size(); }
-  [[nodiscard]] const RigBone& bone(std::size_t i) const { return rig_.bones[i]; }
+  [[nodiscard]] const lab::RigBone& bone(std::size_t i) const { return rig_.bones[i]; }
   [[nodiscard]] bool hangs_from_head(std::size_t i) const { return rig_.bones[i].parent < 0; }
   [[nodiscard]] std::size_t parent(std::size_t i) const { return std::size_t(rig_.bones[i].parent); }
   /// Where bone i starts now: its parent's particle, or its joint on the turned head.
@@ -76,8 +76,8 @@ class ParticleSolver : public ChainSolver {
  private:
   void renew_ends();
 
-  Rig rig_;
-  SolverScene scene_;
+  lab::Rig rig_;
+  lab::SolverScene scene_;
   HeadPose head_;
   std::vector<bool> has_children_;
   bool turns_with_parents_ = false;  ///< Whether any bone has a parent_share.
@@ -126,7 +126,7 @@ class PosedSolver : public ParticleSolver {
 /// `off` its default position. The thesis has a constant size without a number: here it is what the final method's
 /// resistance gives a bone that is a quarter of its length off, at the authoring rate. It ends at the default position;
 /// beyond it the hair would be thrown from side to side for ever. Being per step, it grows with the frame rate.
-[[nodiscard]] inline Eigen::Vector3d constant_pull(const RigBone& bone, const Eigen::Vector3d& off, double dt) {
+[[nodiscard]] inline Eigen::Vector3d constant_pull(const lab::RigBone& bone, const Eigen::Vector3d& off, double dt) {
   const double speed = bone.resistance * 0.25 * bone.length * bone.authoring_rate;
   return off.normalized() * std::min(speed, off.norm() / dt);
 }
@@ -139,25 +139,26 @@ inline constexpr double kSpringStretch = 0.01;
 /// gravity (whatever gravity the scene has) at kSpringStretch. For a chain of n equal bones of length l that is up to
 /// 9.81 n / (0.01 l): three bones of 0.1 m oscillate with 0.02 s and less, which is what explicit integration has to
 /// follow.
-[[nodiscard]] std::vector<double> segment_springs(const Rig& rig);
+[[nodiscard]] std::vector<double> segment_springs(const lab::Rig& rig);
 
 /// `position` (metres from the head, world axes) moved to where bone `i` keeps its hit radius from every collider it
 /// may touch, one collider after another, the short way. Shapes and limits are the runtime's
 /// (runtime/sim/lanes/solids-inl.h), in double precision: on overlapping colliders the last has its way, and an
 /// ellipsoid is left along the radius of the space where it is a unit sphere.
-[[nodiscard]] Eigen::Vector3d clear_of_colliders(const Rig& rig, std::size_t i, const Eigen::Quaterniond& head_rotation,
+[[nodiscard]] Eigen::Vector3d clear_of_colliders(const lab::Rig& rig, std::size_t i,
+                                                 const Eigen::Quaterniond& head_rotation,
                                                  const Eigen::Vector3d& position);
 
 /// For methods that keep lengths exactly: a point at the bone's length from `start` and clear of the colliders, as near
 /// to `position` as some rounds of one after the other get. Where they cannot both be had the length is.
-[[nodiscard]] Eigen::Vector3d clear_of_colliders_at_length(const Rig& rig, std::size_t i,
+[[nodiscard]] Eigen::Vector3d clear_of_colliders_at_length(const lab::Rig& rig, std::size_t i,
                                                            const Eigen::Quaterniond& head_rotation,
                                                            const Eigen::Vector3d& start,
                                                            const Eigen::Vector3d& position);
 
 /// For methods that do not derive velocities from positions: moves a particle to the surface and takes what its
 /// velocity has into it, seen from the moving head. True where something was touched.
-bool push_out(const Rig& rig, std::size_t i, const ParticleStep& step, Eigen::Vector3d& position,
+bool push_out(const lab::Rig& rig, std::size_t i, const ParticleStep& step, Eigen::Vector3d& position,
               Eigen::Vector3d& velocity);
 
-}  // namespace coif
+}  // namespace coif::report

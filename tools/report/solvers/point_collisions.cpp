@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <bit>
 
-namespace coif {
+namespace coif::report {
 
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-Vector3d clear_of_colliders(const Rig& rig, std::size_t i, const Quaterniond& head_rotation, const Vector3d& position) {
+Vector3d clear_of_colliders(const lab::Rig& rig, std::size_t i, const Quaterniond& head_rotation,
+                            const Vector3d& position) {
   if (rig.bones[i].colliders == 0) return position;
   Vector3d cleared = head_rotation.conjugate() * position;
   const Vector3d before = cleared;
@@ -21,7 +22,7 @@ Vector3d clear_of_colliders(const Rig& rig, std::size_t i, const Quaterniond& he
   return cleared == before ? position : Vector3d(head_rotation * cleared);
 }
 
-Vector3d clear_of_colliders_at_length(const Rig& rig, std::size_t i, const Quaterniond& head_rotation,
+Vector3d clear_of_colliders_at_length(const lab::Rig& rig, std::size_t i, const Quaterniond& head_rotation,
                                       const Vector3d& start, const Vector3d& position) {
   constexpr int kRounds = 8;
   Vector3d end = position;
@@ -33,7 +34,7 @@ Vector3d clear_of_colliders_at_length(const Rig& rig, std::size_t i, const Quate
   return end;
 }
 
-bool push_out(const Rig& rig, std::size_t i, const ParticleStep& step, Vector3d& position, Vector3d& velocity) {
+bool push_out(const lab::Rig& rig, std::size_t i, const ParticleStep& step, Vector3d& position, Vector3d& velocity) {
   const Vector3d cleared = clear_of_colliders(rig, i, step.head_rotation, position);
   if (cleared == position) return false;
   const Vector3d normal = (cleared - position).normalized();
@@ -43,4 +44,4 @@ bool push_out(const Rig& rig, std::size_t i, const ParticleStep& step, Vector3d&
   return true;
 }
 
-}  // namespace coif
+}  // namespace coif::report

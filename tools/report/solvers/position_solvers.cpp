@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
-namespace coif {
+namespace coif::report {
 
 using Eigen::Vector3d;
 
-FollowLeaderSolver::FollowLeaderSolver(const Rig& rig, const SolverScene& scene)
+FollowLeaderSolver::FollowLeaderSolver(const lab::Rig& rig, const lab::SolverScene& scene)
     : PosedSolver(rig, scene), given_back_(rig.bones.size()), corrections_(rig.bones.size()) {
   // The paper's s_damping: 1 gives back all that was taken and is not stable, 0 is plain follow-the-leader.
   constexpr double kGivenBack = 0.9;
@@ -49,7 +49,7 @@ void FollowLeaderSolver::renew_velocities(const ParticleStep& step) {
 
 namespace {
 
-std::vector<std::vector<std::size_t>> strands_of(const Rig& rig) {
+std::vector<std::vector<std::size_t>> strands_of(const lab::Rig& rig) {
   constexpr auto kNoStrand = std::numeric_limits<std::size_t>::max();
   std::vector<std::vector<std::size_t>> strands;
   std::vector<std::size_t> ending_at(rig.bones.size(), kNoStrand);
@@ -72,7 +72,7 @@ std::vector<std::vector<std::size_t>> strands_of(const Rig& rig) {
 
 using Eigen::Vector3d;
 
-TridiagonalSolver::TridiagonalSolver(const Rig& rig, const SolverScene& scene, int iterations)
+TridiagonalSolver::TridiagonalSolver(const lab::Rig& rig, const lab::SolverScene& scene, int iterations)
     : ParticleSolver(rig, scene), iterations_(iterations), strands_(strands_of(rig)) {}
 
 void TridiagonalSolver::advance(const ParticleStep& step) {
@@ -178,4 +178,4 @@ void XpbdSolver::keep_length(std::size_t i, const ParticleStep& step) {
   }
 }
 
-}  // namespace coif
+}  // namespace coif::report

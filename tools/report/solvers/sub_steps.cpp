@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 using Eigen::Quaterniond;
@@ -32,7 +32,7 @@ class SmoothWay {
   /// On to `head`, which ends a frame of `dt` seconds.
   void aim(const HeadPose& head, double dt) {
     way_ = Eigen::Map<const Vector3d>(head.position) - Eigen::Map<const Vector3d>(head_.position);
-    turn_ = vector_of(rotation_of(head_).conjugate() * rotation_of(head));
+    turn_ = motion::vector_of(rotation_of(head_).conjugate() * rotation_of(head));
     const Vector3d mean = way_ / dt, mean_spin = turn_ / dt;
     const double share = last_dt_ > 0 ? dt / (dt + last_dt_) : 0;
     end_velocity_ = last_dt_ > 0 ? Vector3d(mean + (mean - last_mean_) * share) : mean;
@@ -45,8 +45,8 @@ class SmoothWay {
     HeadPose pose;
     const Vector3d moved = hermite(way_, velocity_ * dt_, end_velocity_ * dt_, share);
     for (int axis = 0; axis < 3; ++axis) pose.position[axis] = head_.position[axis] + moved[axis];
-    const Vector3d end_rate = rate_of(turn_, end_spin_) * dt_;
-    const Quaterniond turned = rotation_of(head_) * rotation_of(hermite(turn_, spin_ * dt_, end_rate, share));
+    const Vector3d end_rate = motion::rate_of(turn_, end_spin_) * dt_;
+    const Quaterniond turned = rotation_of(head_) * motion::rotation_of(hermite(turn_, spin_ * dt_, end_rate, share));
     pose.rotation = {float(turned.x()), float(turned.y()), float(turned.z()), float(turned.w())};
     return pose;
   }
@@ -71,9 +71,9 @@ class SmoothWay {
   Vector3d spin_ = Vector3d::Zero(), end_spin_ = Vector3d::Zero(), last_mean_spin_ = Vector3d::Zero();
 };
 
-class SubSteps final : public ChainSolver {
+class SubSteps final : public lab::ChainSolver {
  public:
-  SubSteps(std::unique_ptr<ChainSolver> solver, int count) : solver_(std::move(solver)), count_(count) {}
+  SubSteps(std::unique_ptr<lab::ChainSolver> solver, int count) : solver_(std::move(solver)), count_(count) {}
 
   void reset(const HeadPose& head) override {
     way_.begin(head);
@@ -103,16 +103,16 @@ class SubSteps final : public ChainSolver {
   std::span<const Vector3d> bone_ends() const override { return solver_->bone_ends(); }
 
  private:
-  std::unique_ptr<ChainSolver> solver_;
+  std::unique_ptr<lab::ChainSolver> solver_;
   int count_;
   SmoothWay way_;
 };
 
 }  // namespace
 
-std::unique_ptr<ChainSolver> in_sub_steps(std::unique_ptr<ChainSolver> solver, int count) {
+std::unique_ptr<lab::ChainSolver> in_sub_steps(std::unique_ptr<lab::ChainSolver> solver, int count) {
   if (count <= 1) return solver;
   return std::make_unique<SubSteps>(std::move(solver), count);
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::report {
 
 using Eigen::Vector3d;
 
-MassSpringSolver::MassSpringSolver(const Rig& rig, const SolverScene& scene)
+MassSpringSolver::MassSpringSolver(const lab::Rig& rig, const lab::SolverScene& scene)
     : PosedSolver(rig, scene), forces_(rig.bones.size()), springs_(segment_springs(rig)) {}
 
 void MassSpringSolver::advance(const ParticleStep& step) {
@@ -45,7 +45,7 @@ void MassSpringSolver::add_springs(const ParticleStep& step) {
   }
 }
 
-AngularSpringSolver::AngularSpringSolver(const Rig& rig, const SolverScene& scene)
+AngularSpringSolver::AngularSpringSolver(const lab::Rig& rig, const lab::SolverScene& scene)
     : MassSpringSolver(rig, scene), inertia_(rig.bones.size(), 0) {
   std::vector<Vector3d> starts, tails;
   for (std::size_t i = 0; i < bone_count(); ++i) {
@@ -87,7 +87,7 @@ void AngularSpringSolver::turn(std::size_t i, const Vector3d& torque, const Part
 
 using Eigen::Vector3d;
 
-ImpulseSolver::ImpulseSolver(const Rig& rig, const SolverScene& scene, int iterations)
+ImpulseSolver::ImpulseSolver(const lab::Rig& rig, const lab::SolverScene& scene, int iterations)
     : ParticleSolver(rig, scene), iterations_(iterations) {}
 
 void ImpulseSolver::advance(const ParticleStep& step) {
@@ -133,7 +133,7 @@ void ImpulseSolver::keep_clear(const ParticleStep& step) {
 
 using Eigen::Vector3d;
 
-SeparateSolver::SeparateSolver(const Rig& rig, const SolverScene& scene, int iterations)
+SeparateSolver::SeparateSolver(const lab::Rig& rig, const lab::SolverScene& scene, int iterations)
     : ParticleSolver(rig, scene), iterations_(iterations) {}
 
 void SeparateSolver::advance(const ParticleStep& step) {
@@ -170,4 +170,4 @@ void SeparateSolver::keep_length(std::size_t i, const ParticleStep& step) {
   velocities_[parent(i)] += parting * share;
 }
 
-}  // namespace coif
+}  // namespace coif::report

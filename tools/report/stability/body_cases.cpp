@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -31,8 +31,8 @@ Stress with_body(const char* name, const char* description, BodyMotion body) {
 
 std::vector<Stress> body_cases() {
   std::vector<Stress> all;
-  for (const Motion motion : {Motion::kTurn, Motion::kNod}) {
-    const bool is_turn = motion == Motion::kTurn;
+  for (const motion::Motion motion : {motion::Motion::kTurn, motion::Motion::kNod}) {
+    const bool is_turn = motion == motion::Motion::kTurn;
     all.push_back(with_body(is_turn ? "head shakes over its body" : "head nods over its body",
                             "the asset's own body colliders stand still, 30 fps", resting_body));
     all.back().head = moving(motion);
@@ -60,4 +60,4 @@ std::vector<Stress> body_cases() {
   return all;
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -12,7 +12,7 @@
 #include <memory>
 #include <new>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 using Eigen::Vector3d;
@@ -21,14 +21,14 @@ constexpr std::uint32_t kAttitudes = 26;
 
 struct Attitude {
   Vector3d up;
-  std::unique_ptr<HeadPath> path;
+  std::unique_ptr<motion::HeadPath> path;
 };
 
 std::vector<Attitude> attitudes() {
   std::vector<Attitude> all;
   for (int cell = 0; cell < 27; ++cell) {
     const Vector3d up(cell / 9 - 1, cell / 3 % 3 - 1, cell % 3 - 1);
-    if (!up.isZero()) all.push_back({up, held_attitude(up)});
+    if (!up.isZero()) all.push_back({up, motion::held_attitude(up)});
   }
   return all;
 }
@@ -111,7 +111,7 @@ HeldHeadsFinding hold_heads(const Asset& asset, const HeldHeads& held) {
   // What is made of a part of the asset does not know what that was tuned for.
   if (held.substeps == 0) asked.substeps = tuned_substeps(asset, float(1 / held.frame_rate));
   if (held.collides) return watch(asset, asked);
-  const OpenedAsset bare(untouched_part(asset));
+  const lab::OpenedAsset bare(lab::untouched_part(asset));
   return watch(bare.asset(), asked);
 }
 
@@ -140,4 +140,4 @@ std::vector<HeldHeads> ways_to_hold(const Asset& asset, std::uint64_t most_bone_
   return ways;
 }
 
-}  // namespace coif
+}  // namespace coif::report

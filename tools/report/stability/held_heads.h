@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 /// Heads that are turned within 0.8 s and then held: their up axes point to the corners, edges and faces of a cube, 26
 /// attitudes. Hair of such a head comes to rest, and stays there.
@@ -45,4 +45,4 @@ struct HeldHeadsFinding {
 /// `most_bone_steps`.
 [[nodiscard]] std::vector<HeldHeads> ways_to_hold(const Asset& asset, std::uint64_t most_bone_steps);
 
-}  // namespace coif
+}  // namespace coif::report

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 using Colliders = std::vector<MovingCollider>;
@@ -32,11 +32,11 @@ bool is_length(double dt) { return dt > 0 && std::isfinite(dt); }
 
 /// How fast a bone's tail can be made by what acts on it, m/s: falling from above to below, carried by the head, and
 /// swung by its pull to the pose.
-double plausible_speed(const Rig& rig, const Stress& stress) {
+double plausible_speed(const lab::Rig& rig, const Stress& stress) {
   double fastest = 0;
   std::vector<double> reach(rig.bones.size());
   for (std::size_t i = 0; i < rig.bones.size(); ++i) {
-    const RigBone& bone = rig.bones[i];
+    const lab::RigBone& bone = rig.bones[i];
     reach[i] = bone.length + (bone.parent < 0 ? bone.joint.norm() : reach[std::size_t(bone.parent)]);
     const double fall = std::sqrt(4 * stress.scene.gravity.norm() * std::abs(bone.gravity_scale) * reach[i]);
     const double swing = std::min(std::sqrt(bone.stiffness), 1.0e3) * reach[i];
@@ -48,7 +48,7 @@ double plausible_speed(const Rig& rig, const Stress& stress) {
 /// Watches one solver.
 class StressRun {
  public:
-  StressRun(const Rig& rig, double top_speed, ChainSolver& solver)
+  StressRun(const lab::Rig& rig, double top_speed, lab::ChainSolver& solver)
       : rig_(rig), top_speed_(top_speed), solver_(solver), meter_(rig), limits_(rig), links_(rig), moving_meter_(rig) {}
 
   /// False once the outcome is decided.
@@ -60,7 +60,7 @@ class StressRun {
       if (!std::ranges::equal(before_, solver_.bone_ends())) outcome_ = Outcome::kDiverged;
     } else {
       look(dt);
-      std::vector<PlacedSolid> solids;
+      std::vector<lab::PlacedSolid> solids;
       for (const MovingCollider& collider : colliders) solids.emplace_back(collider, head);
       if (outcome_ == Outcome::kOk) moving_meter_.look(solver_.bone_ends(), solids);
       if (outcome_ == Outcome::kOk) moving_meter_.look(solver_.bone_ends(), body.solids(), body.sets());
@@ -73,10 +73,10 @@ class StressRun {
   }
   [[nodiscard]] double fastest() const { return fastest_; }
   [[nodiscard]] double speed() const { return speed_; }  ///< In the last step.
-  [[nodiscard]] const ConstraintMeter& meter() const { return meter_; }
+  [[nodiscard]] const lab::ConstraintMeter& meter() const { return meter_; }
   [[nodiscard]] const LimitMeter& limits() const { return limits_; }
   [[nodiscard]] const LinkMeter& links() const { return links_; }
-  [[nodiscard]] const MovingMeter& moving_meter() const { return moving_meter_; }
+  [[nodiscard]] const lab::MovingMeter& moving_meter() const { return moving_meter_; }
 
  private:
   void look(double dt) {
@@ -87,7 +87,7 @@ class StressRun {
         outcome_ = Outcome::kNan;
         return;
       }
-      const RigBone& bone = rig_.bones[i];
+      const lab::RigBone& bone = rig_.bones[i];
       const Vector3d& start = bone.parent < 0 ? bone.joint : ends[std::size_t(bone.parent)];
       if ((ends[i] - start).norm() > kFarthest * bone.length) outcome_ = Outcome::kDiverged;
       if (is_length(dt)) speed_ = std::max(speed_, (ends[i] - before_[i]).norm() / dt);
@@ -100,13 +100,13 @@ class StressRun {
     if (fast_steps_ >= kFastSteps) outcome_ = Outcome::kDiverged;
   }
 
-  const Rig& rig_;
+  const lab::Rig& rig_;
   double top_speed_;
-  ChainSolver& solver_;
-  ConstraintMeter meter_;
+  lab::ChainSolver& solver_;
+  lab::ConstraintMeter meter_;
   LimitMeter limits_;
   LinkMeter links_;
-  MovingMeter moving_meter_;
+  lab::MovingMeter moving_meter_;
   std::vector<Vector3d> before_;
   Outcome outcome_ = Outcome::kOk;
   bool was_refused_ = false;
@@ -119,10 +119,10 @@ bool is_usable(const HeadPose& head) {
 }
 
 /// RMS distance of tips that touch nothing to where they hang at rest, share of their chain's length; NaN without any.
-double distance_to_rest(const Rig& rig, const SolverScene& scene, const HeadPose& head,
+double distance_to_rest(const lab::Rig& rig, const lab::SolverScene& scene, const HeadPose& head,
                         std::span<const Vector3d> ends) {
   const Quat& q = head.rotation;
-  const StaticPose rest = static_pose(rig, scene, Quaterniond(q.w, q.x, q.y, q.z).normalized());
+  const lab::StaticPose rest = lab::static_pose(rig, scene, Quaterniond(q.w, q.x, q.y, q.z).normalized());
   double sum = 0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < rig.tips.size(); ++i) {
@@ -136,11 +136,11 @@ double distance_to_rest(const Rig& rig, const SolverScene& scene, const HeadPose
 
 }  // namespace
 
-StressSubject::StressSubject(const Stress& stress, const Asset& asset, RigSample sample)
+StressSubject::StressSubject(const Stress& stress, const Asset& asset, lab::RigSample sample)
     : stress_(stress),
       asset_(asset),
       sample_(std::move(sample)),
-      place_(place_of(sample_.rig)),
+      place_(lab::place_of(sample_.rig)),
       top_speed_(plausible_speed(sample_.rig, stress)) {}
 
 bool StressSubject::is_for(const MeasuredSolver& solver) const {
@@ -150,8 +150,8 @@ bool StressSubject::is_for(const MeasuredSolver& solver) const {
 }
 
 StabilityRow StressSubject::run(const MeasuredSolver& solver) const {
-  const Rig rig = solver.model ? in_model(sample_.rig, *solver.model) : sample_.rig;
-  SolverScene scene = stress_.scene;
+  const lab::Rig rig = solver.model ? lab::in_model(sample_.rig, *solver.model) : sample_.rig;
+  lab::SolverScene scene = stress_.scene;
   if (stress_.colliders) scene.moving_colliders = kMaxMovingColliders;
   scene.follows_body = bool(stress_.body);
   const SolverAtWork at_work = make_solver(is_on_character(stress_) ? solver_on_a_character() : solver, asset_, sample_,
@@ -205,7 +205,7 @@ constexpr std::size_t kMostBones = 64;  ///< Of the asset: what breaks, breaks o
 
 void measure(const Stress& stress, const Asset& asset, std::size_t most_bones,
              std::span<const MeasuredSolver* const> solvers, const ReportProgress& progress, StabilityReport& report) {
-  const StressSubject subject(stress, asset, sample_of(rig_of(asset), most_bones));
+  const StressSubject subject(stress, asset, lab::sample_of(lab::rig_of(asset), most_bones));
   const auto is_for = [&](const MeasuredSolver* solver) { return subject.is_for(*solver); };
   if (std::ranges::any_of(solvers, is_for)) report.stress_cases.push_back(stress.about);
   for (const MeasuredSolver* solver : solvers) {
@@ -276,4 +276,4 @@ tl::expected<StabilityReport, ToolError> measure_stability(const Asset& asset, c
   return report;
 }
 
-}  // namespace coif
+}  // namespace coif::report

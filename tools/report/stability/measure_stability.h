@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 /// Chains that exist in no model, made to be simulated under stress. They start behind a head sphere, and hang.
 struct StressRig {
@@ -51,24 +51,24 @@ class StressAsset {
   [[nodiscard]] const Asset& asset() const { return opened_.asset(); }
 
  private:
-  OpenedAsset opened_;
+  lab::OpenedAsset opened_;
 };
 
 using StressedHead = std::function<HeadPose(double seconds)>;
 
 /// One of the motions that every report measures.
-[[nodiscard]] StressedHead moving(Motion motion);
+[[nodiscard]] StressedHead moving(motion::Motion motion);
 
 /// What is done to hair in one StressCase. After it the head stands still where it is, and frames are as usual, until
 /// hair has had time to settle.
 struct Stress {
   StressCase about;
   std::optional<StressRig> rig;  ///< Empty: the asset's own hair.
-  SolverScene scene;
+  lab::SolverScene scene;
   StressedHead head;
   /// What moves near the hair, world; `hair` is where that is in head space. Such cases are for `coif` alone, on a
   /// character (kCharacterSolver): what others do knows no such colliders. They are gone while hair settles.
-  std::function<std::vector<MovingCollider>(const HairPlace& hair, double seconds)> colliders;
+  std::function<std::vector<MovingCollider>(const lab::HairPlace& hair, double seconds)> colliders;
   /// How the asset's own body moves; such cases are for assets that have colliders on one, and for `coif` alone. It
   /// stays where it came to while hair settles.
   BodyMotion body;
@@ -96,7 +96,7 @@ struct Stress {
 /// A rig under stress, and where it would come to rest: made once for all solvers.
 class StressSubject {
  public:
-  StressSubject(const Stress& stress, const Asset& asset, RigSample sample);
+  StressSubject(const Stress& stress, const Asset& asset, lab::RigSample sample);
 
   /// False for a solver that knows nothing of what the case is about: it has no row.
   [[nodiscard]] bool is_for(const MeasuredSolver& solver) const;
@@ -117,8 +117,8 @@ class StressSubject {
  private:
   const Stress& stress_;
   const Asset& asset_;
-  RigSample sample_;
-  HairPlace place_;
+  lab::RigSample sample_;
+  lab::HairPlace place_;
   double top_speed_;  ///< m/s in head space.
 };
 
@@ -131,4 +131,4 @@ struct StabilitySettings {
 tl::expected<StabilityReport, ToolError> measure_stability(const Asset& asset, const StabilitySettings& settings,
                                                            const ReportProgress& progress);
 
-}  // namespace coif
+}  // namespace coif::report

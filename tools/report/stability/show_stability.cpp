@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 void take_worst(double& worst, double value) {
@@ -127,4 +127,4 @@ std::string stability_text(const ReportHeading& heading, const StabilityReport& 
          stability_summary(report) + "\n";
 }
 
-}  // namespace coif
+}  // namespace coif::report

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 enum class Outcome {
   kOk,
@@ -121,4 +121,4 @@ extern "C" const char coif_stability_page[];
 /// Which solvers came through everything, as a sentence.
 [[nodiscard]] std::string stability_summary(const StabilityReport& report);
 
-}  // namespace coif
+}  // namespace coif::report

@@ -2,7 +2,7 @@
 
 #include "base/geometry.h"
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 using Eigen::Isometry3d;
@@ -26,7 +26,7 @@ BodyPose pose_of(const Isometry3d& place) {
 
 }  // namespace
 
-StressBody::StressBody(const Asset& asset, const RigSample& sample) : asset_(asset) {
+StressBody::StressBody(const Asset& asset, const lab::RigSample& sample) : asset_(asset) {
   std::uint32_t outside = 0;
   for (std::uint32_t i = 0; i < asset.body_colliders().size(); ++i) {
     if ((asset.body_colliders()[i].flags & kColliderKeepsInside) == 0) outside |= 1u << i;
@@ -51,4 +51,4 @@ void StressBody::move(const BodyMotion& motion, double seconds, const HeadPose& 
   }
 }
 
-}  // namespace coif
+}  // namespace coif::report

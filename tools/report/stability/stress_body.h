@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 /// How what hangs from a bone of the body has moved since rest, world, of a head that rests at the origin; `joint`:
 /// where the bone starts at rest.
@@ -23,7 +23,7 @@ using BodyMotion = std::function<Eigen::Isometry3d(const Eigen::Vector3d& joint,
 /// colliders by formulas of the lab's own.
 class StressBody {
  public:
-  StressBody(const Asset& asset, const RigSample& sample);
+  StressBody(const Asset& asset, const lab::RigSample& sample);
 
   /// Where it is when the head is at `head`.
   void move(const BodyMotion& motion, double seconds, const HeadPose& head);
@@ -31,15 +31,15 @@ class StressBody {
   /// Of the asset's body bones.
   [[nodiscard]] std::span<const BodyPose> poses() const { return poses_; }
   /// All colliders of the body, in the asset's order; head space.
-  [[nodiscard]] std::span<const PlacedSolid> solids() const { return solids_; }
+  [[nodiscard]] std::span<const lab::PlacedSolid> solids() const { return solids_; }
   /// Of the sample's bones: a bit for each of those that keep the bone outside.
   [[nodiscard]] std::span<const std::uint32_t> sets() const { return sets_; }
 
  private:
   const Asset& asset_;
   std::vector<BodyPose> poses_;
-  std::vector<PlacedSolid> solids_;
+  std::vector<lab::PlacedSolid> solids_;
   std::vector<std::uint32_t> sets_;
 };
 
-}  // namespace coif
+}  // namespace coif::report

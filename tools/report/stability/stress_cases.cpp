@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 using Eigen::Vector3d;
@@ -53,7 +53,7 @@ StressedHead failing(StressedHead motion) {
 Stress shaken(std::string name, std::string description) {
   Stress stress;
   stress.about = {std::move(name), std::move(description)};
-  stress.head = moving(Motion::kTurn);
+  stress.head = moving(motion::Motion::kTurn);
   return stress;
 }
 
@@ -191,12 +191,12 @@ void add_movements(std::vector<Stress>& all) {
   Stress hop = shaken("teleport 1e6 m", "the head jumps away and back, twice a second");
   hop.head = hopping(1.0e6);
   Stress distant = shaken("1e6 m from the origin", "a run, far out in the world");
-  distant.head = at_distance(moving(Motion::kRun), 1.0e6);
+  distant.head = at_distance(moving(motion::Motion::kRun), 1.0e6);
   Stress tumble = shaken("somersaults", "one every 1.5 s, at 15 frames per second");
-  tumble.head = moving(Motion::kTumble);
+  tumble.head = moving(motion::Motion::kTumble);
   tumble.dt = {1.0 / 15};
   Stress failing_pose = shaken("pose not a number", "the head's pose fails now and then");
-  failing_pose.head = failing(moving(Motion::kTurn));
+  failing_pose.head = failing(moving(motion::Motion::kTurn));
   Stress denormal = shaken("denormal movement", "gravity of 1e-40 m/s^2 and a head that is 1e-310 m away");
   denormal.head = at_distance([](double) { return HeadPose{}; }, 1.0e-310);
   denormal.scene.gravity.y() = -1.0e-40;
@@ -207,9 +207,8 @@ void add_movements(std::vector<Stress>& all) {
                                                         {"three quarters over", Vector3d::UnitX() * (0.75 * kPi)}};
   for (const auto& [name, turn] : attitudes) {
     Stress held = shaken(name, "the head turned so within half a second, and held");
-    held.head = [path = std::shared_ptr<HeadPath>(held_turn(turn.normalized(), turn.norm(), 0.5))](double seconds) {
-      return path->pose(seconds);
-    };
+    held.head = [path = std::shared_ptr<motion::HeadPath>(motion::held_turn(turn.normalized(), turn.norm(), 0.5))](
+                    double seconds) { return path->pose(seconds); };
     all.push_back(std::move(held));
   }
   for (Stress* stress : {&spin, &hop, &distant, &tumble, &failing_pose, &denormal}) all.push_back(std::move(*stress));
@@ -238,7 +237,7 @@ void add_limits(std::vector<Stress>& all) {
 
 void add_soaks(std::vector<Stress>& all) {
   Stress soak = shaken_rig("soak", "a million frames of running; ten times fewer for solvers that do not ship", {});
-  soak.head = moving(Motion::kRun);
+  soak.head = moving(motion::Motion::kRun);
   soak.steps = 1'000'000;
   soak.steps_of_others = 100'000;
   all.push_back(std::move(soak));
@@ -246,8 +245,10 @@ void add_soaks(std::vector<Stress>& all) {
 
 }  // namespace
 
-StressedHead moving(Motion motion) {
-  return [path = std::shared_ptr<HeadPath>(path_of(motion))](double seconds) { return path->pose(seconds); };
+StressedHead moving(motion::Motion motion) {
+  return [path = std::shared_ptr<motion::HeadPath>(motion::path_of(motion))](double seconds) {
+    return path->pose(seconds);
+  };
 }
 
 std::vector<Stress> stress_cases() {
@@ -266,4 +267,4 @@ std::vector<Stress> stress_cases() {
   return all;
 }
 
-}  // namespace coif
+}  // namespace coif::report

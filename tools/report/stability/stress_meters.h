@@ -8,12 +8,12 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::report {
 
 /// How far bones get beyond their limits. Their frames are found from their ends, as they are where no bone twists.
 class LimitMeter {
  public:
-  explicit LimitMeter(const Rig& rig);
+  explicit LimitMeter(const lab::Rig& rig);
 
   /// `ends`: of the rig's bones, head space.
   void look(std::span<const Eigen::Vector3d> ends);
@@ -22,7 +22,7 @@ class LimitMeter {
   [[nodiscard]] double worst() const;
 
  private:
-  const Rig& rig_;
+  const lab::Rig& rig_;
   std::vector<Eigen::Quaterniond> frames_;
   bool sees_limits_ = false;
   double worst_ = 0;
@@ -31,15 +31,15 @@ class LimitMeter {
 /// How much further linked particles get from each other than they are at rest.
 class LinkMeter {
  public:
-  explicit LinkMeter(const Rig& rig);
+  explicit LinkMeter(const lab::Rig& rig);
   void look(std::span<const Eigen::Vector3d> ends);
   /// Share of their distance at rest; NaN where nothing is linked.
   [[nodiscard]] double worst() const;
 
  private:
-  const Rig& rig_;
+  const lab::Rig& rig_;
   std::vector<double> gaps_;  ///< At rest, metres.
   double worst_ = 0;
 };
 
-}  // namespace coif
+}  // namespace coif::report

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::report {
 namespace {
 
 using Eigen::Vector3d;
@@ -162,4 +162,4 @@ class StressContents {
 
 StressAsset::StressAsset(const StressRig& rig, ChainModel model) : opened_(StressContents(rig, model).make()) {}
 
-}  // namespace coif
+}  // namespace coif::report

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <utility>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 constexpr double kSameResistance = 1.0e-5,
@@ -26,8 +26,8 @@ AssetMotion::AssetMotion(const Asset& asset) {
   if (asset.dynamics().empty() || asset.skeleton().simulated_count == 0) return;
   records_.assign(asset.dynamics().begin(), asset.dynamics().end());
   air_lag_ = asset.skeleton().air_lag;
-  rig_ = as_asked(rig_of(asset));
-  carried_ = carried_at_rest(rig_.bones);
+  rig_ = lab::as_asked(lab::rig_of(asset));
+  carried_ = lab::carried_at_rest(rig_.bones);
   bone_records_.assign(asset.bones().begin() + rig_.rigid_count, asset.bones().end());
   bones_.resize(rig_.bones.size());
   find_places(asset);
@@ -47,7 +47,7 @@ AssetMotion::AssetMotion(const Asset& asset) {
 void AssetMotion::find_places(const Asset& asset) {
   std::vector<double> ends(bones_.size()), farthest(asset.chains().size(), 0.0);
   for (std::size_t i = 0; i < bones_.size(); ++i) {
-    const RigBone& bone = rig_.bones[i];
+    const lab::RigBone& bone = rig_.bones[i];
     const double start = bone.parent < 0 ? 0 : ends[std::size_t(bone.parent)];
     ends[i] = start + bone.length;
     bones_[i].place = 0.5 * (start + ends[i]);
@@ -62,13 +62,13 @@ void AssetMotion::find_places(const Asset& asset) {
 void AssetMotion::find_preset(std::size_t i) {
   Bone& bone = bones_[i];
   double nearest = 0;
-  for (const HairPreset& preset : hair_presets()) {
+  for (const cook::HairPreset& preset : cook::hair_presets()) {
     DynamicsRecord record = bone.own;
-    bake_natural(rig_, carried_, i, {preset.bending_length, preset.damping_ratio}, record);
+    cook::bake_natural(rig_, carried_, i, {preset.bending_length, preset.damping_ratio}, record);
     const double wanted = record.resistance;
     if (std::abs(double(bone.own.resistance) - wanted) > kSameResistance * wanted) continue;
     for (const bool is_tied : {false, true}) {
-      const double gap = std::abs(friction_of(preset, is_tied) - double(bone.own.friction));
+      const double gap = std::abs(cook::friction_of(preset, is_tied) - double(bone.own.friction));
       if (bone.preset != nullptr && gap >= nearest) continue;
       bone.preset = &preset;
       bone.is_tied = is_tied;
@@ -83,14 +83,16 @@ void AssetMotion::find_ratios(std::size_t i) {
   const double length = rig_.bones[i].length;
   DynamicsRecord plain = bone.own;
   if (bone.preset != nullptr)
-    bake_natural(rig_, carried_, i, {bone.preset->bending_length, bone.preset->damping_ratio, bone.is_tied}, plain);
+    cook::bake_natural(rig_, carried_, i, {bone.preset->bending_length, bone.preset->damping_ratio, bone.is_tied},
+                       plain);
   else
-    bake_oscillator(std::nullopt, length, plain);
+    cook::bake_oscillator(std::nullopt, length, plain);
   const double stiffer = double(bone.own.stiffness) / std::max(double(plain.stiffness), 1.0e-9);
   const double damping = double(bone.own.damping) / (stiffer > 1 + kSameResistance ? std::sqrt(stiffer) : 1);
-  bone.curve_ratio = (damping + double(bone.own.friction)) / (2 * natural_rate(plain, length));
+  bone.curve_ratio = (damping + double(bone.own.friction)) / (2 * cook::natural_rate(plain, length));
   bone.shown_ratio = bone.curve_ratio;
-  if (bone.preset != nullptr) bone.shown_ratio = damping / (2 * swing_rate(rig_, carried_, i, double(plain.stiffness)));
+  if (bone.preset != nullptr)
+    bone.shown_ratio = damping / (2 * cook::swing_rate(rig_, carried_, i, double(plain.stiffness)));
   const bool is_plain = std::abs(damping - double(plain.damping)) <= kSameDamping * double(plain.damping);
   if (!is_plain) bone.said_ratio = bone.shown_ratio;
 }
@@ -118,7 +120,7 @@ bool AssetMotion::says_ratio() const {
   return std::any_of(bones_.begin(), bones_.end(), says);
 }
 
-void AssetMotion::bake(std::size_t i, const MotionTuning& tuning, Rig& rig, DynamicsRecord& record) const {
+void AssetMotion::bake(std::size_t i, const MotionTuning& tuning, lab::Rig& rig, DynamicsRecord& record) const {
   const Bone& bone = bones_[i];
   record = bone.own;
   if (tuning.friction) record.friction = float(*tuning.friction);
@@ -127,15 +129,15 @@ void AssetMotion::bake(std::size_t i, const MotionTuning& tuning, Rig& rig, Dyna
   rig.bones[i].gravity_scale = record.gravity_scale;
   std::optional<double> ratio = bone.said_ratio;
   if (tuning.liveliness) ratio = 1 - *tuning.liveliness;
-  if (!tuning.damping_ratio.empty()) ratio = evaluate_curve(tuning.damping_ratio, bone.place);
+  if (!tuning.damping_ratio.empty()) ratio = cook::evaluate_curve(tuning.damping_ratio, bone.place);
   const bool by_curve = !tuning.resistance.empty();
-  if (by_curve) record.resistance = float(evaluate_curve(tuning.resistance, bone.place));
-  if (by_curve || bone.preset == nullptr) return bake_oscillator(ratio, rig.bones[i].length, record);
-  const HairPreset& preset = tuning.preset != nullptr ? *tuning.preset : *bone.preset;
-  const bool has_presets_friction = record.friction == float(friction_of(*bone.preset, bone.is_tied));
-  if (!tuning.friction && has_presets_friction) record.friction = float(friction_of(preset, bone.is_tied));
+  if (by_curve) record.resistance = float(cook::evaluate_curve(tuning.resistance, bone.place));
+  if (by_curve || bone.preset == nullptr) return cook::bake_oscillator(ratio, rig.bones[i].length, record);
+  const cook::HairPreset& preset = tuning.preset != nullptr ? *tuning.preset : *bone.preset;
+  const bool has_presets_friction = record.friction == float(cook::friction_of(*bone.preset, bone.is_tied));
+  if (!tuning.friction && has_presets_friction) record.friction = float(cook::friction_of(preset, bone.is_tied));
   const bool is_tied = bone.is_tied && !ratio;
-  bake_natural(rig, carried_, i, {preset.bending_length, ratio.value_or(preset.damping_ratio), is_tied}, record);
+  cook::bake_natural(rig, carried_, i, {preset.bending_length, ratio.value_or(preset.damping_ratio), is_tied}, record);
 }
 
 /// As much more as the cook found to be needed, or the chain might move as nothing does.
@@ -153,13 +155,13 @@ std::vector<DynamicsRecord> AssetMotion::tuned(const MotionTuning& said) const {
   const bool any_leans = std::any_of(bones_.begin(), bones_.end(), [](const Bone& bone) { return bone.leans; });
   const bool all_lean = any_leans && !tuning.resistance.empty();
   const auto records = std::span(all).subspan(rig_.rigid_count);
-  Rig rig = rig_;
+  lab::Rig rig = rig_;
   std::vector<bool> leans;
   for (std::size_t i = 0; i < bones_.size(); ++i) {
     bake(i, tuning, rig, records[i]);
     leans.push_back(all_lean || bones_[i].leans);
   }
-  lean_against_weight(rig, bone_records_, leans, records);
+  cook::lean_against_weight(rig, bone_records_, leans, records);
   for (std::size_t i = 0; i < bones_.size(); ++i) add_conditioning(i, records[i]);
   return all;
 }
@@ -168,4 +170,4 @@ float AssetMotion::air_lag(const MotionTuning& tuning) const {
   return tuning.air_follow ? float(1 - *tuning.air_follow) : air_lag_;
 }
 
-}  // namespace coif
+}  // namespace coif::view

@@ -14,12 +14,12 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::view {
 
 /// What somebody changed; what is absent is as the asset has it.
 struct MotionTuning {
-  std::vector<CurvePoint> resistance{}, damping_ratio{};  ///< Empty: as it is.
-  const HairPreset* preset = nullptr;
+  std::vector<cook::CurvePoint> resistance{}, damping_ratio{};  ///< Empty: as it is.
+  const cook::HairPreset* preset = nullptr;
   std::optional<double> liveliness{}, friction{}, gravity_scale{}, air_follow{};
   std::optional<double> angle_limit{};  ///< Degrees.
 
@@ -41,7 +41,7 @@ class AssetMotion {
   [[nodiscard]] bool is_empty() const { return bones_.empty(); }
   [[nodiscard]] const MeanMotion& mean() const { return mean_; }
   /// That moves all of it; null: resistances or springs do, or several.
-  [[nodiscard]] const HairPreset* preset() const { return preset_; }
+  [[nodiscard]] const cook::HairPreset* preset() const { return preset_; }
 
   /// One for each bone of the asset, rigid ones included; its own to the bit where nothing is said. Neither chooses
   /// models, sub-steps or twist anew nor looks whether chains have one motion: what the cook changed for that is kept.
@@ -61,13 +61,13 @@ class AssetMotion {
  private:
   /// What a bone's numbers tell of who said them.
   struct Bone {
-    DynamicsRecord own{};                ///< As asked for: before the cook made its chain have one motion.
-    double place = 0;                    ///< Of its middle along its chain, where it takes the values of curves.
-    const HairPreset* preset = nullptr;  ///< By which it has its stiffness.
-    bool is_tied = false;                ///< With a preset: as tied hair swings.
-    std::optional<double> said_ratio;    ///< Of critical damping; none: what its resistance or its preset brings.
-    double shown_ratio = 0;              ///< By its preset's measure where it has one.
-    double curve_ratio = 0;              ///< By that of bones with a resistance.
+    DynamicsRecord own{};                      ///< As asked for: before the cook made its chain have one motion.
+    double place = 0;                          ///< Of its middle along its chain, where it takes the values of curves.
+    const cook::HairPreset* preset = nullptr;  ///< By which it has its stiffness.
+    bool is_tied = false;                      ///< With a preset: as tied hair swings.
+    std::optional<double> said_ratio;          ///< Of critical damping; none: what its resistance or its preset brings.
+    double shown_ratio = 0;                    ///< By its preset's measure where it has one.
+    double curve_ratio = 0;                    ///< By that of bones with a resistance.
     bool leans = false;
   };
 
@@ -77,21 +77,21 @@ class AssetMotion {
   void find_means();
   [[nodiscard]] bool goes_by_curve(const MotionTuning& tuning) const;
   [[nodiscard]] bool says_ratio() const;
-  [[nodiscard]] std::vector<CurvePoint> resistances() const;
-  [[nodiscard]] std::vector<CurvePoint> ratios(double Bone::*ratio) const;
+  [[nodiscard]] std::vector<cook::CurvePoint> resistances() const;
+  [[nodiscard]] std::vector<cook::CurvePoint> ratios(double Bone::*ratio) const;
   [[nodiscard]] MotionTuning completed(MotionTuning tuning) const;
-  void bake(std::size_t i, const MotionTuning& tuning, Rig& rig, DynamicsRecord& record) const;
+  void bake(std::size_t i, const MotionTuning& tuning, lab::Rig& rig, DynamicsRecord& record) const;
   void add_conditioning(std::size_t i, DynamicsRecord& record) const;
 
   std::vector<DynamicsRecord> records_;   ///< The asset's, of all bones.
   std::vector<BoneRecord> bone_records_;  ///< Of the simulated ones, as all that follows.
   std::vector<Bone> bones_;
-  Rig rig_;
-  std::vector<Carried> carried_;
+  lab::Rig rig_;
+  std::vector<lab::Carried> carried_;
   MeanMotion mean_;
-  const HairPreset* preset_ = nullptr;
+  const cook::HairPreset* preset_ = nullptr;
   float air_lag_ = 0;
   bool has_springs_ = false;  ///< As far as can be told.
 };
 
-}  // namespace coif
+}  // namespace coif::view

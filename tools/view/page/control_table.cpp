@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdio>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 struct Control {
@@ -156,4 +156,4 @@ std::string controls_json(const Asset& asset, bool has_clip) {
   return json + "]";
 }
 
-}  // namespace coif
+}  // namespace coif::view

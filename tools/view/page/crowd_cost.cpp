@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 constexpr std::uint32_t kHeads = 64;
@@ -66,4 +66,4 @@ double crowd_cost(const Asset& asset, const Solver& solver) {
   return crowd.works() ? 1e6 * least / (steps * double(kHeads) * double(bones) * substeps) : 0;
 }
 
-}  // namespace coif
+}  // namespace coif::view

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 constexpr char kVertex[] = R"glsl(#version 300 es
@@ -59,7 +59,7 @@ bool is_complete() { return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAME
 
 tl::expected<DevelopedTarget, ToolError> DevelopedTarget::create() {
   const char* const fragment = kFragment;
-  const auto program = build_gl_program(kVertex, {&fragment, 1});
+  const auto program = render::build_gl_program(kVertex, {&fragment, 1});
   if (!program) return tl::unexpected(program.error());
   DevelopedTarget target;
   target.program_ = *program;
@@ -153,4 +153,4 @@ void DevelopedTarget::develop() const {
   glUseProgram(0);
 }
 
-}  // namespace coif
+}  // namespace coif::view

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace coif {
+namespace coif::view {
 
 /// Where the page draws light, and how that becomes the canvas's pixels: as develop() does it for pictures. With no
 /// more than 8 bits a channel where the browser cannot draw into half floats.
@@ -43,4 +43,4 @@ class DevelopedTarget {
   std::uint32_t color_ = 0, depth_ = 0;  ///< Renderbuffers; `color_` of several samples.
 };
 
-}  // namespace coif
+}  // namespace coif::view

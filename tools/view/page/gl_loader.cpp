@@ -71,7 +71,7 @@
   X(VertexAttribPointer)         \
   X(Viewport)
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 struct Named {
@@ -93,4 +93,4 @@ void* find(const char* name, void*) {
 
 GlLoader web_gl_loader() { return {find, nullptr}; }
 
-}  // namespace coif
+}  // namespace coif::view

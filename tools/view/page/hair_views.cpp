@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdio>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 constexpr std::array<ScreenColor, 5> kOrderColors{
@@ -63,7 +63,7 @@ ScreenColor order_color(double share) {
 }
 
 ScreenColor screen_color_of_patch(std::size_t patch) {
-  const Eigen::Vector3f linear = patch_color(patch);
+  const Eigen::Vector3f linear = render::patch_color(patch);
   ScreenColor color;
   for (int k = 0; k < 3; ++k) color[std::size_t(k)] = byte_of(encoded(double(linear[k])));
   return color;
@@ -83,4 +83,4 @@ std::string legend_json(const Asset& asset, HairView view, std::uint32_t lod) {
   return json + "]}";
 }
 
-}  // namespace coif
+}  // namespace coif::view

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-namespace coif {
+namespace coif::view {
 
 enum class HairView : std::uint8_t {
   kHair,      ///< As a game draws it.
@@ -41,4 +41,4 @@ inline constexpr std::array<ScreenColor, 7> kLayerColors{{{0x2c, 0x1e, 0x6e},
 /// {"title": "...", "colors": [{"color": "#2c1e6e", "text": "1"}]}; an empty title for kHair.
 [[nodiscard]] std::string legend_json(const Asset& asset, HairView view, std::uint32_t lod);
 
-}  // namespace coif
+}  // namespace coif::view

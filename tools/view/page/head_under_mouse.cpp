@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 struct Ball {
@@ -30,7 +30,7 @@ Ball head_of(const Asset& asset, const std::vector<Eigen::Vector3d>& points) {
 }
 
 /// World metres at the scene's middle that the canvas is high.
-double seen_height(const Camera& camera) {
+double seen_height(const render::Camera& camera) {
   const double steepness = camera.clip_from_world.row(1).head<3>().cast<double>().norm();
   return 2 * camera.eye.dot(camera.back) / steepness;
 }
@@ -39,7 +39,7 @@ double seen_height(const Camera& camera) {
 
 bool ViewSession::grab(double x, double y) {
   if (!scene_ || width_ == 0 || height_ == 0) return false;
-  const CrowdView& view = scene_->view(settings_, double(width_) / height_, std::uint32_t(heads_.size()));
+  const render::CrowdView& view = scene_->view(settings_, double(width_) / height_, std::uint32_t(heads_.size()));
   const Eigen::Matrix4d world_from_clip = view.camera.clip_from_world.cast<double>().inverse();
   const Eigen::Vector4d far = world_from_clip * Eigen::Vector4d(2 * x - 1, 1 - 2 * y, 1, 1);
   const Eigen::Vector3d ray = (far.head<3>() / far.w() - view.camera.eye).normalized();
@@ -55,16 +55,16 @@ bool ViewSession::grab(double x, double y) {
 
 void ViewSession::drag(double across, double down) {
   if (!scene_ || width_ == 0 || height_ == 0) return;
-  const Camera& camera = scene_->view(settings_, double(width_) / height_, std::uint32_t(heads_.size())).camera;
+  const render::Camera& camera = scene_->view(settings_, double(width_) / height_, std::uint32_t(heads_.size())).camera;
   const double metres = seen_height(camera);
   held_.drag(metres * (camera.right * (across * width_ / height_) - camera.up * down));
 }
 
 void ViewSession::turn(double across, double down) {
   if (!scene_ || width_ == 0 || height_ == 0) return;
-  const Camera& camera = scene_->view(settings_, double(width_) / height_, std::uint32_t(heads_.size())).camera;
+  const render::Camera& camera = scene_->view(settings_, double(width_) / height_, std::uint32_t(heads_.size())).camera;
   held_.turn(camera.up, across);
   held_.turn(camera.right, down);
 }
 
-}  // namespace coif
+}  // namespace coif::view

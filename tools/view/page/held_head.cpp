@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 constexpr double kHeld = 28, kReleased = 11;  // 1/s: as quick as a hand, and as a neck
@@ -50,4 +50,4 @@ HeadPose HeldHead::moved(HeadPose pose) const {
   return pose;
 }
 
-}  // namespace coif
+}  // namespace coif::view

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-namespace coif {
+namespace coif::view {
 
 /// A head under the visitor's mouse: follows it, and springs back when it is let go. World axes, metres, radians,
 /// seconds.
@@ -37,4 +37,4 @@ class HeldHead {
   Follower offset_, turn_;
 };
 
-}  // namespace coif
+}  // namespace coif::view

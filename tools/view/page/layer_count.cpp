@@ -7,7 +7,7 @@
 
 #include <cstddef>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 constexpr char kVertex[] = R"glsl(#version 300 es
@@ -38,7 +38,7 @@ static_assert(kLayerColors.size() == 7);
 
 tl::expected<std::unique_ptr<LayerCount>, ToolError> LayerCount::create() {
   const char* const fragment = kFragment;
-  const auto program = build_gl_program(kVertex, {&fragment, 1});
+  const auto program = render::build_gl_program(kVertex, {&fragment, 1});
   if (!program) return tl::unexpected(program.error());
   std::unique_ptr<LayerCount> count(new LayerCount);
   count->program_ = *program;
@@ -104,4 +104,4 @@ void LayerCount::color() const {
   glUseProgram(0);
 }
 
-}  // namespace coif
+}  // namespace coif::view

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <memory>
 
-namespace coif {
+namespace coif::view {
 
 /// Where layers of hair are counted, up to 255 in a pixel, and how the counts become kLayerColors.
 class LayerCount {
@@ -37,4 +37,4 @@ class LayerCount {
   std::uint32_t width_ = 0, height_ = 0;
 };
 
-}  // namespace coif
+}  // namespace coif::view

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 constexpr std::size_t kMostPoints = 6;
@@ -25,9 +25,9 @@ std::string digits(double value, int count) {
   return text;
 }
 
-std::string in_json(std::span<const CurvePoint> points) {
+std::string in_json(std::span<const cook::CurvePoint> points) {
   std::string text = "[";
-  for (const CurvePoint& point : points) {
+  for (const cook::CurvePoint& point : points) {
     text.append(text.size() > 1 ? ", [" : "[")
         .append(digits(point.at, 4))
         .append(", ")
@@ -38,12 +38,12 @@ std::string in_json(std::span<const CurvePoint> points) {
 }
 
 /// Those of different places or values.
-std::vector<CurvePoint> told_apart(std::vector<CurvePoint> points) {
-  for (CurvePoint& point : points) {
+std::vector<cook::CurvePoint> told_apart(std::vector<cook::CurvePoint> points) {
+  for (cook::CurvePoint& point : points) {
     point.at = std::round(point.at * 500) / 500;
     point.value = std::strtod(digits(point.value, 3).c_str(), nullptr);
   }
-  const auto order = [](const CurvePoint& a, const CurvePoint& b) {
+  const auto order = [](const cook::CurvePoint& a, const cook::CurvePoint& b) {
     return std::pair(a.at, a.value) < std::pair(b.at, b.value);
   };
   std::sort(points.begin(), points.end(), order);
@@ -67,7 +67,7 @@ class JsonObject {
   std::string text_;
 };
 
-std::string curve_json(std::span<const CurvePoint> points, std::vector<CurvePoint> bones) {
+std::string curve_json(std::span<const cook::CurvePoint> points, std::vector<cook::CurvePoint> bones) {
   JsonObject curve;
   curve.add("points", in_json(points));
   curve.add("bones", in_json(told_apart(std::move(bones))));
@@ -76,14 +76,14 @@ std::string curve_json(std::span<const CurvePoint> points, std::vector<CurvePoin
 
 }  // namespace
 
-std::vector<CurvePoint> AssetMotion::resistances() const {
-  std::vector<CurvePoint> values;
+std::vector<cook::CurvePoint> AssetMotion::resistances() const {
+  std::vector<cook::CurvePoint> values;
   for (const Bone& bone : bones_) values.push_back({bone.place, bone.own.resistance});
   return values;
 }
 
-std::vector<CurvePoint> AssetMotion::ratios(double Bone::*ratio) const {
-  std::vector<CurvePoint> values;
+std::vector<cook::CurvePoint> AssetMotion::ratios(double Bone::*ratio) const {
+  std::vector<cook::CurvePoint> values;
   for (const Bone& bone : bones_) values.push_back({bone.place, bone.*ratio});
   return values;
 }
@@ -109,7 +109,7 @@ std::string AssetMotion::recipe(const MotionTuning& said) const {
   if (by_curve) {
     if (has_springs_) recipe.add("source", std::string_view("\"curves\""));
     const ChainModel model = rig_.bones[0].model;
-    const auto is_same = [&](const RigBone& bone) { return bone.model == model; };
+    const auto is_same = [&](const lab::RigBone& bone) { return bone.model == model; };
     const bool is_one = std::all_of(rig_.bones.begin(), rig_.bones.end(), is_same);
     if (is_one) recipe.add("model", std::string_view(model == ChainModel::kPassive ? "\"passive\"" : "\"cascade\""));
     recipe.add("resistance", in_json(tuning.resistance));
@@ -139,12 +139,12 @@ std::string AssetMotion::json() const {
   all.add("moves", !is_empty());
   all.add("preset", preset_ != nullptr);
   all.add("springs", has_springs_);
-  const auto is_changed = [](const RigBone& bone) { return bone.asked.has_value(); };
+  const auto is_changed = [](const lab::RigBone& bone) { return bone.asked.has_value(); };
   all.add("conditioned", std::any_of(rig_.bones.begin(), rig_.bones.end(), is_changed));
   all.add("resistance", curve_json(reduced_curve(resistances(), kResistanceSeen, kMostPoints), resistances()));
-  const std::vector<CurvePoint> shown = ratios(&Bone::shown_ratio);
+  const std::vector<cook::CurvePoint> shown = ratios(&Bone::shown_ratio);
   all.add("damping_ratio", curve_json(reduced_curve(shown, kRatioSeen, kMostPoints), shown));
   return all.text();
 }
 
-}  // namespace coif
+}  // namespace coif::view

@@ -3,12 +3,12 @@
 #include <cstddef>
 #include <optional>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 /// Of the choice's number; null: none.
-const HairPreset* preset_of(const ViewSettings& settings) {
-  const auto presets = hair_presets();
+const cook::HairPreset* preset_of(const ViewSettings& settings) {
+  const auto presets = cook::hair_presets();
   const bool is_one = settings.preset >= 1 && settings.preset <= float(presets.size());
   return is_one ? &presets[std::size_t(settings.preset) - 1] : nullptr;
 }
@@ -18,7 +18,7 @@ const HairPreset* preset_of(const ViewSettings& settings) {
 ViewSettings with_motion(ViewSettings s, const AssetMotion& motion) {
   const MeanMotion& mean = motion.mean();
   if (motion.is_empty()) return s;
-  if (motion.preset() != nullptr) s.preset = float(motion.preset() - hair_presets().data()) + 1;
+  if (motion.preset() != nullptr) s.preset = float(motion.preset() - cook::hair_presets().data()) + 1;
   s.liveliness = float(mean.liveliness);
   s.gravity_scale = float(mean.gravity_scale);
   s.friction = float(mean.friction);
@@ -39,4 +39,4 @@ MotionTuning tuning_between(const ViewSettings& before, const ViewSettings& s) {
   return tuning;
 }
 
-}  // namespace coif
+}  // namespace coif::view

@@ -20,7 +20,7 @@ struct Page {
   std::vector<std::byte> incoming;
   std::vector<coif::ClipKey> clip;                        ///< Of whatever is opened.
   std::vector<std::unique_ptr<coif::ViewSession>> views;  ///< First the page's own, then tiles of a sheet.
-  coif::ViewSession* session = nullptr;                   ///< The one that all functions are about.
+  coif::view::ViewSession* session = nullptr;             ///< The one that all functions are about.
   std::string said;
   bool has_drawn = false;
 };
@@ -76,13 +76,13 @@ EMSCRIPTEN_KEEPALIVE void* coif_view_room(std::size_t bytes) {
 
 /// Takes what was written there, clip_bytes(), as a motion of the assets that are opened from now on.
 EMSCRIPTEN_KEEPALIVE const char* coif_view_clip() {
-  page().clip = coif::clip_keys(std::exchange(page().incoming, {}));
+  page().clip = coif::motion::clip_keys(std::exchange(page().incoming, {}));
   return page().clip.empty() ? say("the page's clip is damaged; make the page again") : nullptr;
 }
 
 /// Opens what was written there. A file that is refused leaves the one that is shown.
 EMSCRIPTEN_KEEPALIVE const char* coif_view_open() {
-  auto session = coif::ViewSession::open(std::exchange(page().incoming, {}));
+  auto session = coif::view::ViewSession::open(std::exchange(page().incoming, {}));
   if (!session) return say(session.error().message);
   (*session)->set_clip(page().clip);
   return show(std::move(*session));
@@ -91,10 +91,10 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_open() {
 /// The same for another cook of what is shown, which goes on where it was. The settings become what the asset says; the
 /// script lays over them what stays.
 EMSCRIPTEN_KEEPALIVE const char* coif_view_replace() {
-  auto session = coif::ViewSession::open(std::exchange(page().incoming, {}));
+  auto session = coif::view::ViewSession::open(std::exchange(page().incoming, {}));
   if (!session) return say(session.error().message);
   (*session)->set_clip(page().clip);
-  const coif::ViewSettings own = (*session)->settings();
+  const coif::view::ViewSettings own = (*session)->settings();
   if (page().session) {
     if (auto gone_on = (*session)->go_on(*page().session); !gone_on) return say(gone_on.error().message);
   }
@@ -130,15 +130,15 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_restore() {
 }
 
 EMSCRIPTEN_KEEPALIVE const char* coif_view_controls() {
-  return page().session ? say(coif::controls_json(page().session->asset(), !page().clip.empty())) : say("[]");
+  return page().session ? say(coif::view::controls_json(page().session->asset(), !page().clip.empty())) : say("[]");
 }
 
 /// What the colours of the view mean: legend_json().
 EMSCRIPTEN_KEEPALIVE const char* coif_view_legend() {
   if (!page().session) return nullptr;
-  const coif::ViewSettings& settings = page().session->settings();
-  return say(
-      coif::legend_json(page().session->asset(), coif::hair_view_of(settings.view), std::uint32_t(settings.lod)));
+  const coif::view::ViewSettings& settings = page().session->settings();
+  return say(coif::view::legend_json(page().session->asset(), coif::view::hair_view_of(settings.view),
+                                     std::uint32_t(settings.lod)));
 }
 
 /// How the asset's hair moves as it came: AssetMotion::json().
@@ -152,7 +152,7 @@ EMSCRIPTEN_KEEPALIVE void coif_view_curve(int which, const double* numbers, int 
   if (!page().session) return;
   std::vector<coif::CurvePoint> curve;
   for (int i = 0; i < points; ++i) curve.push_back({numbers[2 * i], numbers[2 * i + 1]});
-  coif::TunableMotion& motion = page().session->motion();
+  coif::view::TunableMotion& motion = page().session->motion();
   which == 0 ? motion.set_resistance(std::move(curve)) : motion.set_damping_ratio(std::move(curve));
 }
 
@@ -167,7 +167,7 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_dynamics() {
 }
 
 EMSCRIPTEN_KEEPALIVE float* coif_view_settings() { return page().session ? &page().session->settings().yaw : nullptr; }
-EMSCRIPTEN_KEEPALIVE std::uint32_t coif_view_setting_count() { return coif::kViewSettings; }
+EMSCRIPTEN_KEEPALIVE std::uint32_t coif_view_setting_count() { return coif::view::kViewSettings; }
 
 EMSCRIPTEN_KEEPALIVE const float* coif_view_numbers() {
   return page().session ? &page().session->numbers().step_ns_of_bone : nullptr;

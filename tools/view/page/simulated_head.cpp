@@ -2,7 +2,7 @@
 
 #include <new>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 constexpr float kSettlingSeconds = 2;
@@ -49,4 +49,4 @@ Status SimulatedHead::set_level(std::uint32_t level) {
   return rest_.empty() ? hair_.set_detail(0, {.level = level}) : Status::kOk;
 }
 
-}  // namespace coif
+}  // namespace coif::view

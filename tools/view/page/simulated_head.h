@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::view {
 
 /// One head's hair and the memory that it lives in.
 class SimulatedHead {
@@ -39,4 +39,4 @@ class SimulatedHead {
   bool in_gusts_ = false;
 };
 
-}  // namespace coif
+}  // namespace coif::view

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 constexpr double kRounding = 1.0001;  // of rates
@@ -36,4 +36,4 @@ RecordedTipError tip_error_of(const Asset& asset, const SimulatedSo& so) {
   return {is_same ? TipErrorSource::kMeasured : TipErrorSource::kCoarser, best->rms_error, best->max_error};
 }
 
-}  // namespace coif
+}  // namespace coif::view

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace coif {
+namespace coif::view {
 
 /// How hair is simulated, of which the asset may know how wrong it is.
 struct SimulatedSo {
@@ -37,4 +37,4 @@ struct RecordedTipError {
 /// Of the rows that are no finer in either, rate and sub-step, the fastest with the shortest sub-steps.
 [[nodiscard]] RecordedTipError tip_error_of(const Asset& asset, const SimulatedSo& so);
 
-}  // namespace coif
+}  // namespace coif::view

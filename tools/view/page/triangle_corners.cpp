@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace coif {
+namespace coif::view {
 
 TriangleCorners::TriangleCorners(const Asset& asset) : asset_(asset), hair_(drawn_hair_of(asset)) {
   patch_colors_.resize(asset.indices().size() / 3);
@@ -43,4 +43,4 @@ std::span<const TriangleCorner> TriangleCorners::of(HairView view, const HairIns
   return std::span(corners_).first(to);
 }
 
-}  // namespace coif
+}  // namespace coif::view

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::view {
 
 /// One corner of a triangle as the GPU gets it.
 struct TriangleCorner {
@@ -44,4 +44,4 @@ class TriangleCorners {
   std::vector<TriangleCorner> corners_;
 };
 
-}  // namespace coif
+}  // namespace coif::view

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 constexpr char kVertex[] = R"glsl(#version 300 es
@@ -86,7 +86,7 @@ void leave_state() {
 }
 
 /// In which of the asset's orders HairRenderer draws this head; none where it leaves it out.
-std::optional<std::uint32_t> order_of(const DrawnHair& hair, const HairInstance& head, const Camera& camera) {
+std::optional<std::uint32_t> order_of(const DrawnHair& hair, const HairInstance& head, const render::Camera& camera) {
   Eigen::Matrix4f clip_from_view = Eigen::Matrix4f::Identity();
   clip_from_view.topRightCorner<3, 1>() = camera.eye.cast<float>();
   clip_from_view = camera.clip_from_world * clip_from_view;
@@ -106,7 +106,7 @@ std::optional<std::uint32_t> order_of(const DrawnHair& hair, const HairInstance&
 tl::expected<std::unique_ptr<TriangleView>, ToolError> TriangleView::create(const Asset& asset) {
   std::unique_ptr<TriangleView> view(new TriangleView(asset));
   const char* const fragment = kFragment;
-  const auto program = build_gl_program(kVertex, {&fragment, 1});
+  const auto program = render::build_gl_program(kVertex, {&fragment, 1});
   if (!program) return tl::unexpected(program.error());
   view->program_ = *program;
   view->make_corners();
@@ -156,7 +156,7 @@ void TriangleView::upload_texture(const Asset& asset) {
   glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-void TriangleView::draw(const Camera& camera, std::span<const HairInstance> heads, const TrianglePass& pass) {
+void TriangleView::draw(const render::Camera& camera, std::span<const HairInstance> heads, const TrianglePass& pass) {
   set_state(pass);
   glUseProgram(program_);
   glUniform2f(glGetUniformLocation(program_, "alpha"), pass.alpha, pass.least_alpha);
@@ -178,4 +178,4 @@ void TriangleView::draw(const Camera& camera, std::span<const HairInstance> head
   leave_state();
 }
 
-}  // namespace coif
+}  // namespace coif::view

@@ -10,7 +10,7 @@
 #include <memory>
 #include <span>
 
-namespace coif {
+namespace coif::view {
 
 /// What of the hair is drawn, and from where on it counts as hair.
 struct TrianglePass {
@@ -32,7 +32,7 @@ class TriangleView {
 
   /// Into the bound framebuffer, heads in the order given, each in HairRenderer's order. Leaves depth test, blending
   /// and culling off.
-  void draw(const Camera& camera, std::span<const HairInstance> heads, const TrianglePass& pass);
+  void draw(const render::Camera& camera, std::span<const HairInstance> heads, const TrianglePass& pass);
 
  private:
   explicit TriangleView(const Asset& asset) : corners_(asset) {}
@@ -43,4 +43,4 @@ class TriangleView {
   std::uint32_t program_ = 0, vertex_array_ = 0, buffer_ = 0, texture_ = 0;
 };
 
-}  // namespace coif
+}  // namespace coif::view

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 /// The caller's own memory, which an open asset only shows.
@@ -61,4 +61,4 @@ std::string TunableMotion::recipe(const ViewSettings& settings) const {
   return first_motion_.recipe(first_.to(settings, curves_));
 }
 
-}  // namespace coif
+}  // namespace coif::view

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::view {
 
 /// What a visitor changed of how an asset's hair moves: in the asset's memory, at once, and as a recipe.
 class TunableMotion {
@@ -18,8 +18,8 @@ class TunableMotion {
   TunableMotion(AssetMotion motion, const ViewSettings& settings);
 
   /// Take the place of the asset's own; empty: its own.
-  void set_resistance(std::vector<CurvePoint> curve) { curves_.resistance = std::move(curve); }
-  void set_damping_ratio(std::vector<CurvePoint> curve) { curves_.damping_ratio = std::move(curve); }
+  void set_resistance(std::vector<cook::CurvePoint> curve) { curves_.resistance = std::move(curve); }
+  void set_damping_ratio(std::vector<cook::CurvePoint> curve) { curves_.damping_ratio = std::move(curve); }
 
   /// The asset is another cook of the one that `before` tuned: recipes tell the changes of both.
   void go_on(const TunableMotion& before);
@@ -54,4 +54,4 @@ class TunableMotion {
   MotionTuning written_;  ///< In the asset's memory.
 };
 
-}  // namespace coif
+}  // namespace coif::view

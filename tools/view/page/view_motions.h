@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-namespace coif {
+namespace coif::view {
 
 /// The page's choice of a motion: the built-in ones by their numbers, those of head_looks(), and "clip" where the page
 /// has one. Separated by '|'.
@@ -15,6 +15,6 @@ namespace coif {
 [[nodiscard]] bool is_clip(float choice);
 
 /// Of the choice's number; the last one for any that is larger. Never null.
-[[nodiscard]] std::unique_ptr<HeadPath> chosen_path(float choice);
+[[nodiscard]] std::unique_ptr<motion::HeadPath> chosen_path(float choice);
 
-}  // namespace coif
+}  // namespace coif::view

@@ -2,7 +2,7 @@
 
 #include <GLES3/gl3.h>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 TrianglePass pass_of(const Asset& asset, const ViewSettings& settings) {
@@ -18,8 +18,8 @@ TrianglePass pass_of(const Asset& asset, const ViewSettings& settings) {
 
 }  // namespace
 
-tl::expected<void, ToolError> ViewPainter::draw(const ViewSettings& settings, const Camera& camera,
-                                                std::span<const HairInstance> heads, const StageRenderer& stage,
+tl::expected<void, ToolError> ViewPainter::draw(const ViewSettings& settings, const render::Camera& camera,
+                                                std::span<const HairInstance> heads, const render::StageRenderer& stage,
                                                 const DevelopedTarget& target) {
   if (!triangles_) {
     auto made = TriangleView::create(asset_);
@@ -33,8 +33,9 @@ tl::expected<void, ToolError> ViewPainter::draw(const ViewSettings& settings, co
   return {};
 }
 
-tl::expected<void, ToolError> ViewPainter::draw_layers(const TrianglePass& pass, const Camera& camera,
-                                                       std::span<const HairInstance> heads, const StageRenderer& stage,
+tl::expected<void, ToolError> ViewPainter::draw_layers(const TrianglePass& pass, const render::Camera& camera,
+                                                       std::span<const HairInstance> heads,
+                                                       const render::StageRenderer& stage,
                                                        const DevelopedTarget& target) {
   if (!layers_) {
     auto made = LayerCount::create();
@@ -54,4 +55,4 @@ tl::expected<void, ToolError> ViewPainter::draw_layers(const TrianglePass& pass,
   return {};
 }
 
-}  // namespace coif
+}  // namespace coif::view

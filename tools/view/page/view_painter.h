@@ -12,7 +12,7 @@
 #include <memory>
 #include <span>
 
-namespace coif {
+namespace coif::view {
 
 /// Draws the views other than HairView::kHair. Makes what it needs when it is first asked for.
 class ViewPainter {
@@ -21,13 +21,13 @@ class ViewPainter {
   explicit ViewPainter(const Asset& asset) : asset_(asset) {}
 
   /// Onto the stage that is in `target`, which stays bound. kUnsupported where the browser refuses something.
-  tl::expected<void, ToolError> draw(const ViewSettings& settings, const Camera& camera,
-                                     std::span<const HairInstance> heads, const StageRenderer& stage,
+  tl::expected<void, ToolError> draw(const ViewSettings& settings, const render::Camera& camera,
+                                     std::span<const HairInstance> heads, const render::StageRenderer& stage,
                                      const DevelopedTarget& target);
 
  private:
-  tl::expected<void, ToolError> draw_layers(const TrianglePass& pass, const Camera& camera,
-                                            std::span<const HairInstance> heads, const StageRenderer& stage,
+  tl::expected<void, ToolError> draw_layers(const TrianglePass& pass, const render::Camera& camera,
+                                            std::span<const HairInstance> heads, const render::StageRenderer& stage,
                                             const DevelopedTarget& target);
 
   const Asset& asset_;
@@ -35,4 +35,4 @@ class ViewPainter {
   std::unique_ptr<LayerCount> layers_;
 };
 
-}  // namespace coif
+}  // namespace coif::view

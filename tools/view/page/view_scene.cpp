@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <string>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 constexpr std::uint32_t kShadowTexels = 1024;
@@ -47,7 +47,7 @@ tl::expected<void, ToolError> ViewScene::make() {
   if (const Status status = model_.upload(renderer_, asset_); status != Status::kOk) {
     return refused("the asset", status == Status::kDriver ? renderer_.failure() : describe(status));
   }
-  auto lines = LineOverlay::create();
+  auto lines = render::LineOverlay::create();
   if (!lines) return tl::unexpected(lines.error());
   lines_ = *lines;
   auto target = DevelopedTarget::create();
@@ -66,30 +66,32 @@ tl::expected<void, ToolError> ViewScene::choose_shadow(const ShadowTechnique* te
     }
   }
   if (stage_) stage_->destroy();
-  auto stage = StageRenderer::create(mannequin_meshes(asset_.colliders()), technique != nullptr ? &shadow_ : nullptr);
+  auto stage = render::StageRenderer::create(render::mannequin_meshes(asset_.colliders()),
+                                             technique != nullptr ? &shadow_ : nullptr);
   if (!stage) return tl::unexpected(stage.error());
   stage_ = std::move(*stage);
   technique_ = technique;
   return {};
 }
 
-const CrowdView& ViewScene::view(const ViewSettings& settings, double aspect, std::uint32_t heads) {
+const render::CrowdView& ViewScene::view(const ViewSettings& settings, double aspect, std::uint32_t heads) {
   const Framed wanted{settings.yaw, settings.pitch, settings.zoom, aspect, heads};
   if (wanted == framed_) return view_;
-  CameraSettings camera;
-  camera.yaw_degrees = double(settings.yaw) + yaw_of_face(asset_);
+  render::CameraSettings camera;
+  camera.yaw_degrees = double(settings.yaw) + render::yaw_of_face(asset_);
   camera.pitch_degrees = double(settings.pitch);
   camera.aspect = aspect;
   camera.heads = heads;
   camera.margin /= std::clamp(double(settings.zoom), 0.1, 20.0);
-  view_ = frame_crowd(points_, camera);
+  view_ = render::frame_crowd(points_, camera);
   framed_ = wanted;
   return view_;
 }
 
-Status ViewScene::cast(const ShadowCrowd& crowd, std::span<const HairInstance> heads, const CrowdView& view,
+Status ViewScene::cast(const ShadowCrowd& crowd, std::span<const HairInstance> heads, const render::CrowdView& view,
                        const Light& light) {
-  if (const Status begun = shadow_.begin(light, ball_around(points_, view.places)); begun != Status::kOk) return begun;
+  if (const Status begun = shadow_.begin(light, render::ball_around(points_, view.places)); begun != Status::kOk)
+    return begun;
   Eigen::Matrix4f clip;
   float columns[16];
   shadow_.clip_from_origin({}, columns);
@@ -98,20 +100,20 @@ Status ViewScene::cast(const ShadowCrowd& crowd, std::span<const HairInstance> h
   return shadow_.draw({&crowd, 1});
 }
 
-tl::expected<void, ToolError> ViewScene::draw(const ViewSettings& settings, const CrowdView& view,
+tl::expected<void, ToolError> ViewScene::draw(const ViewSettings& settings, const render::CrowdView& view,
                                               std::span<const HairInstance> heads, std::uint32_t width,
                                               std::uint32_t height) {
   const bool shows_hair = hair_view_of(settings.view) == HairView::kHair;
   if (auto chosen = choose_shadow(shows_hair ? shadows_of(settings) : nullptr); !chosen) return chosen;
   const std::uint32_t finer = finer_of(settings);
   const TransparencyMode& mode = transparency_of(settings);
-  const bool needs_samples = finer == 1 || covers_samples(mode);
+  const bool needs_samples = finer == 1 || render::covers_samples(mode);
   if (!target_->resize(width, height, finer, needs_samples ? kCoveredSamples : 0)) {
     return refused("a picture of this size", "make the window smaller, or take fewer samples");
   }
   const MaterialRecord material = material_of(asset_, settings);
-  const auto lights = studio_lights(view.camera);
-  DrawDesc desc = studio_desc(view.camera, lights);
+  const auto lights = render::studio_lights(view.camera);
+  DrawDesc desc = render::studio_desc(view.camera, lights);
   desc.component = component_of(settings);
   desc.material = &material;
   desc.transparency = &mode;
@@ -134,16 +136,16 @@ tl::expected<void, ToolError> ViewScene::draw(const ViewSettings& settings, cons
   return {};
 }
 
-tl::expected<void, ToolError> ViewScene::draw_lines(const ViewSettings& settings, const Camera& camera,
+tl::expected<void, ToolError> ViewScene::draw_lines(const ViewSettings& settings, const render::Camera& camera,
                                                     std::span<const HairInstance> heads) const {
-  const DebugView shown{.bones = settings.bones != 0,
-                        .colliders = settings.colliders != 0,
-                        .contacts = settings.contacts != 0,
-                        .limits = settings.limits != 0};
+  const render::DebugView shown{.bones = settings.bones != 0,
+                                .colliders = settings.colliders != 0,
+                                .contacts = settings.contacts != 0,
+                                .limits = settings.limits != 0};
   if (!shown.has_lines()) return {};
   std::vector<DebugLine> lines;
   for (const HairInstance& head : heads) {
-    const auto own = debug_lines_of(asset_, head, shown);
+    const auto own = render::debug_lines_of(asset_, head, shown);
     if (!own) return tl::unexpected(own.error());
     lines.insert(lines.end(), own->begin(), own->end());
   }
@@ -151,4 +153,4 @@ tl::expected<void, ToolError> ViewScene::draw_lines(const ViewSettings& settings
   return {};
 }
 
-}  // namespace coif
+}  // namespace coif::view

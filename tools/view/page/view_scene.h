@@ -20,7 +20,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::view {
 
 /// One asset in one WebGL context: all that the GPU holds of the page.
 class ViewScene {
@@ -33,21 +33,22 @@ class ViewScene {
   ViewScene& operator=(const ViewScene&) = delete;
 
   /// As `coif render` frames so many heads, and then larger by the settings' zoom.
-  [[nodiscard]] const CrowdView& view(const ViewSettings& settings, double aspect, std::uint32_t heads);
+  [[nodiscard]] const render::CrowdView& view(const ViewSettings& settings, double aspect, std::uint32_t heads);
 
   /// Pixels of the canvas. Of each head, as many as `view` has places, its pose and palette, where it is placed.
-  tl::expected<void, ToolError> draw(const ViewSettings& settings, const CrowdView& view,
+  tl::expected<void, ToolError> draw(const ViewSettings& settings, const render::CrowdView& view,
                                      std::span<const HairInstance> heads, std::uint32_t width, std::uint32_t height);
 
   [[nodiscard]] const std::vector<Eigen::Vector3d>& points() const { return points_; }
 
  private:
-  explicit ViewScene(const Asset& asset) : asset_(asset), points_(framed_points(asset)), painter_(asset) {}
+  explicit ViewScene(const Asset& asset) : asset_(asset), points_(render::framed_points(asset)), painter_(asset) {}
   tl::expected<void, ToolError> make();
   /// The shadow of this technique, and a stage whose shader looks it up.
   tl::expected<void, ToolError> choose_shadow(const ShadowTechnique* technique);
-  Status cast(const ShadowCrowd& crowd, std::span<const HairInstance> heads, const CrowdView& view, const Light& light);
-  tl::expected<void, ToolError> draw_lines(const ViewSettings& settings, const Camera& camera,
+  Status cast(const ShadowCrowd& crowd, std::span<const HairInstance> heads, const render::CrowdView& view,
+              const Light& light);
+  tl::expected<void, ToolError> draw_lines(const ViewSettings& settings, const render::Camera& camera,
                                            std::span<const HairInstance> heads) const;
 
   struct Framed {
@@ -64,12 +65,12 @@ class ViewScene {
   HairModel model_;
   HairShadow shadow_;
   const ShadowTechnique* technique_ = nullptr;
-  std::optional<StageRenderer> stage_;
-  std::optional<LineOverlay> lines_;
+  std::optional<render::StageRenderer> stage_;
+  std::optional<render::LineOverlay> lines_;
   ViewPainter painter_;
   std::optional<DevelopedTarget> target_;
   Framed framed_;
-  CrowdView view_;
+  render::CrowdView view_;
 };
 
-}  // namespace coif
+}  // namespace coif::view

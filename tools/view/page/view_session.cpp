@@ -13,7 +13,7 @@
 #include <cstring>
 #include <utility>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 constexpr double kLongestFrame = 0.25;  // Seconds that are caught up with: a page in the background stands still.
@@ -48,7 +48,7 @@ ViewSession::ViewSession(std::shared_ptr<Shared> shared)
 tl::expected<std::unique_ptr<ViewSession>, ToolError> ViewSession::open(std::vector<std::byte> bytes) {
   auto loaded = LoadedAsset::load(bytes);
   if (!loaded) return tl::unexpected(loaded.error());
-  if (auto drawable = check_drawable(loaded->asset); !drawable) return tl::unexpected(drawable.error());
+  if (auto drawable = render::check_drawable(loaded->asset); !drawable) return tl::unexpected(drawable.error());
   auto shared = std::make_shared<Shared>();
   shared->loaded = std::move(*loaded);
   shared->motion = AssetMotion(shared->loaded.asset);
@@ -99,7 +99,7 @@ tl::expected<void, ToolError> ViewSession::start_drawing() {
 }
 
 Vec3 ViewSession::wind() const {
-  const double from = double(settings_.wind_from) * kDegree + yaw_of_face(asset_) * kDegree;
+  const double from = double(settings_.wind_from) * kDegree + render::yaw_of_face(asset_) * kDegree;
   const auto speed = double(settings_.wind);
   return {float(-speed * std::sin(from)), 0, float(-speed * std::cos(from))};
 }
@@ -149,12 +149,12 @@ void ViewSession::choose_motion() {
   is_put_ = length_ > 0;
   length_ = 0;
   if (is_clip(settings_.motion) && !clip_.empty()) {
-    path_ = path_of(clip_);
+    path_ = motion::path_of(clip_);
     length_ = clip_.back().seconds;
     is_put_ = true;
   } else {
     path_ = chosen_path(settings_.motion);
-    if (yaw_of_face(asset_) != 0) path_ = turned_round(std::move(path_));
+    if (render::yaw_of_face(asset_) != 0) path_ = motion::turned_round(std::move(path_));
   }
   moved_by_ = settings_.motion;
   time_ = 0;
@@ -210,7 +210,7 @@ tl::expected<void, ToolError> ViewSession::step(double seconds) {
 }
 
 bool ViewSession::is_moving() const {
-  const bool plays = settings_.plays != 0 && settings_.motion != float(Motion::kStill);
+  const bool plays = settings_.plays != 0 && settings_.motion != float(motion::Motion::kStill);
   if (plays || held_.is_held() || !held_.is_at_rest()) return true;
   return std::any_of(heads_.begin(), heads_.end(), [](const auto& head) { return !head->is_asleep(); });
 }
@@ -249,7 +249,7 @@ tl::expected<bool, ToolError> ViewSession::frame(std::uint32_t width, std::uint3
   const bool is_new = !is_same(settings_, shown_) || width != width_ || height != height_;
   if (!is_new && !is_moving()) return false;
 
-  const CrowdView& view = scene_->view(settings_, double(width) / height, std::uint32_t(heads_.size()));
+  const render::CrowdView& view = scene_->view(settings_, double(width) / height, std::uint32_t(heads_.size()));
   std::vector<HairInstance> drawn;
   for (std::size_t i = 0; i < heads_.size(); ++i) {
     HairInstance& head = drawn.emplace_back(HairInstance{pose_, heads_[i]->palette(), level});
@@ -264,4 +264,4 @@ tl::expected<bool, ToolError> ViewSession::frame(std::uint32_t width, std::uint3
   return true;
 }
 
-}  // namespace coif
+}  // namespace coif::view

@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
+namespace coif::view {
 
 /// What the page shows beside the picture.
 struct ViewNumbers {
@@ -63,7 +63,7 @@ class ViewSession {
 
   /// One more motion after motion_words(false), which begins again where it ends; keys as path_of() wants them, or
   /// none.
-  void set_clip(std::vector<ClipKey> keys) { clip_ = std::move(keys); }
+  void set_clip(std::vector<motion::ClipKey> keys) { clip_ = std::move(keys); }
   /// Another view of the same asset, which has its own settings, heads and time. What the GPU holds is of all of them,
   /// and drawn with by one after the other. Its heads are made when it is first drawn.
   [[nodiscard]] std::unique_ptr<ViewSession> another() const;
@@ -129,8 +129,8 @@ class ViewSession {
   bool measures_cost_ = true;
   std::vector<std::unique_ptr<SimulatedHead>> heads_;
   std::vector<float> worn_;  ///< Solvers of the heads, and whether there are gusts.
-  std::vector<ClipKey> clip_;
-  std::unique_ptr<HeadPath> path_;
+  std::vector<motion::ClipKey> clip_;
+  std::unique_ptr<motion::HeadPath> path_;
   double length_ = 0;    ///< Of a clip, seconds, after which it begins again; 0: `path_` is no clip, or has one key.
   bool is_put_ = false;  ///< In the next step heads are put where they belong: clips begin anywhere.
   float moved_by_ = -1;  ///< The motion that `path_` is.
@@ -141,4 +141,4 @@ class ViewSession {
   std::uint32_t width_ = 0, height_ = 0;
 };
 
-}  // namespace coif
+}  // namespace coif::view

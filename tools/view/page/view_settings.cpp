@@ -7,7 +7,7 @@
 #include <array>
 #include <cstddef>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 // The same words as on the command line; exact order is not to be had in WebGL 2.
@@ -104,4 +104,4 @@ Component component_of(const ViewSettings& settings) {
   return chosen(kShown, settings.component);
 }
 
-}  // namespace coif
+}  // namespace coif::view

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <string>
 
-namespace coif {
+namespace coif::view {
 
 /// All that a visitor of the page can set. Floats without gaps, so that the page's scripts see one array; a choice is
 /// the number of its word. A control_table() row tells what each is called, its range, and the recipe's key for it.
@@ -71,4 +71,4 @@ void set_look(const MaterialRecord& material, ViewSettings& settings);
 /// the array, in floats. `has_clip`: "clip" is the last of the motions.
 [[nodiscard]] std::string controls_json(const Asset& asset, bool has_clip = false);
 
-}  // namespace coif
+}  // namespace coif::view

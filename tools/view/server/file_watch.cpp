@@ -3,7 +3,7 @@
 #include <system_error>
 #include <utility>
 
-namespace coif {
+namespace coif::view {
 
 namespace fs = std::filesystem;
 
@@ -38,4 +38,4 @@ std::vector<fs::path> FileWatch::changed() {
   return found;
 }
 
-}  // namespace coif
+}  // namespace coif::view

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
+namespace coif::view {
 
 /// Tells which of some files were written, appeared or went, by asking for their times. For one thread.
 class FileWatch {
@@ -36,4 +36,4 @@ class FileWatch {
   std::map<std::filesystem::path, Watched> files_;
 };
 
-}  // namespace coif
+}  // namespace coif::view

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace coif {
+namespace coif::view {
 
 LatestWork::LatestWork(Work work) : work_(std::move(work)), thread_([this] { run(); }) {}
 
@@ -47,4 +47,4 @@ void LatestWork::run() {
   }
 }
 
-}  // namespace coif
+}  // namespace coif::view

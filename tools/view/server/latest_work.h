@@ -7,7 +7,7 @@
 #include <stop_token>
 #include <thread>
 
-namespace coif {
+namespace coif::view {
 
 /// Does a piece of work again whenever somebody asks, on a thread of its own: one at a time, and the last one that was
 /// asked for. Whoever asks makes what is being done obsolete, and what waits is never more than one piece.
@@ -40,4 +40,4 @@ class LatestWork {
   std::thread thread_;     ///< Last, so that all else is there when it begins.
 };
 
-}  // namespace coif
+}  // namespace coif::view

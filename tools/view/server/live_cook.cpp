@@ -9,12 +9,12 @@
 #include <chrono>
 #include <utility>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool is_same(const ImportSettings& a, const ImportSettings& b) {
+bool is_same(const importer::ImportSettings& a, const importer::ImportSettings& b) {
   return a.metres_per_unit == b.metres_per_unit && a.up_axis == b.up_axis;
 }
 
@@ -27,7 +27,7 @@ std::string with_name(std::string message, const fs::path& source, const std::st
 }  // namespace
 
 fs::path LiveCook::Order::recipe_place() const {
-  if (is_recipe_file(source)) return source;
+  if (cook::is_recipe_file(source)) return source;
   if (recipe) return *recipe;
   fs::path beside = source;
   return is_taken ? fs::path() : beside.replace_extension(".recipe.json");
@@ -82,7 +82,7 @@ bool LiveCook::files_changed() {
   return !changed.empty();
 }
 
-void LiveCook::watch(const Order& order, const CookInputs& inputs, FileWatch::Time since) {
+void LiveCook::watch(const Order& order, const cook::CookInputs& inputs, FileWatch::Time since) {
   std::vector<fs::path> files{order.source};
   if (const fs::path recipe = order.recipe_place(); !recipe.empty()) files.push_back(recipe);
   files.insert(files.end(), inputs.source_files.begin(), inputs.source_files.end());
@@ -105,7 +105,7 @@ void LiveCook::run(std::uint64_t number, const std::stop_token& stop) try {
     cooking_.failed(problem);
     state_.fail(number, std::move(problem));
   }
-} catch (const Stopped&) {
+} catch (const platform::Stopped&) {
 }
 
 tl::expected<LiveResult, ToolError> LiveCook::cook(const Order& order, const std::stop_token& stop) try {
@@ -116,7 +116,7 @@ tl::expected<LiveResult, ToolError> LiveCook::cook(const Order& order, const std
   LiveOrder live{order.source, recipe->recipe, order.recipe_directory(),
                  cooking_.import_settings(recipe->recipe, cooking_.roots)};
   live.draft = cooking_.draft;
-  std::string values = source_values(recipe->recipe);
+  std::string values = cards::source_values(recipe->recipe);
   if (is_imported(live, values)) {
     live.model = imported_->model;
     live.source_hash = imported_->hash;
@@ -146,4 +146,4 @@ bool LiveCook::is_imported(const LiveOrder& live, const std::string& values) {
          imported_->values == values;
 }
 
-}  // namespace coif
+}  // namespace coif::view

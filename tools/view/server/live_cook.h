@@ -22,29 +22,30 @@
 #include <string_view>
 #include <vector>
 
-namespace coif {
+namespace coif::view {
 
 /// What `coif view` wants to have cooked.
 struct LiveOrder {
   std::filesystem::path source;
-  Recipe recipe;
+  cook::Recipe recipe;
   std::filesystem::path recipe_directory;  ///< CookSettings::recipe_directory.
-  ImportSettings import;
+  importer::ImportSettings import;
   std::uint64_t source_hash = 0;  ///< CookSettings::source_hash.
   bool draft = true;              ///< CookSettings::draft.
-  Bytes model{};                  ///< LiveCooked::model of the same source; empty: it is read.
+  platform::Bytes model{};        ///< LiveCooked::model of the same source; empty: it is read.
 };
 
 struct LiveCooked {
-  CookResult result;
-  Bytes model;  ///< As it was read, in a form that LiveCook does not look into; empty where the order had it.
+  cook::CookResult result;
+  platform::Bytes model;  ///< As it was read, in a form that LiveCook does not look into; empty where the order had it.
 };
 
 /// How `coif view` cooks. The functions are called on the thread of LiveCook::run() alone.
 struct LiveCooking {
   bool draft = true;
   std::vector<std::filesystem::path> roots;  ///< ImportSettings::roots.
-  std::function<ImportSettings(const Recipe& recipe, const std::vector<std::filesystem::path>& roots)> import_settings;
+  std::function<importer::ImportSettings(const cook::Recipe& recipe, const std::vector<std::filesystem::path>& roots)>
+      import_settings;
   /// Reads the source and cooks it in a process of its own, so that no source ends or fills the one that serves. Throws
   /// Stopped where `stop` is requested.
   std::function<tl::expected<LiveCooked, ToolError>(const LiveOrder& order, const std::stop_token& stop)> cook;
@@ -93,16 +94,16 @@ class LiveCook {
   };
   struct Imported {
     std::filesystem::path source;
-    ImportSettings settings;
-    std::string values;  ///< source_values()
-    Bytes model;         ///< LiveCooked::model
+    importer::ImportSettings settings;
+    std::string values;     ///< source_values()
+    platform::Bytes model;  ///< LiveCooked::model
     std::uint64_t hash = 0;
   };
 
   [[nodiscard]] Order order() const;
   tl::expected<LiveResult, ToolError> cook(const Order& order, const std::stop_token& stop);
   [[nodiscard]] bool is_imported(const LiveOrder& live, const std::string& values);
-  void watch(const Order& order, const CookInputs& inputs, FileWatch::Time since);
+  void watch(const Order& order, const cook::CookInputs& inputs, FileWatch::Time since);
 
   LiveCooking cooking_;
   LiveState& state_;
@@ -113,4 +114,4 @@ class LiveCook {
   std::optional<Imported> imported_;    ///< Of the thread that runs.
 };
 
-}  // namespace coif
+}  // namespace coif::view

@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 /// Tags of tools/view/page/script/page.html in their order, and what they become.
@@ -46,4 +46,4 @@ std::string live_policy(std::string_view nonce) {
       nonce);
 }
 
-}  // namespace coif
+}  // namespace coif::view

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace coif {
+namespace coif::view {
 
 /// The page of view_page() as the server sends it: it asks for its asset, and a browser runs no script in it but those
 /// that carry `nonce`. kBadInput for a file that is no such page.
@@ -16,4 +16,4 @@ namespace coif {
 /// Content-Security-Policy of that page: nothing from elsewhere, and nothing that was put into it later.
 [[nodiscard]] std::string live_policy(std::string_view nonce);
 
-}  // namespace coif
+}  // namespace coif::view

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 constexpr const char* kChanges = "changes of the page";
@@ -12,9 +12,9 @@ constexpr const char* kChanges = "changes of the page";
 /// Of a file that is a recipe by itself; empty where there is none.
 tl::expected<nlohmann::json, ToolError> json_of(const std::filesystem::path& file) {
   if (file.empty()) return nlohmann::json::object();
-  const auto text = read_recipe_text(file);
+  const auto text = cook::read_recipe_text(file);
   if (!text) return tl::unexpected(text.error());
-  if (const auto alone = parse_recipe(*text, file.string()); !alone) return tl::unexpected(alone.error());
+  if (const auto alone = cook::parse_recipe(*text, file.string()); !alone) return tl::unexpected(alone.error());
   return parse_shallow_json(*text).value();
 }
 
@@ -33,7 +33,7 @@ tl::expected<nlohmann::json, ToolError> read_changes(std::string_view text) {
     return failure(ToolError::Kind::kBadInput,
                    fmt::format("{}: a recipe is a JSON object, such as {{\"dynamics\": {{...}}}}", kChanges));
   }
-  for (const RecipeKey& key : recipe_keys()) {
+  for (const cook::RecipeKey& key : cook::recipe_keys()) {
     if (!key.names_file || member(member(*changes, key.section), key.name).is_null()) continue;
     return failure(ToolError::Kind::kBadInput,
                    fmt::format("{}: \"{}\" names a file; only a recipe's file may", kChanges, key.path()));
@@ -48,9 +48,9 @@ tl::expected<LiveRecipe, ToolError> live_recipe(const std::filesystem::path& fil
   nlohmann::json merged = *json;
   write_out(merged);
   merged.merge_patch(changes);
-  auto recipe = parse_recipe(merged.dump(), kChanges);  // the file alone is a recipe, so that the fault is theirs
+  auto recipe = cook::parse_recipe(merged.dump(), kChanges);  // the file alone is a recipe, so that the fault is theirs
   if (!recipe) return tl::unexpected(recipe.error());
   return LiveRecipe{std::move(*recipe), std::move(*json)};
 }
 
-}  // namespace coif
+}  // namespace coif::view

@@ -10,11 +10,11 @@
 #include <string>
 #include <string_view>
 
-namespace coif {
+namespace coif::view {
 
 /// A recipe's file and what somebody changed of it on the page.
 struct LiveRecipe {
-  Recipe recipe;        ///< The file's, with the changes.
+  cook::Recipe recipe;  ///< The file's, with the changes.
   nlohmann::json file;  ///< The file alone; an empty object without one.
 };
 
@@ -28,4 +28,4 @@ struct LiveRecipe {
 [[nodiscard]] tl::expected<LiveRecipe, ToolError> live_recipe(const std::filesystem::path& file,
                                                               const nlohmann::json& changes);
 
-}  // namespace coif
+}  // namespace coif::view

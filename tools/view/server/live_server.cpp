@@ -16,7 +16,7 @@
 #include <thread>
 #include <utility>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 using httplib::Request;
@@ -68,7 +68,7 @@ void send(Response& response, const char* type, std::shared_ptr<const void> owne
 }
 
 const char* model_suffix(const std::string& format) {
-  const auto known = find_suffix("x." + format);
+  const auto known = importer::find_suffix("x." + format);
   return known ? known->suffix : nullptr;
 }
 
@@ -87,7 +87,7 @@ class LiveServer::Inside {
 
   tl::expected<void, ToolError> start() {
     if (auto page = live_page(settings_.page, "-"); !page) return tl::unexpected(page.error());
-    http_.set_socket_options([](socket_t socket) { own_port_alone(std::uintptr_t(socket)); });
+    http_.set_socket_options([](socket_t socket) { platform::own_port_alone(std::uintptr_t(socket)); });
     const int port = settings_.port == 0                               ? http_.bind_to_any_port("127.0.0.1")
                      : http_.bind_to_port("127.0.0.1", settings_.port) ? settings_.port
                                                                        : -1;
@@ -126,8 +126,9 @@ class LiveServer::Inside {
     http_.Get(folder, [this](const Request&, Response& response) { send_page(response); });
     http_.Get(folder + "asset", [this](const Request&, Response& response) { send_asset(response); });
     http_.Get(folder + "events", [this](const Request&, Response& response) { send_events(response); });
-    http_.Get(folder + "keys",
-              [](const Request&, Response& response) { response.set_content(recipe_keys_json(), "application/json"); });
+    http_.Get(folder + "keys", [](const Request&, Response& response) {
+      response.set_content(cook::recipe_keys_json(), "application/json");
+    });
     http_.Post(folder + "recipe", [this](const Request& request, Response& response) {
       answer(response, requests_.change(request.body));
     });
@@ -202,9 +203,9 @@ class LiveServer::Inside {
   void take_model(const Request& request, Response& response) const {
     const char* const suffix = model_suffix(request.get_param_value("format"));
     if (suffix == nullptr) {
-      return answer(
-          response, 400,
-          {{"problem", fmt::format("not a model that can be cooked; export as one of {}", supported_suffixes())}});
+      return answer(response, 400,
+                    {{"problem", fmt::format("not a model that can be cooked; export as one of {}",
+                                             importer::supported_suffixes())}});
     }
     const std::string name = printable_text(request.get_param_value("name"), 100);
     answer(response, requests_.drop(suffix, name.empty() ? "the dropped model" : name, request.body));
@@ -231,4 +232,4 @@ LiveServer::~LiveServer() = default;
 
 std::string LiveServer::address() const { return inside_->address(); }
 
-}  // namespace coif
+}  // namespace coif::view

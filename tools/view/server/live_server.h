@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-namespace coif {
+namespace coif::view {
 
 /// What requests ask for. Called on threads of connections, several at once. They return the number of the cook that is
 /// asked for.
@@ -57,4 +57,4 @@ class LiveServer {
   std::unique_ptr<Inside> inside_;
 };
 
-}  // namespace coif
+}  // namespace coif::view

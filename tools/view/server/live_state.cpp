@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace coif {
+namespace coif::view {
 
 LiveState::LiveState(std::string quality) : quality_(std::move(quality)) {}
 
@@ -71,4 +71,4 @@ std::string LiveState::json() const {
   return all.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-}  // namespace coif
+}  // namespace coif::view

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::view {
 
 /// An asset as the page gets it. Never changes once it is published.
 struct LiveAsset {
@@ -70,4 +70,4 @@ class LiveState {
   std::shared_ptr<const LiveAsset> asset_;
 };
 
-}  // namespace coif
+}  // namespace coif::view

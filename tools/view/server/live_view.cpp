@@ -11,21 +11,21 @@
 #include <system_error>
 #include <utility>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 constexpr std::chrono::milliseconds kBetweenLooks{300};
 
 }  // namespace
 
-LiveView::LiveView(LiveViewSettings& settings, ScratchFolder scratch)
+LiveView::LiveView(LiveViewSettings& settings, platform::ScratchFolder scratch)
     : scratch_(std::move(scratch)),
       state_(settings.cooking.draft ? "draft" : "full"),
       cook_(std::move(settings.cooking), std::move(settings.source), std::move(settings.recipe), state_),
       work_([this](std::uint64_t number, const std::stop_token& stop) { cook_.run(number, stop); }) {}
 
 tl::expected<std::unique_ptr<LiveView>, ToolError> LiveView::start(LiveViewSettings settings) {
-  auto scratch = ScratchFolder::create();
+  auto scratch = platform::ScratchFolder::create();
   if (!scratch) {
     return file_failure(ToolError::Kind::kFileAccess, scratch.error().place,
                         "cannot make a folder for temporary files: {}", scratch.error().why.message());
@@ -76,4 +76,4 @@ void LiveView::watch(const std::stop_token& stop) {
   }
 }
 
-}  // namespace coif
+}  // namespace coif::view

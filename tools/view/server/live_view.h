@@ -17,7 +17,7 @@
 #include <string>
 #include <thread>
 
-namespace coif {
+namespace coif::view {
 
 struct LiveViewSettings {
   std::filesystem::path source;
@@ -40,11 +40,11 @@ class LiveView {
   [[nodiscard]] std::string address() const { return server_->address(); }
 
  private:
-  LiveView(LiveViewSettings& settings, ScratchFolder scratch);
+  LiveView(LiveViewSettings& settings, platform::ScratchFolder scratch);
   tl::expected<std::uint64_t, ToolError> drop(const char* suffix, std::string name, std::string_view bytes);
   void watch(const std::stop_token& stop);
 
-  ScratchFolder scratch_;
+  platform::ScratchFolder scratch_;
   std::mutex dropping_;
   std::uint64_t dropped_ = 0;  ///< Models so far.
   std::filesystem::path last_dropped_;
@@ -55,4 +55,4 @@ class LiveView {
   std::jthread watcher_;
 };
 
-}  // namespace coif
+}  // namespace coif::view

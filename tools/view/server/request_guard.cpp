@@ -8,7 +8,7 @@
 #include <array>
 #include <utility>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 /// Takes as long whichever character is wrong, so that no clock tells how much of a guess is right.
@@ -30,7 +30,7 @@ std::string_view first_segment(std::string_view target) {
 
 std::string random_token() {
   std::array<unsigned char, 16> bytes{};
-  fill_with_random_bytes(bytes);
+  platform::fill_with_random_bytes(bytes);
   std::string digits;
   for (const unsigned byte : bytes) digits += fmt::format("{:02x}", byte);
   return digits;
@@ -48,4 +48,4 @@ bool RequestGuard::admits(const RequestOrigin& request) const {
   return !request.origin || *request.origin == fmt::format("http://{}", *request.host);
 }
 
-}  // namespace coif
+}  // namespace coif::view

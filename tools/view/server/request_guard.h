@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace coif {
+namespace coif::view {
 
 /// 128 bits of the system's generator in hexadecimal digits. Throws std::system_error where there is none.
 [[nodiscard]] std::string random_token();
@@ -35,4 +35,4 @@ class RequestGuard {
   std::string hosts_[2];  ///< 127.0.0.1:PORT and localhost:PORT
 };
 
-}  // namespace coif
+}  // namespace coif::view

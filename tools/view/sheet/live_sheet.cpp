@@ -14,12 +14,12 @@
 #include <string_view>
 #include <utility>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 /// The page knows air, but no hands, no sizes and no animations.
-bool can_show(const PictureSettings& picture) {
-  const HairCompany* const company = picture.company.get();
+bool can_show(const render::PictureSettings& picture) {
+  const motion::HairCompany* const company = picture.company.get();
   return company == nullptr || (!company->colliders && !company->pose && company->scale == 1);
 }
 
@@ -47,14 +47,15 @@ float choice_of(const Meaning& meaning, const Wanted& wanted) {
   return 0;
 }
 
-void set_air(const Asset& asset, const PictureSettings& picture, ViewSettings& s) {
+void set_air(const Asset& asset, const render::PictureSettings& picture, ViewSettings& s) {
   const Vec3& wind = picture.step.environment.wind;
   s.wind = std::hypot(wind.x, wind.z);
-  if (s.wind > 0) s.wind_from = float(std::atan2(-double(wind.x), -double(wind.z)) / kDegree - yaw_of_face(asset));
+  if (s.wind > 0)
+    s.wind_from = float(std::atan2(-double(wind.x), -double(wind.z)) / kDegree - render::yaw_of_face(asset));
   if (picture.company) s.gusts = picture.company->gusts.amplitude;
 }
 
-ViewSettings tile_settings(const Asset& asset, const Gallery& gallery, const PictureSettings& picture) {
+ViewSettings tile_settings(const Asset& asset, const render::Gallery& gallery, const render::PictureSettings& picture) {
   ViewSettings s = settings_of(asset);
   s.yaw = float(picture.yaw_degrees);
   s.pitch = float(picture.pitch_degrees);
@@ -77,14 +78,14 @@ ViewSettings tile_settings(const Asset& asset, const Gallery& gallery, const Pic
 
 /// How much smaller hair has to be than at rest so that its motion stays in the picture, whose middle stays that of
 /// hair at rest.
-tl::expected<float, ToolError> zoom_of_motion(const Asset& asset, const PictureSettings& picture) {
-  const auto moving = frame_picture(asset, picture);
+tl::expected<float, ToolError> zoom_of_motion(const Asset& asset, const render::PictureSettings& picture) {
+  const auto moving = render::frame_picture(asset, picture);
   if (!moving) return tl::unexpected(moving.error());
-  std::vector<Eigen::Vector3d> points = framed_points(asset);
-  const CameraSettings camera{.yaw_degrees = picture.yaw_degrees + yaw_of_face(asset),
-                              .pitch_degrees = picture.pitch_degrees,
-                              .aspect = double(picture.width) / picture.height};
-  const CrowdView still = frame_crowd(points, camera);
+  std::vector<Eigen::Vector3d> points = render::framed_points(asset);
+  const render::CameraSettings camera{.yaw_degrees = picture.yaw_degrees + render::yaw_of_face(asset),
+                                      .pitch_degrees = picture.pitch_degrees,
+                                      .aspect = double(picture.width) / picture.height};
+  const render::CrowdView still = render::frame_crowd(points, camera);
   const Eigen::Matrix3d axes =
       (Eigen::Matrix3d() << still.camera.right, still.camera.up, still.camera.back).finished().transpose();
   Eigen::AlignedBox3d box;
@@ -95,14 +96,14 @@ tl::expected<float, ToolError> zoom_of_motion(const Asset& asset, const PictureS
     points.push_back(point);
     points.emplace_back(2 * middle - point);
   }
-  const CrowdView wide = frame_crowd(points, camera);
-  const auto distance = [&](const CrowdView& view) { return (view.camera.eye - middle).dot(view.camera.back); };
+  const render::CrowdView wide = render::frame_crowd(points, camera);
+  const auto distance = [&](const render::CrowdView& view) { return (view.camera.eye - middle).dot(view.camera.back); };
   return float(std::min(distance(still) / distance(wide), 1.0));
 }
 
 /// One tile that plays what the gallery has moments of.
-tl::expected<LiveTile, ToolError> playing_tile(const Asset& asset, const Gallery& gallery) {
-  const PictureSettings& last = gallery.pictures.back().settings;
+tl::expected<LiveTile, ToolError> playing_tile(const Asset& asset, const render::Gallery& gallery) {
+  const render::PictureSettings& last = gallery.pictures.back().settings;
   LiveTile tile{gallery.title, tile_settings(asset, gallery, last), {}};
   const auto zoom = zoom_of_motion(asset, last);
   if (!zoom) return tl::unexpected(zoom.error());
@@ -122,12 +123,12 @@ std::string note_of(const std::vector<std::string>& left_out, std::size_t pictur
 
 }  // namespace
 
-tl::expected<LiveSheet, ToolError> live_sheet(const Asset& asset, std::span<const Gallery> galleries) {
+tl::expected<LiveSheet, ToolError> live_sheet(const Asset& asset, std::span<const render::Gallery> galleries) {
   LiveSheet sheet;
   std::vector<std::string> left_out;
   bool has_moments = false;
-  for (const Gallery& gallery : galleries) {
-    const auto shown = [](const GalleryPicture& picture) { return can_show(picture.settings); };
+  for (const render::Gallery& gallery : galleries) {
+    const auto shown = [](const render::GalleryPicture& picture) { return can_show(picture.settings); };
     if (gallery.pictures.empty() || !std::ranges::all_of(gallery.pictures, shown)) {
       left_out.push_back(gallery.title);
       sheet.pictures_left_out += gallery.pictures.size();
@@ -151,4 +152,4 @@ tl::expected<LiveSheet, ToolError> live_sheet(const Asset& asset, std::span<cons
   return sheet;
 }
 
-}  // namespace coif
+}  // namespace coif::view

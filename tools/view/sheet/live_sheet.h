@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
+namespace coif::view {
 
 /// A time of a motion that a sheet has a picture of.
 struct LiveMoment {
@@ -43,7 +43,8 @@ struct LiveSheet {
 
 /// One tile for each picture, but one for all moments of a motion, framed so that all of it is seen. Errors: those of
 /// frame_picture().
-[[nodiscard]] tl::expected<LiveSheet, ToolError> live_sheet(const Asset& asset, std::span<const Gallery> galleries);
+[[nodiscard]] tl::expected<LiveSheet, ToolError> live_sheet(const Asset& asset,
+                                                            std::span<const render::Gallery> galleries);
 
 /// Of one tile, in pixels of the page.
 struct TileSize {
@@ -55,4 +56,4 @@ struct TileSize {
 /// has what differs from the asset's own, by the names of controls_json().
 [[nodiscard]] std::string sheet_json(const Asset& asset, const LiveSheet& sheet, TileSize size);
 
-}  // namespace coif
+}  // namespace coif::view

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <sstream>
 
-namespace coif {
+namespace coif::view {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -79,4 +79,4 @@ std::string sheet_json(const Asset& asset, const LiveSheet& sheet, TileSize size
   return within_script(json.dump(-1, ' ', true, Json::error_handler_t::replace));
 }
 
-}  // namespace coif
+}  // namespace coif::view
