@@ -13,6 +13,7 @@
 #             its preset: fma, avx2, native, clang, x86-32, arm64
 #     calm    hair of heads that are held comes to rest, in every way to run each of the artists' files; ten minutes
 #     agree   coif cook and coif validate find the same in every shared file; an hour
+#     style   every C++ and C file is in the form of .clang-format
 #     debug   the program, compiled for a debugger, cooks the bytes that the one for release cooks
 #     all     all of these
 set -u
@@ -83,10 +84,10 @@ compare_builds() {
 
 install program tests
 for part in ${*:-plain}; do
-  [ "$part" = all ] && part='plain asan asan-cook fuzz farm web blender variants calm agree debug'
+  [ "$part" = all ] && part='plain asan asan-cook fuzz farm web blender variants calm agree style debug'
   for part in $part; do
     case $part in
-      plain) build release -DCOIF_TESTS=ON all && run release plain -LE '^(farm|other_builds|web|blender|calm_all|agree_all)$' ;;
+      plain) build release -DCOIF_TESTS=ON all && run release plain -LE '^(farm|other_builds|web|blender|calm_all|agree_all|style)$' ;;
       asan) sanitize asan formats sim c import groom ;;
       asan-cook) sanitize asan-cook cook cache validate view ;;
       fuzz) install fuzz && build fuzz -DCOIF_TESTS=ON fuzz_readers && run fuzz fuzz ;;
@@ -98,8 +99,9 @@ for part in ${*:-plain}; do
       clang | x86-32 | arm64) install fuzz variants && try_variant "$part" ;;
       calm) build release -DCOIF_TESTS=ON coif_cli coif_hold_heads && run release calm -L '^calm_all$' ;;
       agree) build release -DCOIF_TESTS=ON coif_cli && run release agree -L '^agree_all$' ;;
+      style) install style && build release -DCOIF_TESTS=ON coif_cli && run release style -L '^style$' ;;
       debug) compare_builds ;;
-      *) echo "run.sh: '$part' is none of plain, asan, asan-cook, fuzz, farm, web, blender, variants (or one of them), calm, agree, debug, all" >&2; broken=$((broken + 1)) ;;
+      *) echo "run.sh: '$part' is none of plain, asan, asan-cook, fuzz, farm, web, blender, variants (or one of them), calm, agree, style, debug, all" >&2; broken=$((broken + 1)) ;;
     esac
   done
 done

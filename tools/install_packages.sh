@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs those packages of the named groups of tools/packages.txt that are missing; does nothing, and needs no rights,
 # when all are there.
-#   tools/install_packages.sh GROUP...     program, tests, farm, web, blender, fuzz
+#   tools/install_packages.sh GROUP...     program, tests, farm, web, blender, fuzz, variants, style
 set -eu
 list=$(dirname "$0")/packages.txt
 
