@@ -107,7 +107,7 @@ TEST_F(LiveRecipeTest, ChangesNameNoFiles) {
 TEST_F(LiveRecipeTest, KeysOfAnyTextSayWhetherTheyNameFiles) {
   const std::set<std::string> names_no_file{"source.variant", "skeleton.head"};
   for (const cook::RecipeKey& key : cook::recipe_keys()) {
-    const bool is_text = std::holds_alternative<std::string Recipe::*>(key.field) && key.choices == nullptr;
+    const bool is_text = std::holds_alternative<std::string cook::Recipe::*>(key.field) && key.choices == nullptr;
     EXPECT_TRUE(!is_text || key.names_file || names_no_file.contains(key.path())) << key.path();
   }
 }

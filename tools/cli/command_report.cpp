@@ -116,27 +116,28 @@ tl::expected<Rendered, ToolError> report_subject(const ReportJob& job, const rep
   };
   switch (job.options.subject) {
     case ReportSubject::kAccuracy:
-      return report_on<report::AccuracyReport>(job, {report::accuracy_text, report::accuracy_json, coif_accuracy_page},
-                                               with(report::measure_accuracy, accuracy));
+      return report_on<report::AccuracyReport>(
+          job, {report::accuracy_text, report::accuracy_json, report::coif_accuracy_page},
+          with(report::measure_accuracy, accuracy));
     case ReportSubject::kStability:
-      return report_on<report::StabilityReport>(job,
-                                                {report::stability_text, report::stability_json, coif_stability_page},
-                                                with(report::measure_stability, job.options.stability));
+      return report_on<report::StabilityReport>(
+          job, {report::stability_text, report::stability_json, report::coif_stability_page},
+          with(report::measure_stability, job.options.stability));
     case ReportSubject::kOrder:
-      return report_on<report::OrderReport>(job, {report::order_text, report::order_json, coif_order_page},
+      return report_on<report::OrderReport>(job, {report::order_text, report::order_json, report::coif_order_page},
                                             with(report::measure_order, order_settings(job.options)));
     case ReportSubject::kShadows:
-      return report_on<report::ShadowReport>(job, {report::shadow_text, report::shadow_json, coif_shadows_page},
+      return report_on<report::ShadowReport>(job, {report::shadow_text, report::shadow_json, report::coif_shadows_page},
                                              with(report::measure_shadows, job.options.shadows));
     case ReportSubject::kCards:
-      return report_on<report::CardsReport>(job, {report::cards_text, report::cards_json, coif_cards_page},
+      return report_on<report::CardsReport>(job, {report::cards_text, report::cards_json, report::coif_cards_page},
                                             [&job](const report::ReportProgress& progress) {
                                               const ReportStrands& strands = *job.strands;
                                               return report::measure_cards(job.asset, strands.groom, strands.hash,
                                                                            strands.settings, progress);
                                             });
     case ReportSubject::kCost:
-      return report_on<report::CostReport>(job, {report::cost_text, report::cost_json, coif_cost_page},
+      return report_on<report::CostReport>(job, {report::cost_text, report::cost_json, report::coif_cost_page},
                                            with(measure_all_cost, cost_choice(job.options)));
   }
   return tl::unexpected(ToolError{ToolError::Kind::kInternal, "no such subject"});

@@ -196,7 +196,7 @@ bool is_only_unsupported(const Verdict& verdict) {
   const auto is_error = [](const validate::Issue& issue) { return issue.severity == validate::Severity::kError; };
   auto errors = verdict.issues.shown | std::views::filter(is_error);
   return !std::ranges::empty(errors) &&
-         std::ranges::all_of(errors, [](const Issue& e) { return is_unsupported(e.code); });
+         std::ranges::all_of(errors, [](const validate::Issue& e) { return validate::is_unsupported(e.code); });
 }
 
 Exit exit_of(std::span<const Verdict> verdicts) {
