@@ -33,7 +33,7 @@ class ShakenCrowd {
   double time(int steps) {
     const double begin = emscripten_get_now();
     for (int i = 0; i < steps && works_; ++i) {
-      std::fill(poses_.begin(), poses_.end(), head_pose(Motion::kTurn, ++done_ / kRate));
+      std::fill(poses_.begin(), poses_.end(), head_pose(motion::Motion::kTurn, ++done_ / kRate));
       works_ = hair_.set_heads(poses_) == Status::kOk && hair_.step({.dt = float(1 / kRate)}) == Status::kOk;
     }
     return emscripten_get_now() - begin;

@@ -18,9 +18,9 @@ namespace {
 struct Page {
   EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = 0;
   std::vector<std::byte> incoming;
-  std::vector<coif::ClipKey> clip;                        ///< Of whatever is opened.
-  std::vector<std::unique_ptr<coif::ViewSession>> views;  ///< First the page's own, then tiles of a sheet.
-  coif::view::ViewSession* session = nullptr;             ///< The one that all functions are about.
+  std::vector<coif::motion::ClipKey> clip;                      ///< Of whatever is opened.
+  std::vector<std::unique_ptr<coif::view::ViewSession>> views;  ///< First the page's own, then tiles of a sheet.
+  coif::view::ViewSession* session = nullptr;                   ///< The one that all functions are about.
   std::string said;
   bool has_drawn = false;
 };
@@ -40,7 +40,7 @@ const char* outcome(const tl::expected<void, coif::ToolError>& done) {
 }
 
 /// In place of all views that there were.
-const char* show(std::unique_ptr<coif::ViewSession> session) {
+const char* show(std::unique_ptr<coif::view::ViewSession> session) {
   page().session = session.get();
   page().views.clear();
   page().views.push_back(std::move(session));
@@ -150,7 +150,7 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_motion() {
 /// 0 points: its own.
 EMSCRIPTEN_KEEPALIVE void coif_view_curve(int which, const double* numbers, int points) {
   if (!page().session) return;
-  std::vector<coif::CurvePoint> curve;
+  std::vector<coif::cook::CurvePoint> curve;
   for (int i = 0; i < points; ++i) curve.push_back({numbers[2 * i], numbers[2 * i + 1]});
   coif::view::TunableMotion& motion = page().session->motion();
   which == 0 ? motion.set_resistance(std::move(curve)) : motion.set_damping_ratio(std::move(curve));
