@@ -169,7 +169,7 @@ float hash_of_cell(vec3 cell) {
   return float(bits >> 8) / 16777216.0;
 }
 
-// Of the paper's section 4, with a width for each axis: hair is mostly seen at a slant, and a grid as coarse as its
+// The paper's section 4, with a width for each axis: hair is mostly seen at a slant, and a grid as coarse as its
 // widest side would show. Cells are powers of two in size, and between two sizes the hashes are mixed. The sum of two
 // even numbers is not even; its distribution function makes it so again.
 float hashed_threshold(vec3 place) {

@@ -161,7 +161,7 @@ Status BoneOrder::create(const Asset& asset, std::span<std::byte> memory) {
   return Status::kOk;
 }
 
-// Of bones at the same distance the one with the lower number is drawn first, so that pictures are the same on every
+// Where bones are equally far, the one with the lower number is drawn first, so that pictures are the same on every
 // machine.
 void BoneOrder::write_far_to_near(TriangleOrder& of, const HairInstance& head, const Vec3& eye, std::byte* out) {
   BoneOrder& order = static_cast<BoneOrder&>(of);

@@ -21,17 +21,17 @@ class MemoryCarver;
 
 /// A chain that some link is about, with all of its bones.
 struct LinkedChain {
-  std::uint32_t row = 0;    ///< Of the linked ones: LinkState::row_places.
-  std::uint32_t lane = 0;   ///< Of the row, for kChains; 0 for kHeads.
-  std::uint32_t first = 0;  ///< Of its bones in LinkState::places.
+  std::uint32_t row = 0;    ///< Index into LinkState::row_places.
+  std::uint32_t lane = 0;   ///< Lane of the row, for kChains; 0 for kHeads.
+  std::uint32_t first = 0;  ///< Where its bones begin in LinkState::places.
   std::uint32_t bone_count = 0;
 };
 
 /// A bone of such a chain.
 struct LinkedBone {
-  std::uint32_t chain = 0;   ///< Of LinkState::chains.
-  std::uint32_t bone = 0;    ///< Of its row.
-  std::int32_t parent = -1;  ///< Of LinkState::bones; -1: the head.
+  std::uint32_t chain = 0;   ///< Index into LinkState::chains.
+  std::uint32_t bone = 0;    ///< Its number in its row.
+  std::int32_t parent = -1;  ///< Index into LinkState::bones; -1: the head.
   bool has_children = false;
   float mobility = 0;  ///< One by the mass that its particle has for a link, 1/kg of bones of a kilogram a metre.
 };
@@ -64,7 +64,7 @@ struct LinkState {
   std::uint32_t row_count = 0;
   std::span<LinkedChain> chains;
   std::span<LinkedBone> bones;      ///< By depth.
-  std::span<std::uint32_t> places;  ///< Of the bones of each chain, in its order, in `bones`.
+  std::span<std::uint32_t> places;  ///< Where each chain's bones are in `bones`, in the chain's order.
   std::span<ChainLink> links;       ///< By depth.
   std::span<LinkLevel> levels;
   std::span<LinkedRowStep> steps;  ///< Per block, per linked row. During a part of a step.
@@ -82,8 +82,9 @@ struct LinkCode {
   void (*create)(CrowdState& crowd) = nullptr;
   /// What a row of a block was stepped with; of those without linked chains nothing is kept.
   void (*keep_row)(CrowdState& crowd, std::uint32_t block, std::size_t row, const RowStep& step) = nullptr;
-  /// Of one head of a block, whose linked rows are in LinkState::steps: `lane` is its own in these rows, -1 where each
-  /// chain has one. Returns the sum of the squared speeds of the linked chains' tips against the head, (m/s)^2.
+  /// Keeps the links of one head of a block, whose linked rows are in LinkState::steps: `lane` is its own in these
+  /// rows, -1 where each chain has one. Returns the sum of the squared speeds of the linked chains' tips against the
+  /// head, (m/s)^2.
   float (*keep)(CrowdState& crowd, std::uint32_t block, std::int32_t lane) = nullptr;
 };
 

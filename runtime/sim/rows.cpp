@@ -18,9 +18,9 @@ std::int32_t parent_in_chain(std::span<const BoneRecord> bones, const ChainRecor
 
 namespace {
 
-/// Of one solver and the same bones, each of which in both twists or in neither, and in both is bounded or in neither:
-/// a bone that has no twist computes other bits beside one that has, and one without a limit meets its colliders in
-/// fewer rounds. All other features compute zeros where they are not wanted.
+/// Whether one solver moves both and they have the same bones, each of which twists in both or in neither, and is
+/// bounded in both or in neither: a bone that has no twist computes other bits beside one that has, and one without a
+/// limit meets its colliders in fewer rounds. All other features compute zeros where they are not wanted.
 bool fit_in_one_row(const Asset& asset, const Solver& solver, const ChainRecord& a, const ChainRecord& b) {
   if (a.bone_count != b.bone_count || &solver_for(solver, a) != &solver_for(solver, b)) return false;
   for (std::uint32_t i = 0; i < a.bone_count; ++i) {

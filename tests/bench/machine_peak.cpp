@@ -98,8 +98,8 @@ bool has_width(VectorWidth width) {
 
 double peak_instructions() {
 #if defined(__x86_64__)
-  // Of every kind some, as code has them, and none that waits for another. (Of instructions that do nothing, processors
-  // decode two as one.)
+  // Some instructions of every kind, as code has them, and none that waits for another. (Processors decode two that do
+  // nothing as one.)
   static constexpr long kInstructions = 6 * 12;
   return best_rate(double(kRounds) * kInstructions, [] {
     for (int round = 0; round < kRounds; ++round) {

@@ -30,8 +30,8 @@ struct ReflectedLight {
   [[nodiscard]] Eigen::Array3d sum() const { return diffuse + primary + secondary; }
 };
 
-/// Of a light of colour 1 from the unit direction `towards`, seen from the unit direction `view`, by the material's
-/// model.
+/// The reflection of a light of colour 1 from the unit direction `towards`, seen from the unit direction `view`, by the
+/// material's model.
 [[nodiscard]] ReflectedLight reference_reflection(const ShadedPoint& point, const Eigen::Vector3d& view,
                                                   const Eigen::Vector3d& towards, const MaterialRecord& material);
 

@@ -20,7 +20,7 @@ namespace coif::lab::resting_place_test {
 
 using Eigen::Vector3d;
 
-constexpr float kLength = 0.36f;  ///< Of each strand, metres.
+constexpr float kLength = 0.36f;  ///< How long each strand is, metres.
 
 /// Strands from many places of a head, that grow stiffer to their tips, as thinner bones do.
 TestRig rig_of(int seed) {

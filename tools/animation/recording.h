@@ -50,7 +50,7 @@ struct RecordingSettings {
   motion::Motion motion = motion::Motion::kTurn;
   std::shared_ptr<const motion::HeadPath> clip{};  ///< Instead of `motion`, unless null.
   double fps = 60;                                 ///< Steps and frames per second, 1 / kMaxTimeStep .. 1000.
-  FrameLengths lengths{};  ///< Of the recording's frames; hair settles at `fps` whatever they are.
+  FrameLengths lengths{};  ///< How long the recording's frames are; hair settles at `fps` whatever they are.
   double seconds = 4;      ///< Length of the recording, 0..3600.
   double settle_seconds =
       2;  ///< Steps at the first pose before the recording starts, so that gravity has sagged the hair.

@@ -15,7 +15,7 @@ namespace coif::cache {
 struct CacheUsage {
   std::size_t keys = 0;  ///< Sources, each with a recipe and a version of the program.
   std::size_t entries = 0;
-  std::uint64_t bytes = 0;    ///< Of the entries.
+  std::uint64_t bytes = 0;    ///< What the entries take.
   std::size_t leftovers = 0;  ///< Files that killed cooks left half written, a day old or more.
   std::uint64_t leftover_bytes = 0;
   std::optional<std::filesystem::file_time_type> oldest_use, newest_use;

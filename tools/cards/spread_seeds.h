@@ -9,9 +9,9 @@
 
 namespace coif::cards {
 
-/// Of `count` things, not none, `wanted` that lie far from each other: each is drawn by the squares of distances from
-/// those drawn before (Arthur and Vassilvitskii 2007, "k-means++"). Fewer where the rest are copies of these.
-/// `squared_distance(i, k)` of two of them. Repeats for equal input.
+/// Chooses `wanted` of `count` things, not none, that lie far from each other: each is drawn by the squares of
+/// distances from those drawn before (Arthur and Vassilvitskii 2007, "k-means++"). Fewer where the rest are copies of
+/// these. `squared_distance(i, k)` of two of them. Repeats for equal input.
 template <typename Distance>
 [[nodiscard]] std::vector<std::uint32_t> spread_seeds(std::size_t count, std::size_t wanted,
                                                       const Distance& squared_distance) {

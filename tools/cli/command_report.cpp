@@ -53,7 +53,7 @@ template <typename Report>
 struct ReportForms {
   std::string (*text)(const report::ReportHeading&, const Report&);
   nlohmann::ordered_json (*json)(const report::ReportHeading&, const Report&);
-  const char* layout;  ///< Of the page.
+  const char* layout;  ///< The page's.
 };
 
 /// Pictures are for the page.

@@ -107,7 +107,7 @@ tl::expected<void, ToolError> acknowledge(const CookOptions& options, RecipeChoi
 tl::expected<cook::CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice,
                                                      const Messages& messages);
 
-/// Of the first of `options.sources`: cooks, or takes the result from the cache, tells the warnings, and writes asset,
+/// Cooks the first of `options.sources`, or takes the result from the cache, tells the warnings, and writes asset,
 /// report and depfile, each whole or not at all and none without the asset.
 tl::expected<CookSummary, FailedCook> run_cook_job(const CookOptions& options, const RecipeChoice& choice,
                                                    const Messages& messages);

@@ -41,7 +41,7 @@ void tell_of_missing_sandbox(const Messages& messages);
 struct LimitedCall {
   std::string source;  ///< For messages.
   SourceLimits limits;
-  platform::Threads threads = 1;                    ///< Of the work, which may take memory for each; and when to end.
+  platform::Threads threads = 1;                    ///< How many work, each of which may take memory; and when to end.
   std::function<void(const char* part)> on_part{};  ///< Called as each part of the work begins. May be empty.
 };
 

@@ -42,8 +42,8 @@ std::optional<FbxKind> kind_of(std::string_view record, std::string_view object_
 
 bool is_number(const FbxValue& value) { return value.kind == FbxValue::Kind::kNumber; }
 
-/// Of `count` shapes between which a channel moves, each fully on at its percent of `full`: how much of each is in the
-/// shape at `percent`. At most two are. `full` ascends from above 0.
+/// How much of a shape is in what a channel shows at `percent`, which moves between shapes that are fully on at their
+/// percents of `full`. At most two are in it. `full` ascends from above 0.
 double shape_weight(std::span<const double> full, std::size_t shape, double percent) {
   const double own = full[shape];
   const bool is_last = shape + 1 == full.size();

@@ -92,9 +92,9 @@ struct SourceSurface {
   const FbxTexturePlaces* fbx = nullptr;     ///< Of an FBX whose records can be read; outlives this.
 };
 
-/// Of the base texture that convert_materials() takes; of the opacity texture where there is no other. A warning where
-/// both are there and differ, since a mesh keeps one set alone. `geometry` is what assimp calls the mesh. assimp 5.2
-/// hands on the transforms of FBX and COLLADA; an OBJ's library is read by apply_obj_options().
+/// The place of the base texture that convert_materials() takes, or of the opacity texture where there is no other. A
+/// warning where both are there and differ, since a mesh keeps one set alone. `geometry` is what assimp calls the mesh.
+/// assimp 5.2 hands on the transforms of FBX and COLLADA; an OBJ's library is read by apply_obj_options().
 [[nodiscard]] TexturePlace texture_place(const aiMaterial& material, const std::string& geometry,
                                          const SourceSurface& surface, const std::string& label,
                                          std::vector<Warning>& warnings);

@@ -28,7 +28,7 @@ void warn_of_shape_keys(const std::string& mesh, std::span<const std::string> on
 /// Keeps the finest of meshes that are levels of detail of one thing, with a warning that names the others. They are,
 /// by names of nodes, those above them or meshes: "Hair_LOD0", "Hair_LOD1" and "Hair" beside them; "Hair_L0", "Hair_L1"
 /// where they lie in one place, each has clearly fewer triangles than the one before, and nothing is called "Hair_R0".
-/// Of what `meshes` (patterns of names) match of them the finest is kept, and whatever is named there without a
+/// Keeps the finest of those that `meshes` (patterns of names) match, and whatever is named there without a
 /// wildcard; then nothing is said.
 void keep_finest_levels(std::span<const std::string> meshes, SourceModel& model);
 

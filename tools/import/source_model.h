@@ -41,7 +41,7 @@ struct SourceMesh {
   std::uint32_t material = kNoIndex;
   std::vector<Eigen::Vector3f> positions;  ///< Model space, rest pose (skinning applied), metres.
   std::vector<Eigen::Vector3f> normals;    ///< Model space, unit; empty when the file has none.
-  /// Of the set that the material's base texture names, with its transform applied; V grows downwards in the image, as
+  /// The set that the material's base texture names, with its transform applied; V grows downwards in the image, as
   /// in glTF. Empty when none.
   std::vector<Eigen::Vector2f> uvs;
   std::vector<Eigen::Vector4f> colors;  ///< Linear RGBA, >= 0, that multiply the material's; empty when none.

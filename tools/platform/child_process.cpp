@@ -81,7 +81,7 @@ class Answer {
 
   const ChildSettings& settings_;
   std::uint64_t received_ = 0;  ///< Bytes, those that are announced included.
-  Bytes part_;                  ///< Of a frame's head, or of a note.
+  Bytes part_;                  ///< What has come of a frame's head, or of a note.
   JobFrame frame_;
   bool has_frame_ = false, is_answer_ = false;
   Bytes body_;

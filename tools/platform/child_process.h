@@ -22,7 +22,7 @@ struct ChildLimits {
   static constexpr std::uint32_t kForever = ~std::uint32_t{0};
 
   std::uint64_t memory_bytes = kUnlimited;  ///< Address space that the child may add to what a program begins with.
-  std::uint32_t seconds = kForever;         ///< Of the whole call.
+  std::uint32_t seconds = kForever;         ///< For the whole call.
   std::uint64_t output_bytes = kUnlimited;  ///< What the child may send back, notes included.
   std::uint32_t part_seconds = kForever;    ///< From one note to the next.
 };

@@ -12,7 +12,7 @@
 
 namespace coif::platform {
 
-inline constexpr int kLineDescriptor = 3;  ///< Of the child, behind its standard streams.
+inline constexpr int kLineDescriptor = 3;  ///< The child's, behind its standard streams.
 inline constexpr const char* kJobWord = "--run-job";
 
 // Exit statuses of a child whose job has no answer, outside the range of ordinary programs and of sanitizers.

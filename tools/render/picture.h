@@ -48,7 +48,7 @@ struct PictureSettings {
   std::uint32_t height = 768;
   double yaw_degrees = 30;   ///< 0: from the front, positive: towards the model's left.
   double pitch_degrees = 5;  ///< Positive: from above.
-  double margin = 1.08;      ///< Of the distance from which all is seen, in the motion's first seconds too, 1..10.
+  double margin = 1.08;      ///< Times the distance from which all is seen, in the motion's first seconds too, 1..10.
   std::optional<motion::Motion> motion;          ///< None: the settled pose at rest.
   std::shared_ptr<const motion::HeadPath> clip;  ///< Instead of `motion`, unless null.
   double time = 0;                               ///< Seconds into the motion.
@@ -76,7 +76,7 @@ struct PictureSettings {
   GroundChoice ground = GroundChoice::kNever;  ///< The shade below what is drawn opaque.
   const importer::SourceModel* body =
       nullptr;                 ///< Drawn opaque instead of the collider: the source's meshes that are not hair.
-  BodyTextures body_textures;  ///< Of the body's materials; empty: clay where there should be one.
+  BodyTextures body_textures;  ///< The body's materials'; empty: clay where there should be one.
   bool bust = false;           ///< ... or a head with a face in place of the largest of them.
   bool mannequin = true;       ///< Without `body`: draw the colliders that hair stays out of, as a plain head.
 };

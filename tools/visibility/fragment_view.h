@@ -132,7 +132,7 @@ struct SampleSettings {
   std::size_t lines = 3000;       ///< Wanted per view.
   float solid_alpha = 0.95f;      ///< Layers behind one of at least this alpha do not matter.
   float pixel = 0.001f;           ///< Metres; as ViewGrid.
-  platform::Threads threads = 1;  ///< Of sample_views(); without influence on the result.
+  platform::Threads threads = 1;  ///< How many sample views; without influence on the result.
 };
 
 /// Metres between lines of sight, so that about so many of them meet hair in this pose.

@@ -143,8 +143,8 @@ class OrderSearch {
     if (candidate.found.psnr > best_.found.psnr) best_ = std::move(candidate);
   }
 
-  /// Of triangles, for each rule. Only votes are kept of a view: of fine hair they take a hundredth of its layers'
-  /// memory.
+  /// The triangles' votes, for each rule. Only votes are kept of a view: of fine hair they take a hundredth of its
+  /// layers' memory.
   [[nodiscard]] std::vector<CellVotes> cell_votes(std::span<const DrawRule> rules) const {
     std::vector<std::uint32_t> own(patch_of_.size());
     std::iota(own.begin(), own.end(), 0u);

@@ -61,7 +61,7 @@ struct FoundOrders {
                                         const FoundOrders& found, const OrderSearchSettings& settings,
                                         const RestVotes& seen = {});
 
-/// Of the squared error of pictures in orders by direction, found with any threshold, the share that the best order
+/// The share of the squared error of pictures in orders by direction, found with any threshold, that the best order
 /// would not have.
 [[nodiscard]] double share_of_order(const HairSurface& hair, const JudgedHair& judged, const FoundOrders& orders,
                                     const OrderSearchSettings& settings);

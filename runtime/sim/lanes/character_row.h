@@ -18,7 +18,7 @@ struct PoseLanes {
 
 /// Of one part of a step, and of the row at hand. For kChains all lanes are of one head.
 struct RowCharacter {
-  std::uint32_t collider_count = 0;        ///< Of the head that has most.
+  std::uint32_t collider_count = 0;        ///< The head that has most has so many.
   const ColliderBounds* bounds = nullptr;  ///< For each, one lane for each head of the block.
   const ColliderWay* of_lane[kLanes];      ///< The first of each head's. Not set where there are none,
   std::uint32_t counts[kLanes];            ///< since this is made in every part of a step.

@@ -148,8 +148,8 @@ HWY_INLINE V<D> of_last_bones(D d, const RowStep& row, std::size_t bone, std::si
   return bone + 1 == row.bones.size() ? here : hn::IfThenZeroElse(has_bone(d, row, bone + 1, lane), here);
 }
 
-/// Of a joint that moves rigidly with the head; `joint` in head space, `turn` the head's rotation at the end of the
-/// step.
+/// Finds where a joint is that moves rigidly with the head, and how fast; `joint` in head space, `turn` the head's
+/// rotation at the end of the step.
 template <class D>
 HWY_INLINE void joint_on_head(D d, const RowStep& row, std::size_t lane, const M3<D>& turn, const V3<D>& joint,
                               Carrier<D>& carrier) {

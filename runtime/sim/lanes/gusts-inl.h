@@ -57,8 +57,8 @@ struct NoBoneAir {};
 template <class D>
 using BoneAirOf = std::conditional_t<kOnCharacter<D>, BoneAir<D>, NoBoneAir>;
 
-/// Of bone `i` of `bones`, parents first: where it starts, as it was before the step but for the head's turn, the air
-/// there.
+/// Finds for bone `i` of `bones`, parents first: where it starts, as it was before the step but for the head's turn,
+/// the air there.
 template <class D, class Bone>
 HWY_INLINE void feel_air(D d, const RowStep& row, std::size_t lane, std::size_t i, const M3<D>& turn,
                          const V3<D>& direction, Bone* bones) {

@@ -7,7 +7,7 @@
 namespace coif {
 namespace {
 
-/// Of RowFeature: what all chains of a bundle have in common, since a lane computes other bits beside one that has
+/// The row features that all chains of a bundle have in common, since a lane computes other bits beside one that has
 /// them; see rows.cpp.
 constexpr std::uint32_t kInCommon = kRowTwists | kRowIsBounded;
 

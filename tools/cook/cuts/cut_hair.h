@@ -28,9 +28,9 @@ struct CutHair {
 /// What crossing triangles cost the pictures, and the cure.
 struct Crossings {
   std::size_t pairs = 0;        ///< Triangles of which neither is before the other all over some picture.
-  double share = 0;             ///< Of what pictures in these orders lose by wrong order: what no order could help.
+  double share = 0;             ///< Part of what pictures in these orders lose that no order could help.
   std::optional<CutHair> cut;   ///< None where cutting would gain too little.
-  visibility::RestVotes votes;  ///< Of what was looked at, where nothing is cut.
+  visibility::RestVotes votes;  ///< Votes about what was looked at, where nothing is cut.
 };
 
 /// Cuts the hair of `contents`, drawn as `hair` is in the orders by direction and by the rule of `drawn`, where this

@@ -58,7 +58,7 @@ struct ChainTrial {
 /// True where a cascade amplifies rounding into sight: there is no need to compute it.
 [[nodiscard]] bool grows_beyond_hope(const AssetContents& alone);
 
-/// Of contents with one chain (chains_alone()), in the model that they are meant for. `threads`: without influence on
+/// Tries contents with one chain (chains_alone()) in the model that they are meant for. `threads`: without influence on
 /// the result.
 [[nodiscard]] ChainTrial try_chain(const AssetContents& alone, const platform::Threads& threads);
 /// The same, however hopeless it is.

@@ -22,7 +22,7 @@ namespace {
 /// 1/s. A reference of what is stiffer takes minutes; and what is stiff hardly swings.
 constexpr double kMostRate = 60000;
 
-/// Of the chain's length, RMS over a motion: nobody sees that. Chains of one bone differ by what their damping is
+/// Share of the chain's length, RMS over a motion, that nobody sees. Chains of one bone differ by what their damping is
 /// measured against.
 constexpr double kAlike = 0.02;
 /// A cascade that amplifies this much does not move as if it did not.

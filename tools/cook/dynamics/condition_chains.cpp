@@ -32,7 +32,7 @@ constexpr Conditioning kCandidates[] = {{0.5, 0, 1},   {1, 0, 1},     {2, 0, 1},
 /// What comes after so many that are good changes more. Chains of many bones take long to compute.
 std::size_t enough_good(std::uint32_t bones) { return bones <= 16 ? 3 : 1; }
 
-/// Of the chain's length, RMS: above, two computations of what the artist asked for have less in common than with
+/// % of the chain's length, RMS: above, two computations of what the artist asked for have less in common than with
 /// Algorithm 1.
 constexpr double kMostSelfDifferenceOfArtistPct = 5;
 constexpr int kArtistIterations = 8;
@@ -113,8 +113,8 @@ struct Examined {
   double difference = 0;  ///< As Outcome::difference, of the chain that it changes most.
 };
 
-/// Of some of kCandidates. Chains of all of them are examined beside each other, no further one of a candidate that is
-/// not good.
+/// What some of kCandidates come to. Chains of all of them are examined beside each other, no further one of a
+/// candidate that is not good.
 std::vector<Examined> examine_group(const AssetContents& contents, const ChainGroup& group,
                                     std::span<const AskedMotions> asked, std::span<const Conditioning> candidates,
                                     const platform::Threads& threads) {
@@ -140,7 +140,7 @@ std::vector<Examined> examine_group(const AssetContents& contents, const ChainGr
   return examined;
 }
 
-/// Of the candidates under which every telling chain is good, the one that changes its motion least. As many are
+/// Finds the candidate that changes the motion least among those under which every telling chain is good. As many are
 /// examined at a time as there are threads, and what they find counts in the order of the candidates: it does not
 /// depend on how many there are.
 Outcome search(const AssetContents& contents, const ChainGroup& group, const platform::Threads& threads) {

@@ -123,8 +123,7 @@ class OrderChoice {
   }
 
   [[nodiscard]] float usual_threshold() const { return usual_threshold_; }
-  /// Of the lines of sight that were wanted, how many there are; 1 but for triangles that are nearly as large as the
-  /// hair.
+  /// The share of the wanted lines of sight that there are; 1 but for triangles that are nearly as large as the hair.
   [[nodiscard]] double share_of_lines() const { return share_of_lines_; }
 
  private:

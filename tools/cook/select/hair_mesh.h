@@ -24,7 +24,7 @@ struct HairMesh {
   std::vector<std::uint32_t> mesh_of_triangle;        ///< Source mesh that each triangle comes from.
   bool double_sided = false;                          ///< Both sides of every triangle are hair.
   std::vector<std::uint32_t> source_meshes;           ///< Those that gave triangles.
-  std::uint32_t material = importer::kNoIndex;        ///< Of the source: the one with most triangles.
+  std::uint32_t material = importer::kNoIndex;        ///< The source's material with most triangles.
 
   [[nodiscard]] std::size_t triangle_count() const { return triangles.size() / 3; }
   [[nodiscard]] Eigen::AlignedBox3d box() const {

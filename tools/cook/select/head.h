@@ -20,7 +20,7 @@ enum class HeadShape;
 
 /// Where the head bone is in the rest pose, model space.
 struct HeadBone {
-  std::uint32_t node = importer::kNoIndex;  ///< Of the source; kNoIndex where the hair follows no node.
+  std::uint32_t node = importer::kNoIndex;  ///< The source's node; kNoIndex where the hair follows none.
   std::string name = "head";
   Eigen::Vector3d joint = Eigen::Vector3d::Zero();               ///< Metres.
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< Model from the bone's own axes.

@@ -40,9 +40,9 @@ struct HeadGuess {
 
 /// How much of the hair a head has inside it, shares 0..1.
 struct HairInside {
-  double area = 0;      ///< Of the hair's surface.
-  double vertices = 0;  ///< Of its vertices.
-  double pokes = 0;  ///< Of the directions in which there is hair near the head, those in which none is outside of it.
+  double area = 0;      ///< Share of the hair's surface.
+  double vertices = 0;  ///< Share of its vertices.
+  double pokes = 0;     ///< Share of the directions with hair near the head in which none is outside of it.
 };
 
 [[nodiscard]] HairInside hair_inside(const HairMesh& hair, const HeadEllipsoid& head);

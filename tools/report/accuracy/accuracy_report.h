@@ -46,7 +46,7 @@ struct AccuracyRow {
   /// of both are doubtful.
   bool cost_falls = false;
   bool fewest_steps = false;  ///< With the fewest sub-steps of its solver, which is how it is run where nobody asks.
-  /// Of the runtime's solvers, or of the best of the others: what a chart shows before somebody switches others on.
+  /// One of the runtime's solvers, or of the best of the others: what a chart shows before somebody switches others on.
   bool shown_first = false;
 };
 
@@ -167,10 +167,10 @@ struct AccuracyReport {
   std::vector<OwnReferenceRow> own_reference;
   std::vector<SettleRow> settle;
   Swings swings;
-  std::vector<StrokeRow> stroke;  ///< Of the whole suite with `coif`; else empty.
-  double passive_share = 0;       ///< Of the bones: in the model in which bones hold back their parents.
-  double conditioned_share = 0;   ///< Of the bones: given other numbers than the artist's, so as to have one motion.
-  bool tells_velocities = false;  ///< To rows; not to swings and strokes.
+  std::vector<StrokeRow> stroke;  ///< The whole suite's with `coif`; else empty.
+  double passive_share = 0;       ///< Share of the bones in the model in which bones hold back their parents.
+  double conditioned_share = 0;  ///< Share of the bones with other numbers than the artist's, so as to have one motion.
+  bool tells_velocities = false;       ///< To rows; not to swings and strokes.
   std::optional<ChosenSolver> chosen;  ///< Empty where nothing meets the budget.
   double budget_rms_pct = kNoNumber;   ///< The error budget that `chosen` meets.
 };

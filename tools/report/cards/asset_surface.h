@@ -28,9 +28,9 @@ struct CookedPlace {
   }
 };
 
-/// Of the units and up directions that a cook chooses among, those with which the box around the strands is most nearly
-/// the one around the asset's finest level. kBadInput where no box is near it: the asset was cooked from other strands,
-/// or by a recipe with another unit.
+/// Finds among the units and up directions that a cook may choose those with which the box around the strands is most
+/// nearly the one around the asset's finest level. kBadInput where no box is near it: the asset was cooked from other
+/// strands, or by a recipe with another unit.
 [[nodiscard]] tl::expected<CookedPlace, ToolError> find_cooked_place(const Asset& asset, const groom::Groom& groom);
 
 /// What one level of detail draws, at rest, in the groom's space: its own triangles, tangents, and the alpha of its

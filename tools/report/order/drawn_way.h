@@ -100,7 +100,7 @@ struct OrderWays {
   std::vector<OrderLeftOut> left_out;
 };
 
-/// Of the renderer that takes exact pictures: four times what it takes by itself, for pictures of a thousand pixels
+/// What the renderer of exact pictures gets: four times what it takes by itself, for pictures of a thousand pixels
 /// each way.
 inline constexpr std::uint32_t kListBytes = 256u << 20;
 

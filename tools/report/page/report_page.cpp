@@ -5,7 +5,7 @@
 #include <map>
 #include <string_view>
 
-// Of page.html, page.css, Chart.js and script/, by embed.cmake.
+// embed.cmake makes these of page.html, page.css, Chart.js and script/.
 extern "C" {
 extern const char coif_page_html[];
 extern const char coif_page_css[];

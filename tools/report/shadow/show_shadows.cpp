@@ -30,8 +30,8 @@ const ShadowTotal* find_small(const ShadowReport& report, double most) {
   return small;
 }
 
-/// Of a plain map of as many bytes, between those that were measured; NaN beyond them. In a plot of both logarithms the
-/// error is nearly a line.
+/// The error of a plain map of as many bytes, between those that were measured; NaN beyond them. In a plot of both
+/// logarithms the error is nearly a line.
 double plain_error_at(const ShadowReport& report, double bytes) {
   const ShadowTotal *below = nullptr, *above = nullptr;
   for (const ShadowTotal& total : report.totals) {

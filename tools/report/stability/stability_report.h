@@ -59,7 +59,7 @@ struct StabilityRow {
   double penetration_max_pct = kNoNumber;   ///< Worst depth in % of the head's radius.
   double limit_max_rad = kNoNumber;         ///< Furthest of a bone beyond its limit (LimitRecord), radians.
   double link_stretch_max_pct = kNoNumber;  ///< By how much linked particles parted, % of their distance at rest.
-  double max_speed = kNoNumber;             ///< Of a bone's tail in head space, m/s.
+  double max_speed = kNoNumber;             ///< A bone's tail's in head space, m/s.
   /// The same in the last half second of eight with the head at rest; of heads that are held, all of the time after
   /// kSettlingTime.
   double rest_speed = kNoNumber;

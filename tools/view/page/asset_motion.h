@@ -61,13 +61,13 @@ class AssetMotion {
  private:
   /// What a bone's numbers tell of who said them.
   struct Bone {
-    DynamicsRecord own{};                      ///< As asked for: before the cook made its chain have one motion.
-    double place = 0;                          ///< Of its middle along its chain, where it takes the values of curves.
+    DynamicsRecord own{};  ///< As asked for: before the cook made its chain have one motion.
+    double place = 0;      ///< Where its middle is along its chain, which takes the values of curves.
     const cook::HairPreset* preset = nullptr;  ///< By which it has its stiffness.
     bool is_tied = false;                      ///< With a preset: as tied hair swings.
-    std::optional<double> said_ratio;          ///< Of critical damping; none: what its resistance or its preset brings.
-    double shown_ratio = 0;                    ///< By its preset's measure where it has one.
-    double curve_ratio = 0;                    ///< By that of bones with a resistance.
+    std::optional<double> said_ratio;  ///< Share of critical damping; none: what its resistance or its preset brings.
+    double shown_ratio = 0;            ///< By its preset's measure where it has one.
+    double curve_ratio = 0;            ///< By that of bones with a resistance.
     bool leans = false;
   };
 

@@ -18,7 +18,7 @@ namespace {
 struct Page {
   EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = 0;
   std::vector<std::byte> incoming;
-  std::vector<coif::motion::ClipKey> clip;                      ///< Of whatever is opened.
+  std::vector<coif::motion::ClipKey> clip;                      ///< Keys of whatever is opened.
   std::vector<std::unique_ptr<coif::view::ViewSession>> views;  ///< First the page's own, then tiles of a sheet.
   coif::view::ViewSession* session = nullptr;                   ///< The one that all functions are about.
   std::string said;

@@ -26,8 +26,8 @@ class TriangleCorners {
   /// The asset must outlive this object and have a mesh.
   explicit TriangleCorners(const Asset& asset);
 
-  /// Of the head's level, in the order in which HairRenderer draws it: `order` is VisibleCrowd::Group's. Valid until
-  /// the next call; empty where the palette is not the asset's.
+  /// The corners of the head's level, in the order in which HairRenderer draws it: `order` is VisibleCrowd::Group's.
+  /// Valid until the next call; empty where the palette is not the asset's.
   [[nodiscard]] std::span<const TriangleCorner> of(HairView view, const HairInstance& head, std::uint32_t order);
 
   /// That of() ever gives.

@@ -36,7 +36,7 @@ class LatestWork {
   std::uint64_t begun_ = 0;
   bool is_working_ = false;
   bool ends_ = false;
-  std::stop_source stop_;  ///< Of the work in progress.
+  std::stop_source stop_;  ///< Ends the work in progress.
   std::thread thread_;     ///< Last, so that all else is there when it begins.
 };
 
