@@ -1,4 +1,4 @@
-#include "cook/result_bytes.h"
+#include "cook/cook.h"
 
 #include "cook/built_models.h"
 

@@ -1,11 +1,11 @@
 // References that lead out of the model's folder where no fence of the kernel's stands in the way, and machines that
 // have none.
 
-#include "platform/sandbox.h"
 #include "import/assimp_scene.h"
 #include "import/import.h"
 #include "import/model_files.h"
 #include "platform/child_process.h"
+#include "platform/job.h"
 
 #include <gtest/gtest.h>
 

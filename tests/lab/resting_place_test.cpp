@@ -18,8 +18,6 @@
 
 namespace coif::lab::resting_place_test {
 
-using Eigen::Vector3d;
-
 constexpr float kLength = 0.36f;  ///< How long each strand is, metres.
 
 /// Strands from many places of a head, that grow stiffer to their tips, as thinner bones do.
@@ -54,28 +52,22 @@ TestRig rig_of(int seed) {
   return rig;
 }
 
-double way_between(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
-
 /// Heads in 26 attitudes, which wear one hair.
 class Crowd {
  public:
-  explicit Crowd(const TestRig& rig) : opened_(rig.contents()) {
-    for (int cell = 0; cell < 27; ++cell) {
-      const Vector3d up(cell / 9 - 1, cell / 3 % 3 - 1, cell % 3 - 1);
-      if (!up.isZero()) heads_.push_back(motion::held_attitude(up));
-    }
+  explicit Crowd(const TestRig& rig) : opened_(rig.contents()), heads_(motion::held_attitudes()) {
     const HairDesc desc{.instances = std::uint32_t(heads_.size())};
     const MemoryNeed need = Hair::memory_need(opened_.asset(), desc);
     memory_ = allocate(need);
     EXPECT_EQ(hair_.create(opened_.asset(), desc, {memory_.get(), need.bytes}), Status::kOk);
-    for (std::uint32_t i = 0; i < heads_.size(); ++i) EXPECT_EQ(hair_.reset(i, heads_[i]->pose(0)), Status::kOk);
+    for (std::uint32_t i = 0; i < heads_.size(); ++i) EXPECT_EQ(hair_.reset(i, heads_[i].path->pose(0)), Status::kOk);
   }
 
   void run(double seconds, double rate, std::uint32_t substeps) {
     const StepSettings settings{.dt = float(1 / rate), .substeps = substeps, .sleep_after = HUGE_VALF};
     for (const double end = now_ + seconds; now_ < end; now_ += 1 / rate) {
       for (std::uint32_t i = 0; i < heads_.size(); ++i) {
-        EXPECT_EQ(hair_.set_head(i, heads_[i]->pose(now_ + 1 / rate)), Status::kOk);
+        EXPECT_EQ(hair_.set_head(i, heads_[i].path->pose(now_ + 1 / rate)), Status::kOk);
       }
       EXPECT_EQ(hair_.step(settings), Status::kOk);
     }
@@ -93,7 +85,7 @@ class Crowd {
 
  private:
   OpenedAsset opened_;
-  std::vector<std::unique_ptr<motion::HeadPath>> heads_;
+  std::vector<motion::HeldAttitude> heads_;
   HairMemory memory_{nullptr, &std::free};
   Hair hair_;
   double now_ = 0;
@@ -110,7 +102,8 @@ TEST(RestingPlace, IsAnEquilibriumOfShorterStepsToo) {
     crowd.run(4, 60, 8);
     const std::vector<Vec3> later = crowd.ends();
     double farthest = 0;
-    for (std::size_t i = 0; i < rested.size(); ++i) farthest = std::max(farthest, way_between(rested[i], later[i]));
+    for (std::size_t i = 0; i < rested.size(); ++i)
+      farthest = std::max(farthest, double(distance(rested[i], later[i])));
     EXPECT_LT(farthest, 0.03 * kLength) << "seed " << seed;
   }
 }

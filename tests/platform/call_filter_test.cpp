@@ -1,7 +1,7 @@
 // What a process behind the filter of system calls can still ask for, tried by a child of this one.
 
 #include "platform/child_process.h"
-#include "platform/sandbox.h"
+#include "platform/job.h"
 
 #include <gtest/gtest.h>
 

@@ -35,6 +35,12 @@ inline constexpr int kDeepestJson = 32;
 /// A finite number.
 [[nodiscard]] std::optional<double> number_of(const nlohmann::json& value);
 
+/// A whole number; throws where `value` is anything else.
+template <class Whole>
+[[nodiscard]] Whole whole_number(const nlohmann::json& value) {
+  return static_cast<Whole>(value.get_ref<const nlohmann::json::number_integer_t&>());
+}
+
 /// A whole number below `count`.
 [[nodiscard]] std::optional<std::uint32_t> index_of(const nlohmann::json& value, std::size_t count);
 

@@ -1,6 +1,6 @@
 #include "base/json.h"
 #include "cache/cook_cache.h"
-#include "cook/result_bytes.h"
+#include "cook/cook.h"
 #include "payload_hash.h"
 
 #include <algorithm>
@@ -17,10 +17,10 @@ static void to_json(json& out, const Dependency& d) {
 }
 
 static void from_json(const json& in, Dependency& d) {
-  const bool from_recipe = cook::whole_number<int>(in.at(0)) == int(Dependency::Base::kRecipe);
+  const bool from_recipe = whole_number<int>(in.at(0)) == int(Dependency::Base::kRecipe);
   d.base = from_recipe ? Dependency::Base::kRecipe : Dependency::Base::kSource;
   d.path = in.at(1).get<std::string>();
-  if (!in.at(2).is_null()) d.hash = cook::whole_number<std::uint64_t>(in.at(2));
+  if (!in.at(2).is_null()) d.hash = whole_number<std::uint64_t>(in.at(2));
 }
 
 namespace {

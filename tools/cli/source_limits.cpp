@@ -3,7 +3,7 @@
 #include "cli/command.h"
 #include "cli/options.h"
 #include "platform/child_process.h"
-#include "platform/sandbox.h"
+#include "platform/job.h"
 
 #include <fmt/format.h>
 

@@ -8,11 +8,13 @@
 #include "cook/texture/source_images.h"
 #include "import/source_model.h"
 
+#include <nlohmann/json_fwd.hpp>
 #include <tl/expected.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 namespace coif::cook {
@@ -45,5 +47,21 @@ struct CookResult {
 /// Throws Stopped, and nothing else, where settings.threads.stop is requested.
 tl::expected<CookResult, ToolError> cook(const importer::SourceModel& source, const Recipe& recipe,
                                          const CookSettings& settings);
+
+// What a cook gave, as bytes: on its way from a child process, and in a cache. The documents go into MessagePack, whose
+// texts may hold any bytes, as names in artists' files do.
+
+[[nodiscard]] nlohmann::json report_document(const CookReport& report);
+/// Throws a std::exception where the document has another shape.
+[[nodiscard]] CookReport report_from(const nlohmann::json& document);
+
+[[nodiscard]] nlohmann::json questions_document(const std::vector<TextureQuestion>& questions);
+/// Throws a std::exception where the document has another shape.
+[[nodiscard]] std::vector<TextureQuestion> questions_from(const nlohmann::json& document);
+
+/// All of a result, for another process of this program.
+[[nodiscard]] std::vector<std::uint8_t> encode_result(const CookResult& result);
+/// What encode_result() made. Throws a std::exception for any other bytes.
+[[nodiscard]] CookResult decode_result(std::span<const std::uint8_t> bytes);
 
 }  // namespace coif::cook

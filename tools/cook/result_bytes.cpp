@@ -1,4 +1,4 @@
-#include "cook/result_bytes.h"
+#include "cook/cook.h"
 
 #include "base/byte_archive.h"
 

@@ -3,7 +3,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "platform/child_process.h"
-#include "platform/sandbox.h"
+#include "platform/job.h"
 
 #include <fmt/format.h>
 

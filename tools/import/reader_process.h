@@ -12,7 +12,7 @@
 namespace coif::importer {
 
 // How files of strangers are read: by a child process under the limits of ImportSettings that is locked up where the
-// kernel can do that (platform/sandbox.h). It may open nothing but the source, its folder and the roots, and make no
+// kernel can do that (platform/job.h). It may open nothing but the source, its folder and the roots, and make no
 // socket and no process. One end asks:
 
 /// Asks for `job`, whose function calls answer_read(), and returns what it answered, which is to be trusted as little

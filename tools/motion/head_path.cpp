@@ -159,6 +159,15 @@ std::unique_ptr<HeadPath> held_attitude(const Eigen::Vector3d& up, double second
                    seconds);
 }
 
+std::vector<HeldAttitude> held_attitudes() {
+  std::vector<HeldAttitude> all;
+  for (int cell = 0; cell < 27; ++cell) {
+    const Eigen::Vector3d up(cell / 9 - 1, cell / 3 % 3 - 1, cell % 3 - 1);
+    if (!up.isZero()) all.push_back({up, held_attitude(up)});
+  }
+  return all;
+}
+
 namespace {
 
 constexpr double kRate = 60;  // Hz

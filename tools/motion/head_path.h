@@ -97,6 +97,15 @@ inline constexpr double kAttitudeSeconds = 0.8;
 /// there. Straight up there is nothing to turn by, and straight down every way is as short: forwards.
 [[nodiscard]] std::unique_ptr<HeadPath> held_attitude(const Eigen::Vector3d& up, double seconds = kAttitudeSeconds);
 
+/// A head that is held, and where its up axis points: to a corner, an edge or a face of a cube.
+struct HeldAttitude {
+  Eigen::Vector3d up;
+  std::unique_ptr<HeadPath> path;
+};
+
+/// All 26 of them.
+[[nodiscard]] std::vector<HeldAttitude> held_attitudes();
+
 /// Where a head is at one time of an animation. World axes.
 struct ClipKey {
   double seconds = 0;

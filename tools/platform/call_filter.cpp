@@ -1,4 +1,4 @@
-#include "platform/sandbox.h"
+#include "platform/job.h"
 
 #include <linux/audit.h>
 #include <linux/filter.h>

@@ -1,5 +1,5 @@
 #include "platform/descriptor.h"
-#include "platform/sandbox.h"
+#include "platform/job.h"
 
 #include <linux/landlock.h>
 #include <linux/seccomp.h>

@@ -1,4 +1,4 @@
-#include "platform/scratch_folder.h"
+#include "platform/files.h"
 
 #include "platform/spawn.h"
 

@@ -17,9 +17,10 @@ namespace coif {
 namespace HWY_NAMESPACE {
 
 /// How near a bone is to a collider, in head space. Where the step leads the start into the collider, the start is not
-/// deep in it for that: a bone that lies on it would meet it no more. `start_before` is where the step found it.
+/// deep in it for that: a bone that lies on it would meet it no more. `start_before`, where the step found it, is null
+/// for a bone that has not moved.
 template <class D>
-COIF_RARE void find_gap(D d, const PlacedCollider& collider, const V3<D>& start_before, const V3<D>& start,
+COIF_RARE void find_gap(D d, const PlacedCollider& collider, const V3<D>* start_before, const V3<D>& start,
                         const V3<D>& direction, V<D> length, V<D> hit_radius, Deepest<D>& at) {
   if (collider.keeps_inside || collider.shape == ColliderShape::kPlane) {
     at.along = length;
@@ -38,7 +39,7 @@ COIF_RARE void find_gap(D d, const PlacedCollider& collider, const V3<D>& start_
     return;
   }
   Solid<D> solid(d, collider, start, length, hit_radius);
-  solid.start_as_deep_as(Solid<D>(d, collider, start_before, length, hit_radius));
+  if (start_before != nullptr) solid.start_as_deep_as(Solid<D>(d, collider, *start_before, length, hit_radius));
   solid.find_deepest(solid.into(direction), at);
   const V3<D> normal = solid.out_of(at.normal);
   copy(d, normal, at.normal);
@@ -68,8 +69,9 @@ template <class D>
 COIF_RARE void meet_within(D d, const PlacedCollider& collider, const MeetingBone<D>& bone, V<D> dt,
                            const Deepest<D>& now, hn::Mask<D> asked, Meeting<D>& meeting) {
   const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+  const V3<D>* const unmoved = nullptr;
   Deepest<D> before;
-  find_gap(d, collider, bone.start[0], bone.start[0], bone.direction[0], bone.length, bone.hit_radius, before);
+  find_gap(d, collider, unmoved, bone.start[0], bone.direction[0], bone.length, bone.hit_radius, before);
   const auto share0 = hn::Div(before.along, bone.length), share1 = hn::Div(now.along, bone.length);
   const V3<D> velocity = add_scaled(d, bone.velocity[0], sub(d, bone.velocity[1], bone.velocity[0]), share0);
   const auto gap = hn::Max(before.gap, zero), speed = dot(d, before.normal, velocity);
@@ -151,7 +153,7 @@ HWY_INLINE bool find_meeting(D d, const RowStep& row, std::size_t lane, std::siz
       meeting.share = meeting.leave = meeting.when = zero;
     }
     Deepest<D> now;
-    find_gap(d, colliders[i], way.start[0], way.start[1], way.direction[1], way.length, way.hit_radius, now);
+    find_gap(d, colliders[i], &way.start[0], way.start[1], way.direction[1], way.length, way.hit_radius, now);
     meet_within(d, colliders[i], way, dt, now, here, meeting);
   }
   return !hn::AllFalse(d, hn::Gt(meeting.lift, zero));

@@ -39,7 +39,7 @@ COIF_RARE hn::Mask<D> PassiveChain<D>::find_lying() {
       const auto here = hn::And(asked, lanes_with(d_, constants, lane_, c));
       if (hn::AllFalse(d_, here)) continue;
       Deepest<D> now;
-      find_gap(d_, (*row_.colliders)[c], began, start, direction, length, hit_radius, now);
+      find_gap(d_, (*row_.colliders)[c], &began, start, direction, length, hit_radius, now);
       const auto deeper = hn::And(here, hn::Gt(hn::Neg(now.gap), bone.touch.lift));
       bone.touch.set(d_, deeper, rotate(d_, turn_, now.normal), hn::Div(now.along, length), hn::Neg(now.gap));
     }

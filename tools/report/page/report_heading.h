@@ -3,7 +3,7 @@
 // What the reports have in common.
 
 #include "base/json.h"
-#include "report/page/view_link.h"
+#include "report/page/report_page.h"
 
 #include <coif/asset.h>
 

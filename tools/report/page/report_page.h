@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <string>
 
 namespace coif::report {
@@ -12,5 +13,19 @@ namespace coif::report {
 ///
 /// `layout`: JSON, a list of parts as page_layout.schema.json has them.
 [[nodiscard]] std::string page_html(const nlohmann::ordered_json& report, const char* layout);
+
+// Links from a report to the page of `coif view`.
+
+/// What a link sets on the page of `coif view`, by the words of its controls; empty, or a rate of 0: as the page comes.
+struct ViewLink {
+  std::string motion{}, solver{}, beside{};
+  double rate = 0;  ///< Steps a second.
+};
+
+/// Where `target` lies, as a page at `from` links it: relative, as a URL. Any byte may be in a name.
+[[nodiscard]] std::string relative_url(const std::filesystem::path& target, const std::filesystem::path& from);
+
+/// `page`, a URL, with these settings; a motion plays.
+[[nodiscard]] std::string view_url(const std::string& page, const ViewLink& link);
 
 }  // namespace coif::report

@@ -1,4 +1,4 @@
-#include "report/page/view_link.h"
+#include "report/page/report_page.h"
 
 #include <fmt/format.h>
 

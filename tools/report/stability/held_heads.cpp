@@ -19,24 +19,10 @@ using Eigen::Vector3d;
 
 constexpr std::uint32_t kAttitudes = 26;
 
-struct Attitude {
-  Vector3d up;
-  std::unique_ptr<motion::HeadPath> path;
-};
-
-std::vector<Attitude> attitudes() {
-  std::vector<Attitude> all;
-  for (int cell = 0; cell < 27; ++cell) {
-    const Vector3d up(cell / 9 - 1, cell / 3 % 3 - 1, cell % 3 - 1);
-    if (!up.isZero()) all.push_back({up, motion::held_attitude(up)});
-  }
-  return all;
-}
-
 /// A head in each attitude, and where its bones ended after the last frame.
 class HeldCrowd {
  public:
-  HeldCrowd(const Asset& asset, const HeldHeads& held) : heads_(attitudes()) {
+  HeldCrowd(const Asset& asset, const HeldHeads& held) : heads_(motion::held_attitudes()) {
     const HairDesc desc{.instances = kAttitudes, .links = links_of(asset, kCoifSolver)};
     const MemoryNeed need = Hair::memory_need(asset, desc);
     memory_ = allocate(need);
@@ -76,7 +62,7 @@ class HeldCrowd {
   [[nodiscard]] const Vector3d& up(std::uint32_t head) const { return heads_[head].up; }
 
  private:
-  std::vector<Attitude> heads_;
+  std::vector<motion::HeldAttitude> heads_;
   HairMemory memory_{nullptr, &std::free};
   Hair hair_;
   StepSettings settings_;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/tool_error.h"
-#include "platform/scratch_folder.h"
+#include "platform/files.h"
 #include "view/server/latest_work.h"
 #include "view/server/live_cook.h"
 #include "view/server/live_server.h"
