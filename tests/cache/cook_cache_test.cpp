@@ -181,7 +181,7 @@ TEST_F(CookCacheTest, MessagesNameTheFilesOfTheCheckoutInUse) {
   const auto found = cache().find(kKey, {other.source(), other.path()});
   ASSERT_TRUE(found);
   ASSERT_EQ(found->report.warnings.size(), 1u);
-  EXPECT_EQ(found->report.warnings[0], other.path().string() + "/hair.png: cannot read");
+  EXPECT_EQ(found->report.warnings[0].message, other.path().string() + "/hair.png: cannot read");
   EXPECT_EQ(found->report.warnings[0].code, "C147");
 }
 

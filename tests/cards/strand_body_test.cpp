@@ -62,10 +62,10 @@ TEST(StrandBody, FindsUnitAndAxisByTheRootsAndSaysSo) {
       place_on_body(body_with_head(), groom);
       EXPECT_LT(farthest_root(groom), 0.002f) << scale << z_up;
       ASSERT_EQ(groom.warnings.size(), 1u);
-      EXPECT_NE(
-          groom.warnings[0].find(fmt::format("taken as of {:.4g} m per unit with {} up", 1 / scale, z_up ? 'Z' : 'Y')),
-          std::string::npos)
-          << groom.warnings[0];
+      EXPECT_NE(groom.warnings[0].message.find(
+                    fmt::format("taken as of {:.4g} m per unit with {} up", 1 / scale, z_up ? 'Z' : 'Y')),
+                std::string::npos)
+          << groom.warnings[0].message;
       EXPECT_EQ(groom::find_groom_fault(groom), "");
     }
   }
@@ -78,7 +78,7 @@ TEST(StrandBody, KeepsWhatTheRecipeGivesAndSaysHowFarOffItIs) {
   place_on_body(body_with_head(), groom);
   EXPECT_EQ(groom.points, before.points);
   ASSERT_EQ(groom.warnings.size(), 1u);
-  EXPECT_TRUE(groom.warnings[0].starts_with("roots lie ")) << groom.warnings[0];
+  EXPECT_TRUE(groom.warnings[0].message.starts_with("roots lie ")) << groom.warnings[0].message;
 }
 
 importer::SourceModel cards_alone() {
@@ -127,7 +127,8 @@ TEST(StrandBody, HairOfTheBodysOwnIsLeftOut) {
   add_body(body, cards);
   EXPECT_EQ(cards.meshes.size(), 2u);
   ASSERT_EQ(cards.warnings.size(), 1u);
-  EXPECT_NE(cards.warnings[0].find("1 of its meshes are called hair"), std::string::npos) << cards.warnings[0];
+  EXPECT_NE(cards.warnings[0].message.find("1 of its meshes are called hair"), std::string::npos)
+      << cards.warnings[0].message;
 }
 
 std::string obj_text(bool with_mesh, const char* mesh_name, std::size_t strands = 60) {

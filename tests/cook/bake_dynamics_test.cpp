@@ -219,7 +219,7 @@ TEST(BakeDynamics, TakesSpringsWhereThereAreSomeUnlessTheRecipeSaysCurves) {
   recipe.dynamics_source = DynamicsSource::kSprings;
   const auto wanted = baked(model, recipe);
   ASSERT_EQ(wanted.warnings.size(), 1u);
-  EXPECT_NE(wanted.warnings[0].find("1 of 2 simulated bones have no spring"), std::string::npos);
+  EXPECT_NE(wanted.warnings[0].message.find("1 of 2 simulated bones have no spring"), std::string::npos);
 
   recipe.dynamics_source = DynamicsSource::kCurves;
   const auto curves = baked(model, recipe);
@@ -252,8 +252,9 @@ TEST(BakeDynamics, WhatASpringLosesIsAWarningThatNamesIt) {
   model.springs[0].joints[1].gravity_direction = Vector3d(1, -1, 0).normalized();
   const auto warnings = baked(model).warnings;
   ASSERT_EQ(warnings.size(), 2u);
-  EXPECT_NE(warnings[0].find("spring 'tail': its gravity is not vertical"), std::string::npos) << warnings[0];
-  EXPECT_NE(warnings[1].find("center 'Head'"), std::string::npos) << warnings[1];
+  EXPECT_NE(warnings[0].message.find("spring 'tail': its gravity is not vertical"), std::string::npos)
+      << warnings[0].message;
+  EXPECT_NE(warnings[1].message.find("center 'Head'"), std::string::npos) << warnings[1].message;
   model.springs[0].joints[1].gravity_power = 0;
   model.springs[0].center = importer::kNoIndex;
   EXPECT_TRUE(baked(model).warnings.empty()) << "no gravity has no direction";

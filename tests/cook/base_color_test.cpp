@@ -31,8 +31,7 @@ SaidColor base_color_of(const importer::SourceModel& model, const Recipe& recipe
 
 /// The one warning; else what is wrong.
 std::string only_warning(const SaidColor& color) {
-  return color.warnings.size() == 1 ? std::string(color.warnings[0])
-                                    : std::to_string(color.warnings.size()) + " warnings";
+  return color.warnings.size() == 1 ? color.warnings[0].message : std::to_string(color.warnings.size()) + " warnings";
 }
 
 bool has_color(const BaseColor& color, const Rgba& wanted) {
@@ -46,7 +45,7 @@ TEST(BaseColor, ATextureWhereTheFileSaysIsTakenWithoutAWord) {
   add_surface(model, "strands").base_texture.path = "maps/strands.png";
   const SaidColor color = base_color_of(model);
   EXPECT_TRUE(has_color(color, kRed));
-  EXPECT_TRUE(color.warnings.empty()) << color.warnings[0];
+  EXPECT_TRUE(color.warnings.empty()) << color.warnings[0].message;
   EXPECT_EQ(color.files, std::vector{folder.path() / "maps/strands.png"});
 }
 
@@ -84,9 +83,9 @@ TEST(BaseColor, AnOpacityTextureOfItsOwnIsMissedOnce) {
   add_surface(model, "strands").base_texture.path = "strands.png";
   model.materials[0].opacity_texture.path = "strands_alpha.png";
   const SaidColor color = base_color_of(model);
-  const auto count = std::ranges::count_if(color.warnings, [](const std::string& warning) {
-    return warning.find("opacity texture 'strands_alpha.png': no such file") != std::string::npos &&
-           warning.find("\"textures\": {\"opacity\": ...}") != std::string::npos;
+  const auto count = std::ranges::count_if(color.warnings, [](const Diagnostic& warning) {
+    return warning.message.find("opacity texture 'strands_alpha.png': no such file") != std::string::npos &&
+           warning.message.find("\"textures\": {\"opacity\": ...}") != std::string::npos;
   });
   EXPECT_EQ(count, 1);
 }

@@ -221,7 +221,7 @@ TEST(BluntEnds, AWarningNamesTheirShareWhereItIsMoreThanAFew) {
     ASSERT_EQ(ends.warnings.size(), hard > 1 ? 1u : 0u) << hard;
     if (hard > 1) {
       const std::string share = std::to_string(10 * hard) + " % of the patches (" + std::to_string(hard) + " of 10)";
-      EXPECT_EQ(ends.warnings[0].rfind(share, 0), 0u) << ends.warnings[0];
+      EXPECT_EQ(ends.warnings[0].message.rfind(share, 0), 0u) << ends.warnings[0].message;
     }
     EXPECT_EQ(wig.ends({}, 4).made, ends.made) << "threads do not matter";
   }

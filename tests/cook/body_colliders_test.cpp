@@ -191,8 +191,8 @@ TEST_F(BodyCollidersTest, HairInsideItAtRestIsTold) {
   model_.springs[1].colliders = {add_collider(kShoulder, skeleton_.bones[2].tail)};
   const auto found = try_run();
   ASSERT_EQ(found.warnings.size(), 1u);
-  EXPECT_NE(found.warnings[0].find("1 bones are inside a body collider at rest, 'hair_b'"), std::string::npos)
-      << found.warnings[0];
+  EXPECT_NE(found.warnings[0].message.find("1 bones are inside a body collider at rest, 'hair_b'"), std::string::npos)
+      << found.warnings[0].message;
 }
 
 TEST_F(BodyCollidersTest, WithoutHitRadiiItsShapesAreLargerByTheSmallestOfTheirHair) {

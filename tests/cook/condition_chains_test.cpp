@@ -79,7 +79,7 @@ void expect_helped(int bones) {
   AssetContents contents = named(rig_of_chain({.bones = bones, .length = 0.8f, .damping_ratio = 1}));
   const auto result = conditioned(contents);
   EXPECT_EQ(result.notes.size(), 1u);
-  EXPECT_TRUE(result.warnings.empty()) << result.warnings[0];
+  EXPECT_TRUE(result.warnings.empty()) << result.warnings[0].message;
   contents.dynamics = result.made;
   expect_well_posed(contents);
 }
@@ -144,8 +144,8 @@ TEST(ConditionChains, WarnsWhereNothingHelps) {
   const auto result = conditioned(named(rig));
   EXPECT_TRUE(result.notes.empty());
   ASSERT_EQ(result.warnings.size(), 1u);
-  EXPECT_NE(result.warnings[0].find("chain 'b1': "), std::string::npos) << result.warnings[0];
-  EXPECT_NE(result.warnings[0].find("frame rate"), std::string::npos) << result.warnings[0];
+  EXPECT_NE(result.warnings[0].message.find("chain 'b1': "), std::string::npos) << result.warnings[0].message;
+  EXPECT_NE(result.warnings[0].message.find("frame rate"), std::string::npos) << result.warnings[0].message;
 }
 
 TEST(ChainGrowth, RisesWithTheBonesAndIsBoundedByFrictionAndTheHead) {

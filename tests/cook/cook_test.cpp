@@ -240,7 +240,7 @@ TEST(Cook, ATextureOfTheSourceThatIsMissingIsAWarning) {
   model.meshes[0].material = 0;
   const CookResult result = cooked(model);
   ASSERT_EQ(result.report.warnings.size(), 1u);
-  EXPECT_NE(result.report.warnings[0].find("no such file beside the source"), std::string::npos);
+  EXPECT_NE(result.report.warnings[0].message.find("no such file beside the source"), std::string::npos);
 }
 
 TEST(Cook, HairThatSaysNothingOfItsColorIsBrownButGltfMeansWhite) {
@@ -285,7 +285,7 @@ std::vector<std::byte> cooked_wig() {
   recipe.texture_max_size = 4;
   const auto result = cook(model, recipe, {});
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
-  EXPECT_TRUE(result && result->report.warnings.empty()) << (result ? std::string(result->report.warnings[0]) : "");
+  EXPECT_TRUE(result && result->report.warnings.empty()) << (result ? result->report.warnings[0].message : "");
   return result ? result->asset : std::vector<std::byte>{};
 }
 

@@ -283,9 +283,10 @@ TEST(FitHead, IsTheRecipesElseTheHeadsMeshElseTheHairsInside) {
       share = std::min(share, (bone.tail - Eigen::Vector3d(0, 1.6, 0)).norm() / 0.25);
   }
   ASSERT_EQ(collide().warnings.size(), 1u) << "it swallows the hair";
-  EXPECT_NE(collide().warnings[0].find(fmt::format("a bone ends {:.0f} % of the radius inside it", 100 * (1 - share))),
+  EXPECT_NE(collide().warnings[0].message.find(
+                fmt::format("a bone ends {:.0f} % of the radius inside it", 100 * (1 - share))),
             std::string::npos)
-      << collide().warnings[0];
+      << collide().warnings[0].message;
   recipe.head_shape = HeadShape::kNothing;
   EXPECT_TRUE(collide().made.shapes.empty());
 }

@@ -166,9 +166,9 @@ TEST_F(JoinedSurfaces, ImagesThatRepeatOftenLeaveTheMainMaterialAndAWarning) {
   EXPECT_FALSE(color.atlas);
   EXPECT_EQ(texel_at(*color.image, {0.5f, 0.5f}), kRed);
   ASSERT_EQ(findings_.warnings.size(), 1u);
-  EXPECT_NE(findings_.warnings[0].find("repeat an image more than 2 times"), std::string::npos)
-      << findings_.warnings[0];
-  EXPECT_NE(findings_.warnings[0].find("('main')"), std::string::npos);
+  EXPECT_NE(findings_.warnings[0].message.find("repeat an image more than 2 times"), std::string::npos)
+      << findings_.warnings[0].message;
+  EXPECT_NE(findings_.warnings[0].message.find("('main')"), std::string::npos);
   EXPECT_EQ(hair_.uvs, before_.uvs);
 }
 

@@ -107,7 +107,7 @@ TEST_F(Opacity, TheRecipesMapReplacesTheFiles) {
   EXPECT_EQ(by_recipe(TextureChannel::kRed)[3], 10);
   EXPECT_EQ(by_recipe(TextureChannel::kBlue)[3], 30);
   EXPECT_EQ(by_recipe(TextureChannel::kAlpha, true)[3], 55);
-  EXPECT_TRUE(findings_.warnings.empty()) << "what is replaced is not missed: " << findings_.warnings[0];
+  EXPECT_TRUE(findings_.warnings.empty()) << "what is replaced is not missed: " << findings_.warnings[0].message;
   Recipe recipe = default_recipe();
   recipe.opacity_texture.file = "map.png";
   EXPECT_NE(cooked(recipe).alpha_use, importer::AlphaUse::kOpaque) << "who names a map of alpha wants it seen";

@@ -64,8 +64,9 @@ Numbers selected_by(const std::string& select) {
   return numbers;
 }
 
-bool warns(const CookResult& result, const std::string& warning) {
-  return std::ranges::find(result.report.warnings, warning) != result.report.warnings.end();
+bool warns(const CookResult& result, const std::string& message) {
+  const auto& warnings = result.report.warnings;
+  return std::ranges::find(warnings, message, &Diagnostic::message) != warnings.end();
 }
 
 TEST(PatchOverrides, AreSelectedByWhatIsKnownOfAPatch) {

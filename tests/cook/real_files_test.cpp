@@ -223,8 +223,9 @@ TEST_P(RealTextures, AreFoundWhereTheArtistLeftThem) {
 }
 
 TEST_P(RealTextures, EndHardWhereOneSeesIt) {
-  const bool warned = std::ranges::any_of(cooked_->result.report.warnings,
-                                          [](const std::string& w) { return w.find("end hard") != std::string::npos; });
+  const bool warned = std::ranges::any_of(cooked_->result.report.warnings, [](const Diagnostic& w) {
+    return w.message.find("end hard") != std::string::npos;
+  });
   EXPECT_EQ(warned, GetParam().ends_hard);
 }
 

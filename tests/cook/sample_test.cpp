@@ -189,7 +189,7 @@ TEST(LongSample, CooksWithoutWarningsIntoAHundredChainsOfSixteenBones) {
   recipe->order_method = cook::OrderMethod::kHead;  // spares the search for orders, which says nothing of chains
   const auto cooked = cook::cook(*source, *recipe, {.threads = 2, .recipe_directory = {}});
   ASSERT_TRUE(cooked) << cooked.error().message;
-  EXPECT_TRUE(cooked->report.warnings.empty()) << cooked->report.warnings[0];
+  EXPECT_TRUE(cooked->report.warnings.empty()) << cooked->report.warnings[0].message;
   AlignedBytes file(cooked->asset);
   Asset asset;
   ASSERT_TRUE(asset.open(file.bytes()));

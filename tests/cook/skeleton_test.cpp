@@ -216,7 +216,7 @@ TEST(BuildSkeleton, HairWithoutBonesFollowsTheHeadWithAWarning) {
   EXPECT_EQ(skeleton->bones.size(), 1u);
   EXPECT_EQ(skeleton->bones[0].name, "Head");
   ASSERT_EQ(findings.warnings.size(), 1u);
-  EXPECT_NE(findings.warnings[0].find("rigidly"), std::string::npos);
+  EXPECT_NE(findings.warnings[0].message.find("rigidly"), std::string::npos);
 }
 
 TEST(BuildSkeleton, JointsOnTopOfEachOtherStillGiveBones) {
@@ -269,8 +269,10 @@ TEST(HeadColliders, AHeadThatShrinksFarEnoughSaysNothingOfBonesInside) {
     (void)head_colliders(head, skeleton, findings);
     ASSERT_EQ(findings.warnings.size(), 1u);
     const std::string percent = share == 0.75 ? "75 %" : "50 %";
-    EXPECT_NE(findings.warnings[0].find("shrunk to " + percent), std::string::npos) << findings.warnings[0];
-    EXPECT_EQ(findings.warnings[0].find("still end inside") != std::string::npos, inside) << findings.warnings[0];
+    EXPECT_NE(findings.warnings[0].message.find("shrunk to " + percent), std::string::npos)
+        << findings.warnings[0].message;
+    EXPECT_EQ(findings.warnings[0].message.find("still end inside") != std::string::npos, inside)
+        << findings.warnings[0].message;
   }
 }
 
@@ -306,8 +308,9 @@ TEST(ColliderReach, RestPenetrationIsReportedWithItsDepth) {
   Findings findings;
   report_rest_penetration(skeleton, colliders, "collider", "cure", findings);
   ASSERT_EQ(findings.warnings.size(), 1u);
-  EXPECT_NE(findings.warnings[0].find("1 bones are inside a collider at rest, 'hair_2' by 10.0 mm"), std::string::npos)
-      << findings.warnings[0];
+  EXPECT_NE(findings.warnings[0].message.find("1 bones are inside a collider at rest, 'hair_2' by 10.0 mm"),
+            std::string::npos)
+      << findings.warnings[0].message;
 }
 
 TEST(SkinWeights, AddUpTo255AndKeepTheHeaviestFour) {

@@ -157,7 +157,8 @@ TEST_F(SpringCollidersTest, WhatHoldsHairAtRestIsToldAndWhatIsOutOfReachIsLeftOu
   ASSERT_EQ(found.left_out.size(), 1u);
   EXPECT_NE(found.left_out[0].text().find("collider 1"), std::string::npos) << found.left_out[0].text();
   ASSERT_EQ(found.warnings.size(), 1u);
-  EXPECT_NE(found.warnings[0].find("1 bones are inside a collider at rest"), std::string::npos) << found.warnings[0];
+  EXPECT_NE(found.warnings[0].message.find("1 bones are inside a collider at rest"), std::string::npos)
+      << found.warnings[0].message;
 }
 
 }  // namespace coif::cook::spring_colliders_test

@@ -32,7 +32,8 @@ importer::SourceModel two_meshes(std::uint32_t rows, std::uint32_t other_rows,
 
 bool tells_of_stacked(const importer::SourceModel& model, const std::string& text) {
   const auto hair = told([&](Findings& findings) { return select_hair(model, default_recipe(), findings); });
-  return std::ranges::any_of(hair.warnings, [&](const std::string& w) { return w.find(text) != std::string::npos; });
+  return std::ranges::any_of(hair.warnings,
+                             [&](const Diagnostic& w) { return w.message.find(text) != std::string::npos; });
 }
 
 TEST(StackedMeshes, OfOneShapeAreWarnedOf) {

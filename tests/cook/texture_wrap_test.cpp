@@ -78,7 +78,7 @@ TEST_F(TextureWraps, ClampedImagesThatNobodyLeavesStayAsTheyAre) {
 TEST_F(TextureWraps, WhatIsFartherOutThanATileCanBeIsTold) {
   (void)cooked(importer::TextureWrap::kClamp, {-3, 0}, {4, 1});
   ASSERT_EQ(findings_.warnings.size(), 1u);
-  EXPECT_NE(findings_.warnings[0].find("clamped"), std::string::npos);
+  EXPECT_NE(findings_.warnings[0].message.find("clamped"), std::string::npos);
 }
 
 TEST_F(TextureWraps, MirroredImagesThatAreCrossedAreStoredWithTheirMirrorImage) {

@@ -68,25 +68,26 @@ TEST(Transparency, AnOpaqueMaterialIgnoresAlphaAndWarnsWhereMuchOfItIsClear) {
   EXPECT_TRUE(hair.made.ignores_alpha);
   EXPECT_EQ(hair.made.opaque_threshold, 0);
   ASSERT_EQ(hair.warnings.size(), 1u);
-  EXPECT_NE(hair.warnings[0].find("have alpha below 0.5"), std::string::npos);
+  EXPECT_NE(hair.warnings[0].message.find("have alpha below 0.5"), std::string::npos);
   const auto face = chosen_for(hair_beside_a_face(), used_part(0.52f, 0.99f), importer::AlphaUse::kOpaque);
   EXPECT_TRUE(face.made.ignores_alpha);
-  EXPECT_TRUE(face.warnings.empty()) << face.warnings[0];
+  EXPECT_TRUE(face.warnings.empty()) << face.warnings[0].message;
 }
 
 TEST(Transparency, WarnsOfHairWithoutAnOpaqueCore) {
   const Image faint = painted(kSide, kSide, [](std::uint32_t x, auto) { return Rgba{9, 9, 9, std::uint8_t(x + 20)}; });
   const auto chosen = chosen_for(faint, used_part(0, 1), importer::AlphaUse::kUnknown);
   ASSERT_EQ(chosen.warnings.size(), 1u);
-  EXPECT_NE(chosen.warnings[0].find("paint opaque cores"), std::string::npos);
-  EXPECT_TRUE(chosen.warnings[0].starts_with("only 0.0 % of the hair's texels have alpha 0.50")) << chosen.warnings[0];
+  EXPECT_NE(chosen.warnings[0].message.find("paint opaque cores"), std::string::npos);
+  EXPECT_TRUE(chosen.warnings[0].message.starts_with("only 0.0 % of the hair's texels have alpha 0.50"))
+      << chosen.warnings[0].message;
   const Image core = painted(kSide, kSide, [](std::uint32_t x, std::uint32_t y) {
     return Rgba{9, 9, 9, x == 0 && y < 32 ? std::uint8_t{255} : std::uint8_t{90}};
   });
   const Image all{kSide, kSide, 1, std::vector<std::uint8_t>(std::size_t(kSide) * kSide, 255)};
   const auto small = chosen_for(core, all, importer::AlphaUse::kUnknown);
   ASSERT_EQ(small.warnings.size(), 1u);
-  EXPECT_TRUE(small.warnings[0].starts_with("only 0.8 % ")) << "32 of 4096: " << small.warnings[0];
+  EXPECT_TRUE(small.warnings[0].message.starts_with("only 0.8 % ")) << "32 of 4096: " << small.warnings[0].message;
   EXPECT_TRUE(chosen_for(hair_beside_a_face(), used_part(0.01f, 0.48f), importer::AlphaUse::kUnknown).warnings.empty());
 }
 
@@ -99,7 +100,7 @@ TEST(Transparency, TheRecipeComesBeforeTheMaterial) {
     EXPECT_EQ(chosen.made.opaque_threshold, 0.9);
     EXPECT_FALSE(chosen.made.ignores_alpha);
     ASSERT_EQ(chosen.warnings.size(), 1u) << "alpha 200 is below 0.9";
-    EXPECT_NE(chosen.warnings[0].find("lower \"material.opaque_threshold\""), std::string::npos);
+    EXPECT_NE(chosen.warnings[0].message.find("lower \"material.opaque_threshold\""), std::string::npos);
   }
 }
 

@@ -247,7 +247,7 @@ TEST(TuneSolver, TakesNoMoreWorkThanACookMay) {
     ASSERT_TRUE(result.made);
     EXPECT_TRUE(result.made->tuning.empty()) << "nothing is known of it";
     ASSERT_EQ(result.warnings.size(), 1u);
-    EXPECT_NE(result.warnings[0].find("not tuned: "), std::string::npos) << result.warnings[0];
+    EXPECT_NE(result.warnings[0].message.find("not tuned: "), std::string::npos) << result.warnings[0].message;
     ASSERT_EQ(result.notes.size(), 1u);
     EXPECT_NE(result.notes[0].find("1 chain was not run"), std::string::npos) << result.notes[0];
     notes[threads - 1] = result.notes;

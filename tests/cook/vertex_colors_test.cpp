@@ -78,7 +78,7 @@ TEST_F(VertexColors, AGradientMultipliesTheTexelsAsLight) {
     EXPECT_LE(difference(texel_at(*color.image, {0.5f, v}), wanted), 4) << v;
   }
   EXPECT_TRUE(hair_.colors.empty());
-  EXPECT_TRUE(findings_.warnings.empty()) << findings_.warnings[0];
+  EXPECT_TRUE(findings_.warnings.empty()) << findings_.warnings[0].message;
 }
 
 TEST_F(VertexColors, WithoutATextureTheyAreTheColor) {
@@ -96,7 +96,7 @@ TEST_F(VertexColors, StripsThatShowTheSameTexelsInOtherColorsGetTheirOwn) {
   const BaseColor color = cooked();
   ASSERT_TRUE(color.image && color.atlas);
   EXPECT_EQ(color.atlas->tiles.size(), 3u);
-  EXPECT_TRUE(findings_.warnings.empty()) << findings_.warnings[0];
+  EXPECT_TRUE(findings_.warnings.empty()) << findings_.warnings[0].message;
   EXPECT_TRUE(std::ranges::any_of(findings_.notes,
                                   [](const std::string& n) { return n.find("stored 3 times") != std::string::npos; }));
   const std::size_t each = hair_.triangle_count() / 3;
@@ -115,8 +115,8 @@ TEST_F(VertexColors, CopiesThatMustBeSmallerAreAWarning) {
   recipe.texture_max_size = 64;
   (void)cooked(recipe);
   ASSERT_EQ(findings_.warnings.size(), 1u);
-  EXPECT_NE(findings_.warnings[0].find("stored 3 times, at 58 % of its size"), std::string::npos)
-      << findings_.warnings[0];
+  EXPECT_NE(findings_.warnings[0].message.find("stored 3 times, at 58 % of its size"), std::string::npos)
+      << findings_.warnings[0].message;
 }
 
 TEST_F(VertexColors, StripsThatAgreeShareTheirTexels) {
@@ -136,7 +136,7 @@ TEST_F(VertexColors, AllBlackOrAllClearOnesAreNumbersUnlessTheRecipeInsists) {
     add("hair", true, [&](const auto&) { return nothing; });
     EXPECT_EQ(cooked().factor, Eigen::Vector4f::Ones());
     ASSERT_EQ(findings_.warnings.size(), 1u);
-    EXPECT_NE(findings_.warnings[0].find("\"textures.vertex_colors\""), std::string::npos);
+    EXPECT_NE(findings_.warnings[0].message.find("\"textures.vertex_colors\""), std::string::npos);
     Recipe recipe = default_recipe();
     recipe.vertex_colors = coif::cook::VertexColors::kMultiply;
     EXPECT_EQ(cooked(recipe).factor, nothing);
@@ -169,7 +169,7 @@ TEST_F(VertexColors, WithoutTextureCoordinatesAnImageOfTheColorsShowsThem) {
                       std::uint8_t(std::lround(255 * given[v].w()))};
     EXPECT_LE(difference(texel_at(image, hair_.uvs[v]), wanted), 8) << v;
   }
-  EXPECT_TRUE(findings_.warnings.empty()) << findings_.warnings[0];
+  EXPECT_TRUE(findings_.warnings.empty()) << findings_.warnings[0].message;
 }
 
 }  // namespace coif::cook::vertex_colors_test

@@ -109,7 +109,8 @@ bool try_vrm(Input input) {
   const std::string fault = importer::find_model_fault(model);
   promise(fault.empty(), fault.c_str());
   promise(model.warnings.size() < 20, "many faults give few warnings");
-  for (const std::string& warning : model.warnings) promise(warning.size() < 4000, "a warning is a sentence");
+  for (const std::string& warning : messages_of(model.warnings))
+    promise(warning.size() < 4000, "a warning is a sentence");
   return !model.springs.empty();
 }
 

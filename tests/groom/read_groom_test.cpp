@@ -115,7 +115,7 @@ TEST(GroomCorpus, HasTheStrandsThatTheManifestCounts) {
       const auto groom = read_groom(assets / name);
       ASSERT_TRUE(groom) << groom.error().message;
       EXPECT_EQ(groom->strand_count(), file["strands"].get<std::size_t>()) << name;
-      EXPECT_TRUE(groom->warnings.empty()) << name << ": " << groom->warnings.front();
+      EXPECT_TRUE(groom->warnings.empty()) << name << ": " << groom->warnings.front().message;
       if (name.ends_with(".obj"))
         EXPECT_EQ(groom->groups.size(), 4u);
       else

@@ -76,7 +76,7 @@ TEST(HairFile, SetsWhatIsOutOfRangeToItsEndAndSaysSo) {
   EXPECT_EQ(groom->widths[0], 0);
   EXPECT_EQ(groom->opacities[1], 0);
   ASSERT_EQ(groom->warnings.size(), 1u);
-  EXPECT_TRUE(groom->warnings[0].starts_with("2 thicknesses")) << groom->warnings[0];
+  EXPECT_TRUE(groom->warnings[0].message.starts_with("2 thicknesses")) << groom->warnings[0].message;
 }
 
 TEST(TressFx, VersionsThreeAndFourHaveTheSameStrands) {
@@ -139,7 +139,8 @@ TEST(TressFx, LeavesOutStrandsThatCannotBeUsed) {
   expect_whole(*groom);
   EXPECT_EQ(groom->strand_count(), 1u);
   ASSERT_EQ(groom->warnings.size(), 1u);
-  EXPECT_TRUE(groom->warnings[0].starts_with("1 strand left out: points that are no numbers")) << groom->warnings[0];
+  EXPECT_TRUE(groom->warnings[0].message.starts_with("1 strand left out: points that are no numbers"))
+      << groom->warnings[0].message;
 }
 
 TEST(ObjLines, LinesAndSegmentsAreTheSameStrands) {

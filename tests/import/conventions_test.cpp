@@ -56,7 +56,7 @@ TEST_F(Conventions, FbxUnitThatIsNoLengthIsReported) {
   const SourceModel model = import_or_fail(folder_.write("m.fbx", small_fbx(fbx_unit("-1"))));
   EXPECT_TRUE(model.meshes[0].positions[2].isApprox(Vector3f(0, 0.02f, 0.03f)));
   ASSERT_FALSE(model.warnings.empty());
-  EXPECT_NE(model.warnings[0].find("UnitScaleFactor"), std::string::npos);
+  EXPECT_NE(model.warnings[0].message.find("UnitScaleFactor"), std::string::npos);
 }
 
 TEST_F(Conventions, FbxAxesBecomeYUpFacingZ) {
@@ -304,7 +304,8 @@ constexpr const char* kCardOfMaterials = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 
 TEST_F(Conventions, MaterialsThatAreNotThereAreMissed) {
   const SourceModel lost = import_or_fail(folder_.write("m.obj", kCardOfMaterials));
   const auto says = [](const SourceModel& model, const char* what) {
-    return std::ranges::any_of(model.warnings, [&](const std::string& w) { return w.find(what) != w.npos; });
+    return std::ranges::any_of(model.warnings,
+                               [&](const Diagnostic& w) { return w.message.find(what) != w.message.npos; });
   };
   EXPECT_TRUE(says(lost, "'m.mtl' is named for the materials and was not read")) << "by the name that the model has";
   EXPECT_TRUE(says(lost, "no such file beside the model"));
@@ -320,7 +321,8 @@ TEST_F(Conventions, EveryMaterialLibraryThatIsNotReadIsNamed) {
       import_or_fail(folder_.write("m.obj", std::string("mtllib a.mtl\nmtllib m.mtl\nmtllib b.mtl\n") +
                                                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl card\nf 1 3 2\n"));
   const auto count = [&](const char* what) {
-    return std::ranges::count_if(model.warnings, [&](const std::string& w) { return w.find(what) != w.npos; });
+    return std::ranges::count_if(model.warnings,
+                                 [&](const Diagnostic& w) { return w.message.find(what) != w.message.npos; });
   };
   EXPECT_EQ(count("'a.mtl' is named for the materials and was not read: there is no such file"), 1);
   EXPECT_EQ(count("'b.mtl' is named"), 1);
@@ -339,7 +341,8 @@ TEST_F(Conventions, MaterialsInADeclaredRootAreReadThere) {
     return std::ranges::any_of(model.materials, [](const SourceMaterial& m) { return m.base_color.y() == 0; });  // red
   };
   const auto warns_of_link = [](const SourceModel& model) {
-    return std::ranges::any_of(model.warnings, [](const auto& w) { return w.find("--root allows") != w.npos; });
+    return std::ranges::any_of(model.warnings,
+                               [](const Diagnostic& w) { return w.message.find("--root allows") != w.message.npos; });
   };
   // Without a fence (Linux before 5.13) the link is followed.
   const SourceModel without = import_or_fail(path, settings);
@@ -365,7 +368,8 @@ TEST_F(Conventions, MaterialsBesideALinkedModelAreReadWhereTheyLie) {
   const SourceModel model = import_or_fail(sandbox / "m.obj");
   ASSERT_FALSE(model.materials.empty());
   EXPECT_TRUE(std::ranges::any_of(model.materials, [](const SourceMaterial& m) { return m.name == "card"; }));
-  EXPECT_TRUE(std::ranges::none_of(model.warnings, [](const auto& w) { return w.find("materials") != w.npos; }));
+  EXPECT_TRUE(std::ranges::none_of(model.warnings,
+                                   [](const Diagnostic& w) { return w.message.find("materials") != w.message.npos; }));
 }
 
 TEST_F(Conventions, ImporterIsNamedWithItsVersion) {

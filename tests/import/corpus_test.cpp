@@ -60,7 +60,7 @@ TEST_F(Corpus, WholePeopleStandUprightInMetres) {
     EXPECT_GT(shape.high.y(), 1.2f) << file;
     EXPECT_LT(shape.high.y(), 2.1f) << file;  // the witch wears a hat
     EXPECT_LT(shape.high.z() - shape.low.z(), 0.7f) << file << ": deeper than a person is";
-    EXPECT_TRUE(model.warnings.empty()) << file << ": " << model.warnings.front();
+    EXPECT_TRUE(model.warnings.empty()) << file << ": " << model.warnings.front().message;
   }
 }
 

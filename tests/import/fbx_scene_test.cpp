@@ -157,14 +157,14 @@ TEST_F(FbxScene, HiddenMeshesAndAllBelowAreLeftOut) {
   ASSERT_EQ(model.meshes.size(), 1u);
   EXPECT_EQ(model.nodes[model.meshes[0].node].name, "shown");
   EXPECT_TRUE(std::ranges::any_of(
-      model.warnings, [](const std::string& text) { return text.find("'off', 'below'") != std::string::npos; }));
+      model.warnings, [](const Diagnostic& text) { return text.message.find("'off', 'below'") != std::string::npos; }));
 }
 
 TEST_F(FbxScene, OfLevelsOfDetailTheFinestIsKept) {
   const SourceModel model = model_of({{20, "Hair_LOD0", 0, ""}, {21, "Hair_LOD1", 0, ""}});
   ASSERT_EQ(model.meshes.size(), 1u);
   EXPECT_EQ(model.nodes[model.meshes[0].node].name, "Hair_LOD0");
-  EXPECT_NE(model.warnings.at(0).find("coarser levels of detail"), std::string::npos);
+  EXPECT_NE(model.warnings.at(0).message.find("coarser levels of detail"), std::string::npos);
 }
 
 std::vector<std::string> shown_nodes(const SourceModel& model) {
@@ -309,9 +309,10 @@ TEST_F(FbxScene, EachInstanceOfAMeshHasItsShapeKeys) {
   const SourceModel model = import_or_fail(folder_.write("m.fbx", file));
   ASSERT_EQ(model.meshes.size(), 2u);
   for (const SourceMesh& mesh : model.meshes) EXPECT_FLOAT_EQ(mesh.positions.at(2).x(), 10);
-  EXPECT_EQ(std::ranges::count_if(model.warnings,
-                                  [](const std::string& text) { return text.find("shape keys") != std::string::npos; }),
-            1);
+  EXPECT_EQ(
+      std::ranges::count_if(
+          model.warnings, [](const Diagnostic& text) { return text.message.find("shape keys") != std::string::npos; }),
+      1);
 }
 
 TEST_F(FbxScene, DamagedFilesGiveAModelOrAnErrorOfTheFile) {

@@ -206,7 +206,7 @@ TEST(FbxTextures, OfLayersTheFirstIsReadWithAWarning) {
   EXPECT_EQ(two.materials.at(two.meshes.at(0).material).base_texture.path, "maps\\hair.png");
   ASSERT_EQ(two.warnings.size(), 1u);
   EXPECT_EQ(two.warnings[0].code, "S217");
-  EXPECT_NE(two.warnings[0].find("2 layers of textures"), std::string::npos) << two.warnings[0];
+  EXPECT_NE(two.warnings[0].message.find("2 layers of textures"), std::string::npos) << two.warnings[0].message;
 }
 
 TEST(FbxTextures, AreScaledAndTurnedAboutTheirPivots) {

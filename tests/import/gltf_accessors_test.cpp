@@ -122,7 +122,7 @@ TEST_F(GltfAccessors, WeightsOfAnyKindHoldTheSameVertices) {
       EXPECT_NEAR(mesh.influences[2].weight, 0.8f, 3e-3f);
       EXPECT_EQ(mesh.influences[0].node + 1, mesh.influences[1].node) << "root, then its child of the same name";
       EXPECT_EQ(mesh.influences[2].node, mesh.influences[1].node);
-      EXPECT_TRUE(model.warnings.empty()) << model.warnings.front();
+      EXPECT_TRUE(model.warnings.empty()) << model.warnings.front().message;
     }
   }
 }

@@ -11,9 +11,9 @@ using test::SmallGltf;
 using test::TemporaryFolder;
 using Codes = std::set<std::string>;
 
-Codes codes_of(const std::vector<Warning>& faults) {
+Codes codes_of(const Diagnostics& faults) {
   Codes codes;
-  for (const Warning& fault : faults) codes.insert(fault.code);
+  for (const Diagnostic& fault : faults) codes.insert(fault.code);
   return codes;
 }
 
@@ -110,9 +110,10 @@ TEST(GltfChecks, FaultsOfOneKindGiveAFewSentences) {
   const TemporaryFolder folder;
   const auto faults = check_gltf(model.write(folder, "many.gltf"));
   EXPECT_LT(faults.size(), 10u);
-  const auto of_nodes = std::ranges::find_if(
-      faults, [](const Warning& fault) { return fault.find("the same in 497 more places") != std::string::npos; });
-  EXPECT_NE(of_nodes, faults.end()) << faults.front();
+  const auto of_nodes = std::ranges::find_if(faults, [](const Diagnostic& fault) {
+    return fault.message.find("the same in 497 more places") != std::string::npos;
+  });
+  EXPECT_NE(of_nodes, faults.end()) << faults.front().message;
 }
 
 TEST(GltfChecks, WhatIsNoJsonIsAFault) {

@@ -21,9 +21,9 @@ using test::kStripUvs;
 using test::Storage;
 using test::TemporaryFolder;
 
-bool tells(const std::vector<Warning>& warnings, const std::string& text) {
-  return std::ranges::any_of(warnings,
-                             [&](const std::string& warning) { return warning.find(text) != std::string::npos; });
+bool tells(const Diagnostics& warnings, const std::string& text) {
+  return std::ranges::any_of(
+      warnings, [&](const Diagnostic& warning) { return warning.message.find(text) != std::string::npos; });
 }
 
 class GltfScene : public testing::Test {

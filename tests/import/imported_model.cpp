@@ -22,7 +22,7 @@ SourceModel import_or_fail(const std::filesystem::path& path, const ImportSettin
 
 std::string warnings_of(const SourceModel& model) {
   std::string all;
-  for (const std::string& warning : model.warnings) all += warning + "\n";
+  for (const std::string& warning : messages_of(model.warnings)) all += warning + "\n";
   return all;
 }
 

@@ -36,8 +36,7 @@ TEST(ModelStream, ModelComesBackAsItWas) {
   EXPECT_EQ(back->head_node, 1u);
   EXPECT_EQ(back->facing, Facing::kBackwards);
   EXPECT_EQ(back->materials[0].other_textures, std::vector<std::string>{"gloss map"});
-  EXPECT_EQ(std::vector<std::string>(back->warnings.begin(), back->warnings.end()),
-            (std::vector<std::string>{"one", "two"}));
+  EXPECT_EQ(messages_of(back->warnings), (std::vector<std::string>{"one", "two"}));
   EXPECT_EQ(back->warnings[1].code, "S115");
   EXPECT_EQ(back->side_files, (std::vector<std::string>{"strip.bin"}));
 }

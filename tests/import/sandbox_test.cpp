@@ -65,7 +65,7 @@ TEST_F(References, ThatLeadOutAreNotReadAndSaid) {
     EXPECT_EQ(red(model), 1) << library << ": white, as without a library";
     ASSERT_FALSE(model.warnings.empty()) << library;
     const char* const why = library[0] == '/' ? "was not read" : "of the model's folder, which --root allows";
-    EXPECT_NE(model.warnings[0].find(why), std::string::npos) << model.warnings[0];
+    EXPECT_NE(model.warnings[0].message.find(why), std::string::npos) << model.warnings[0].message;
   }
 }
 

@@ -34,7 +34,8 @@ TEST_F(SideFileNames, OfBuffersMayBeRespelledWithAWarning) {
     const SourceModel model = import_or_fail(write(uri, "bin/Hair 1.bin"));
     EXPECT_EQ(model.meshes.size(), 1u);
     ASSERT_EQ(model.warnings.size(), 1u) << uri;
-    EXPECT_EQ(model.warnings[0], "'" + uri + "' is named, and there is no such file; 'bin/Hair 1.bin' is taken for it");
+    EXPECT_EQ(model.warnings[0].message,
+              "'" + uri + "' is named, and there is no such file; 'bin/Hair 1.bin' is taken for it");
     EXPECT_EQ(model.side_files, (std::vector<std::string>{(folder_.path() / "bin/Hair 1.bin").string()}));
   }
   const SourceModel model = import_or_fail(write("C:\\Users\\me\\hair.bin", "hair.bin"));

@@ -71,7 +71,7 @@ TEST_F(SurfaceConventions, AnObjsOpacityThatLiesElsewhereIsTold) {
   const SourceModel model = import_or_fail(folder_.write(
       "m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl moved\nf 1/1 2/2 3/3\n"));
   ASSERT_EQ(model.warnings.size(), 1u);
-  EXPECT_NE(model.warnings[0].find("map_d is placed otherwise than map_Kd"), std::string::npos);
+  EXPECT_NE(model.warnings[0].message.find("map_d is placed otherwise than map_Kd"), std::string::npos);
 }
 
 TEST_F(SurfaceConventions, AnObjsClampedTextureIsKnown) {

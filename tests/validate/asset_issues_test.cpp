@@ -44,7 +44,7 @@ TEST(AssetIssues, BonesAndPatchesAreNamed) {
   Asset asset;
   ASSERT_TRUE(asset.open(file.bytes()));
   std::set<std::string> places;
-  for (const Issue& issue : find_asset_issues(asset)) places.insert(issue.code + " " + issue.where);
+  for (const Diagnostic& issue : find_asset_issues(asset)) places.insert(issue.code + " " + issue.place);
   EXPECT_EQ(places, (std::set<std::string>{"A222 bone 'hair_2'", "A231 patch 1"}));
 }
 
@@ -72,7 +72,7 @@ TEST(AssetIssues, EveryRefusalHasItsCode) {
   const std::string_view unknown = describe(LoadCode(255));
   int code = 1;
   for (; describe(LoadCode(code)) != unknown; ++code) {
-    const Issue issue = refusal_issue({.code = LoadCode(code)});
+    const Diagnostic issue = refusal_issue({.code = LoadCode(code)});
     const IssueCode* row = find_issue_code(issue.code);
     ASSERT_NE(row, nullptr) << issue.code << " for '" << describe(LoadCode(code)) << "' has no row";
     EXPECT_EQ(issue.severity, Severity::kError);
@@ -81,9 +81,9 @@ TEST(AssetIssues, EveryRefusalHasItsCode) {
 }
 
 TEST(AssetIssues, RefusalNamesChunkAndRecord) {
-  const Issue issue = refusal_issue({LoadCode::kWeightSum, chunk::kSkin, 7, 255, 254});
+  const Diagnostic issue = refusal_issue({LoadCode::kWeightSum, chunk::kSkin, 7, 255, 254});
   EXPECT_EQ(issue.code, "A127");
-  EXPECT_EQ(issue.where, "chunk SKIN, record 7");
+  EXPECT_EQ(issue.place, "chunk SKIN, record 7");
 }
 
 // What artists' files and the samples cook to raises no error, and no warning but those that are known to be deserved.
@@ -117,9 +117,9 @@ const RealAsset kAssets[] = {
     {"moz_braids", kHair / "moz_french-braids-double/hair_french-braids-double-brown.glb"},
 };
 
-Codes above_notes(const std::vector<Issue>& issues) {
+Codes above_notes(const Diagnostics& issues) {
   Codes codes;
-  for (const Issue& issue : issues) {
+  for (const Diagnostic& issue : issues) {
     if (issue.severity != Severity::kInfo) codes.insert(issue.code);
   }
   return codes;

@@ -18,9 +18,9 @@ namespace coif::validate {
 /// Codes of all that is found in `contents`, each once; fails the test where the reader refuses it.
 [[nodiscard]] std::set<std::string> codes_of(const AssetContents& contents);
 
-[[nodiscard]] inline std::set<std::string> codes_of(const std::vector<Issue>& issues) {
+[[nodiscard]] inline std::set<std::string> codes_of(const Diagnostics& issues) {
   std::set<std::string> codes;
-  for (const Issue& issue : issues) codes.insert(issue.code);
+  for (const Diagnostic& issue : issues) codes.insert(issue.code);
   return codes;
 }
 

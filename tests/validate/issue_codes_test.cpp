@@ -106,7 +106,7 @@ TEST(IssueCodes, JsonHasThemAll) {
 }
 
 /// One error, two warnings of one code, three notes of two codes.
-std::vector<Issue> some_issues() {
+Diagnostics some_issues() {
   return {make_issue("R101", "error"),     make_issue("A203", "warning", "1"), make_issue("A203", "warning", "2"),
           make_issue("A207", "note", "1"), make_issue("A207", "note", "2"),    make_issue("A204", "note")};
 }
@@ -145,7 +145,7 @@ TEST(IssuePolicy, WarningsBecomeErrorsAndNotesDoNot) {
 }
 
 TEST(IssuePolicy, FoldsEqualCodesAboveTheLimit) {
-  std::vector<Issue> issues(36, make_issue("A203", "dark"));
+  Diagnostics issues(36, make_issue("A203", "dark"));
   issues.push_back(make_issue("A204", "card"));
   const JudgedIssues judged = judge(issues, {.most_of_a_code = 2});
   EXPECT_EQ(judged.shown.size(), 3u);

@@ -16,7 +16,7 @@ std::set<std::string> differences(const ProvenanceRecord& then, const Provenance
   return codes_of(find_origin_issues(asset, now));
 }
 
-std::vector<Issue> recook(const AssetContents& then, const AssetContents& now) {
+Diagnostics recook(const AssetContents& then, const AssetContents& now) {
   AlignedBytes old_file(write_asset(then)), new_file(write_asset(now));
   Asset old_asset, new_asset;
   EXPECT_TRUE(bool(old_asset.open(old_file.bytes())));
@@ -75,7 +75,7 @@ TEST(OriginIssues, NewCookIsComparedChunkByChunk) {
   now.vertices[0].position[0] += 0.001f;
   now.tuning.clear();
   now.quality.clear();
-  const std::vector<Issue> issues = recook(then, now);
+  const Diagnostics issues = recook(then, now);
   ASSERT_EQ(codes_of(issues), Codes{"R106"});
   for (const char* name : {"VERT", "TUNE", "QUAL"}) EXPECT_NE(issues[0].message.find(name), std::string::npos) << name;
   EXPECT_EQ(issues[0].message.find("SKIN"), std::string::npos);
@@ -90,10 +90,10 @@ TEST(SourceIssues, WigHasNone) { EXPECT_EQ(codes_of(cook::make_wig()), Codes{});
 TEST(SourceIssues, WarningsOfTheImportAreKept) {
   importer::SourceModel model = cook::make_wig();
   model.warnings = {{"S201", "mesh 'a': 3 triangles dropped"}, {"S216", "mesh 'b': no usable bone weight"}};
-  const std::vector<Issue> issues = find_source_issues(model, cook::default_recipe());
+  const Diagnostics issues = find_source_issues(model, cook::default_recipe());
   ASSERT_EQ(issues.size(), 2u);
   EXPECT_EQ(issues[1].code, "S216");
-  EXPECT_EQ(issues[1].message, model.warnings[1]);
+  EXPECT_EQ(issues[1].message, model.warnings[1].message);
 }
 
 TEST(SourceIssues, WarningsOfTheImportAreAcknowledgedByTheirCodes) {
@@ -112,9 +112,9 @@ TEST(SourceIssues, ACookInFullSaysWhatValidateDoes) {
   const auto cooked = cook::cook(model, cook::default_recipe(), {.threads = 2});
   ASSERT_TRUE(cooked) << cooked.error().message;
   Codes told;
-  for (const Warning& warning : cooked->report.warnings) told.insert(warning.code);
+  for (const Diagnostic& warning : cooked->report.warnings) told.insert(warning.code);
   Codes issues;
-  for (const Issue& issue : find_source_issues(model, cook::default_recipe(), cooked)) {
+  for (const Diagnostic& issue : find_source_issues(model, cook::default_recipe(), cooked)) {
     if (issue.severity != Severity::kInfo) issues.insert(issue.code);
   }
   EXPECT_EQ(issues, told);
@@ -122,7 +122,7 @@ TEST(SourceIssues, ACookInFullSaysWhatValidateDoes) {
 }
 
 TEST(SourceIssues, ACookThatFailsIsAnError) {
-  const Issues issues =
+  const Diagnostics issues =
       find_source_issues(cook::make_wig(), cook::default_recipe(),
                          tl::unexpected(ToolError{ToolError::Kind::kOverBudget, "wig.glb: too dear"}));
   EXPECT_TRUE(coif::validate::codes_of(issues).contains("S105"));
@@ -137,9 +137,9 @@ TEST(SourceIssues, ModelWithoutHairIsAnError) {
 TEST(SourceIssues, HairThatIsNotUnwrappedNamesItsMesh) {
   importer::SourceModel model = cook::make_wig();
   model.meshes[0].uvs.clear();
-  const std::vector<Issue> issues = find_source_issues(model, cook::default_recipe());
+  const Diagnostics issues = find_source_issues(model, cook::default_recipe());
   ASSERT_EQ(coif::validate::codes_of(issues), Codes{"S203"});
-  EXPECT_EQ(issues[0].where, "mesh '" + model.meshes[0].name + "'");
+  EXPECT_EQ(issues[0].place, "mesh '" + model.meshes[0].name + "'");
 }
 
 TEST(SourceIssues, HairWithoutBonesIsToldThatChainsAreFitted) {

@@ -58,6 +58,7 @@ def can_fail(schema, coif, model):
               lambda v: v["files"][0].pop("valid"),
               lambda v: v["files"][1]["issues"][0].update(severity="fatal"),
               lambda v: v["files"][1]["issues"][0].update(code=103),
+              lambda v: v["files"][1]["issues"][0].pop("cure"),
               lambda v: v["files"][1]["issues"][0].update(code="X103"),
               lambda v: v["files"][2]["folded"][0].update(count=0),
               lambda v: v["files"][3].update(errors=-1)]

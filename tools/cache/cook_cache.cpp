@@ -52,7 +52,7 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
 
 /// Messages name files by their paths; those of another checkout would point to the wrong ones.
 void replace_in_messages(cook::CookReport& report, const std::string& from, const std::string& to) {
-  for (std::string& text : report.warnings) replace_all(text, from, to);
+  for (Diagnostic& warning : report.warnings) replace_all(warning.message, from, to);
   for (std::string& text : report.notes) replace_all(text, from, to);
   for (cook::LeftOut& left_out : report.left_out) {
     replace_all(left_out.what, from, to);

@@ -120,7 +120,7 @@ Model read_model(const fs::path& path, const cook::Recipe& recipe, const HairSou
       body = std::move(*model);
       // They are the hair.
       std::erase_if(body->warnings,
-                    [](const Warning& warning) { return warning.code == importer::source_code::kLoose; });
+                    [](const Diagnostic& warning) { return warning.code == importer::source_code::kLoose; });
     }
     return cards_on(std::move(*groom), std::move(body), recipe, settings);
   }

@@ -132,7 +132,7 @@ std::uint32_t make_head_node(const grow::HeadFrame& head, importer::SourceModel&
   return head_node;
 }
 
-std::uint32_t find_head_node(importer::SourceModel& body, std::vector<Warning>& warnings) {
+std::uint32_t find_head_node(importer::SourceModel& body, Diagnostics& warnings) {
   if (const std::uint32_t named = head_node_of(body); named != importer::kNoIndex) return named;
   const Skin skin = skin_of(body);
   if (const auto head = grow::find_head(skin.positions, skin.triangles)) return make_head_node(*head, body);

@@ -114,7 +114,7 @@ tl::expected<Exit, ToolError> run_grow(const GrowOptions& options, const Message
   const auto begin = std::chrono::steady_clock::now();
   const auto groom = grow(options, *choice, messages);
   if (!groom) return tl::unexpected(groom.error());
-  for (const std::string& warning : groom->warnings) messages.warning(warning);
+  messages.tell(groom->warnings, "");
   const auto bytes = groom::encode_strands(*groom, options.output);
   if (!bytes) return tl::unexpected(bytes.error());
   if (auto written = write_output(options.output, *bytes); !written) return tl::unexpected(written.error());

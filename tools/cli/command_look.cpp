@@ -48,10 +48,8 @@ tl::expected<LookedAt, ToolError> asset_of(const LookOptions& options, const Mes
   const auto cooked = cook_alone(cook, *choice, messages);
   if (!cooked) return tl::unexpected(cooked.error());
   LookedAt result{FileBytes::copy(cooked->asset), {}, files_of(*choice, cooked->inputs)};
-  for (const std::string& warning : cooked->report.warnings) {
-    messages.warning(options.file + ": " + warning);
-    result.told.push_back("WARNING: " + warning);
-  }
+  messages.tell(cooked->report.warnings, options.file);
+  for (const Diagnostic& warning : cooked->report.warnings) result.told.push_back("WARNING: " + warning.message);
   for (const std::string& note : cooked->report.notes) result.told.push_back(note);
   for (const cook::LeftOut& left_out : cooked->report.left_out) result.told.push_back("left out: " + left_out.text());
   return result;

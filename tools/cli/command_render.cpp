@@ -95,7 +95,7 @@ tl::expected<Body, ToolError> read_body(const RenderOptions& options, const Asse
   if (!model) return tl::unexpected(model.error());
   if (model->meshes.empty()) messages.warning(options.body + ": has nothing but the hair; drawn as without --body");
   render::BodyTextures textures = render::read_body_textures(*model, findings);
-  for (const std::string& warning : findings.warnings) messages.warning(options.body + ": " + warning);
+  messages.tell(findings.warnings, options.body);
   return Body{std::move(*model), std::move(textures), std::move(files)};
 }
 

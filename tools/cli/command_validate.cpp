@@ -24,7 +24,7 @@ namespace coif::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using Found = tl::expected<std::vector<validate::Issue>, ToolError>;
+using Found = tl::expected<Diagnostics, ToolError>;
 
 /// What an asset should have been cooked from.
 struct OriginOptions {
@@ -44,9 +44,8 @@ struct ValidateOptions {
   OutputFormat format = OutputFormat::kText;
 };
 
-constexpr Choice<validate::Severity> kSeverities[] = {{"error", validate::Severity::kError},
-                                                      {"warning", validate::Severity::kWarning},
-                                                      {"info", validate::Severity::kInfo}};
+constexpr Choice<Severity> kSeverities[] = {
+    {"error", Severity::kError}, {"warning", Severity::kWarning}, {"info", Severity::kInfo}};
 
 Found compare_with_new_cook(const Asset& asset, std::span<const std::byte> cooked) {
   const FileBytes bytes = FileBytes::copy(cooked);
@@ -80,7 +79,7 @@ Found compare_with_origin(const Asset& asset, const OriginOptions& options, cons
   order.cooks = options.recook;
   const auto answer = cook_in_child(order, {options.source, options.limits, platform::all_threads()});
   if (!answer) return tl::unexpected<ToolError>(answer.error());
-  std::vector<validate::Issue> issues = validate::find_origin_issues(asset, answer->provenance);
+  Diagnostics issues = validate::find_origin_issues(asset, answer->provenance);
   if (!options.recook) return issues;
   auto differences = compare_with_new_cook(asset, answer->result.asset);
   if (!differences) return tl::unexpected(differences.error());
@@ -92,7 +91,7 @@ Found validate_asset(std::span<const std::byte> bytes, const OriginOptions& orig
   Asset asset;
   const LoadStatus status = open_whole(bytes, asset);
   if (!status) return std::vector{validate::refusal_issue(status)};
-  std::vector<validate::Issue> issues = validate::find_asset_issues(asset);
+  Diagnostics issues = validate::find_asset_issues(asset);
   if (origin.source.empty()) return issues;
   auto differences = compare_with_origin(asset, origin, messages);
   if (!differences) return differences;
@@ -101,8 +100,8 @@ Found validate_asset(std::span<const std::byte> bytes, const OriginOptions& orig
 }
 
 /// Cooks it, but for what takes longest and warns of nothing: the search for draw orders.
-std::vector<validate::Issue> issues_of_a_cook(const fs::path& path, RecipeChoice choice, const OriginOptions& options,
-                                              const Messages& messages) {
+Diagnostics issues_of_a_cook(const fs::path& path, RecipeChoice choice, const OriginOptions& options,
+                             const Messages& messages) {
   choice.recipe.order_method = cook::OrderMethod::kHead;
   choice.recipe.occlusion_strength = 0;
   CookOrder order = order_of(path.string(), choice, options, messages);
@@ -111,11 +110,10 @@ std::vector<validate::Issue> issues_of_a_cook(const fs::path& path, RecipeChoice
   return answer ? std::move(answer->issues) : std::vector{validate::import_issue(answer.error())};
 }
 
-std::vector<validate::Issue> validate_source(const fs::path& path, const OriginOptions& options,
-                                             const Messages& messages) {
+Diagnostics validate_source(const fs::path& path, const OriginOptions& options, const Messages& messages) {
   const auto choice = held_recipe(path, options.recipe, options.limits.requires_sandbox, options.roots, messages);
   const RecipeChoice used = choice ? *choice : RecipeChoice{cook::default_recipe(), {}, {}};
-  std::vector<validate::Issue> issues;
+  Diagnostics issues;
   if (!choice) issues.push_back(validate::make_issue("S103", choice.error().message, "recipe"));
   if (const auto known = check_ignored(used.recipe.acknowledged_warnings, "\"warnings.acknowledged\""); !known)
     issues.push_back(validate::make_issue("S103", known.error().message, "recipe"));
@@ -145,31 +143,16 @@ tl::expected<Verdict, ToolError> validate_file(const std::string& path, const Va
   return verdict;
 }
 
-/// Messages of other passes begin with the path already.
-std::string issue_text(const Verdict& verdict, const validate::Issue& issue) {
-  const bool has_path = issue.message.starts_with(verdict.path + ":");
-  const std::string where = issue.where.empty() || issue.message.starts_with(issue.where) ? "" : issue.where + ": ";
-  return fmt::format("{}{}{} [{}]", has_path ? "" : verdict.path + ": ", where, issue.message, issue.code);
-}
-
-void tell(validate::Severity severity, const std::string& text, const Messages& messages) {
-  switch (severity) {
-    case validate::Severity::kError: messages.error(text); break;
-    case validate::Severity::kWarning: messages.warning(text); break;
-    case validate::Severity::kInfo: messages.note(text); break;
-  }
-}
-
 /// What is folded is told behind the last that is shown of its code.
 void tell(const Verdict& verdict, const Messages& messages) {
   std::map<std::string, std::size_t> last;
   for (std::size_t i = 0; i < verdict.issues.shown.size(); ++i) last[verdict.issues.shown[i].code] = i;
   for (std::size_t i = 0; i < verdict.issues.shown.size(); ++i) {
-    const validate::Issue& issue = verdict.issues.shown[i];
-    tell(issue.severity, issue_text(verdict, issue), messages);
+    const Diagnostic& issue = verdict.issues.shown[i];
+    messages.tell(issue.severity, issue.text(verdict.path));
     const auto more = std::ranges::find(verdict.issues.folded, issue.code, &validate::FoldedIssues::code);
     if (last[issue.code] != i || more == verdict.issues.folded.end()) continue;
-    tell(more->severity, fmt::format("{}: {} more like this [{}]", verdict.path, more->count, more->code), messages);
+    messages.tell(more->severity, fmt::format("{}: {} more like this [{}]", verdict.path, more->count, more->code));
   }
 }
 
@@ -193,10 +176,10 @@ tl::expected<void, ToolError> check_usage(const ValidateOptions& options) {
 
 /// Every error that the file has says that it cannot be read here.
 bool is_only_unsupported(const Verdict& verdict) {
-  const auto is_error = [](const validate::Issue& issue) { return issue.severity == validate::Severity::kError; };
+  const auto is_error = [](const Diagnostic& issue) { return issue.severity == Severity::kError; };
   auto errors = verdict.issues.shown | std::views::filter(is_error);
   return !std::ranges::empty(errors) &&
-         std::ranges::all_of(errors, [](const validate::Issue& e) { return validate::is_unsupported(e.code); });
+         std::ranges::all_of(errors, [](const Diagnostic& e) { return validate::is_unsupported(e.code); });
 }
 
 Exit exit_of(std::span<const Verdict> verdicts) {
@@ -236,8 +219,7 @@ tl::expected<Exit, ToolError> run_validate(const ValidateOptions& options, const
 }
 
 void add_policy(CLI::App& app, validate::IssuePolicy& policy) {
-  add_choice<validate::Severity>(app, "--severity", policy.lowest, kSeverities,
-                                 "The lowest that is shown (default info)");
+  add_choice<Severity>(app, "--severity", policy.lowest, kSeverities, "The lowest that is shown (default info)");
   add_ignored(app, policy.ignored);
   app.add_flag("--warnings-as-errors", policy.warnings_as_errors, "A warning makes a file invalid, too");
   add_number(app, "--max-issues", policy.most_of_a_code, 1u, 1000000u,

@@ -145,8 +145,7 @@ tl::expected<CookSummary, FailedCook> run_cook_job(const CookOptions& options, c
   if (!options.depfile.empty()) depfile = depfile_of(options, choice, result.inputs);
   if (!depfile) return tl::unexpected(depfile.error());
 
-  for (const Warning& warning : result.report.warnings)
-    messages.warning(fmt::format("{}: {} [{}]", options.source(), std::string_view(warning), warning.code));
+  messages.tell(result.report.warnings, options.source());
   if (const std::size_t count = result.report.warnings.size(); options.warnings_as_errors && count > 0) {
     const auto failed =
         file_failure(ToolError::Kind::kBadInput, options.source(),

@@ -76,9 +76,9 @@ struct FailedCook : ToolError {
   /// The source cannot be read, or takes too much; or there is no issue, because the command line or an output is at
   /// fault.
   FailedCook(ToolError error);
-  FailedCook(ToolError error, validate::Issues found) : ToolError(std::move(error)), issues(std::move(found)) {}
+  FailedCook(ToolError error, Diagnostics found) : ToolError(std::move(error)), issues(std::move(found)) {}
 
-  validate::Issues issues;
+  Diagnostics issues;
 };
 
 /// By what the recipe says, or by its file.

@@ -59,31 +59,10 @@ CookOrder decode_order(std::span<const std::uint8_t> bytes) {
   return order;
 }
 
-Document issues_document(const validate::Issues& issues) {
-  Document list = Document::array();
-  for (const validate::Issue& i : issues)
-    list.push_back({i.code, int(i.severity), i.message, i.where, i.patch ? Document(*i.patch) : Document(nullptr)});
-  return list;
-}
-
-validate::Issues issues_from(const Document& document) {
-  validate::Issues issues;
-  for (const Document& in : document) {
-    validate::Issue& issue = issues.emplace_back();
-    in.at(0).get_to(issue.code);
-    issue.severity = validate::Severity(in.at(1).get<int>());
-    in.at(2).get_to(issue.message);
-    in.at(3).get_to(issue.where);
-    if (!in.at(4).is_null()) issue.patch = in.at(4).get<std::uint32_t>();
-  }
-  return issues;
-}
-
 using CookOutcome = tl::expected<CookAnswer, FailedCook>;
 
 platform::Bytes encode_outcome_of_cook(const CookOutcome& outcome) {
-  Document document{{"is_done", outcome.has_value()},
-                    {"issues", issues_document(outcome ? outcome->issues : outcome.error().issues)}};
+  Document document{{"is_done", outcome.has_value()}, {"issues", outcome ? outcome->issues : outcome.error().issues}};
   if (!outcome) {
     document["kind"] = int(outcome.error().kind);
     document["message"] = outcome.error().message;
@@ -103,7 +82,7 @@ CookOutcome decode_outcome_of_cook(std::span<const std::uint8_t> bytes) {
   platform::Bytes packed, result;
   if (!decoder.sequence(packed)) throw std::runtime_error("no outcome of a cook");
   const Document document = Document::from_msgpack(packed);
-  validate::Issues issues = issues_from(document.at("issues"));
+  auto issues = document.at("issues").get<Diagnostics>();
   if (!document.at("is_done").get<bool>()) {
     return tl::unexpected(
         FailedCook({ToolError::Kind(document.at("kind").get<int>()), document.at("message").get<std::string>()},

@@ -34,7 +34,7 @@ struct CookOrder {
 struct CookAnswer {
   cook::CookResult result;        ///< Passes include the import. Empty unless CookOrder::cooks.
   ProvenanceRecord provenance{};  ///< The source's with this recipe, as an asset of a cook would tell it.
-  validate::Issues issues;        ///< Found where CookOrder::finds_issues asks for them.
+  Diagnostics issues;             ///< Found where CookOrder::finds_issues asks for them.
   platform::Bytes model;          ///< For decode_model(), of CookOrder::keeps_model.
 };
 

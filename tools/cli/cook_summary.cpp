@@ -48,14 +48,6 @@ nlohmann::ordered_json left_out_json(const cook::CookReport& report) {
   return list;
 }
 
-/// The warnings with their codes, as `coif validate` has them.
-nlohmann::ordered_json issues_json(const cook::CookReport& report) {
-  auto list = nlohmann::ordered_json::array();
-  for (const Warning& warning : report.warnings)
-    list.push_back({{"code", warning.code}, {"severity", "warning"}, {"message", std::string(warning)}});
-  return list;
-}
-
 /// All that was found, what each pass took, and what was read.
 std::string details(const CookSummary& summary) {
   const cook::CookReport& report = summary.report;
@@ -88,8 +80,8 @@ nlohmann::ordered_json cook_json(const CookSummary& summary) {
           {"draft", summary.draft},
           {"from_cache", summary.from_cache},
           {"passes", std::move(passes)},
-          {"warnings", std::vector<std::string>(report.warnings.begin(), report.warnings.end())},
-          {"issues", issues_json(report)},
+          {"warnings", messages_of(report.warnings)},
+          {"issues", validate::issues_json(report.warnings)},
           {"triangles", report.triangles},
           {"vertices", report.vertices},
           {"patches", report.patches},
@@ -107,13 +99,9 @@ namespace {
 
 /// Errors and warnings as `coif validate` would count them.
 nlohmann::ordered_json issues_json(const CookOptions& options, const FailedCook& failed) {
-  validate::IssuePolicy policy{.lowest = validate::Severity::kWarning,
-                               .warnings_as_errors = options.warnings_as_errors};
+  validate::IssuePolicy policy{.lowest = Severity::kWarning, .warnings_as_errors = options.warnings_as_errors};
   policy.most_of_a_code = std::max<std::size_t>(1, failed.issues.size());
-  auto list = nlohmann::ordered_json::array();
-  for (const validate::Issue& issue : validate::judge(failed.issues, policy).shown)
-    list.push_back({{"code", issue.code}, {"severity", validate::name(issue.severity)}, {"message", issue.message}});
-  return list;
+  return validate::issues_json(validate::judge(failed.issues, policy).shown);
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ view::LiveCooking cooking_of(const LiveOptions& options, const Messages& message
     return view::LiveCooked{std::move(answer->result), std::move(answer->model)};
   };
   cooking.cooked = [messages](const view::LiveResult& result) {
-    for (const std::string& warning : result.warnings) messages.warning(fmt::format("{}: {}", result.name, warning));
+    messages.tell(result.warnings, result.name);
     messages.note(
         fmt::format("{}: cooked in {:.2f} s, {} KB", result.name, result.seconds, (result.asset.size() + 1023) / 1024));
   };

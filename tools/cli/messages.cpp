@@ -22,6 +22,18 @@ void Messages::note(std::string_view text) const {
   if (tells_notes_) write("note", text);
 }
 
+void Messages::tell(Severity severity, std::string_view text) const {
+  switch (severity) {
+    case Severity::kError: return error(text);
+    case Severity::kWarning: return warning(text);
+    case Severity::kInfo: return note(text);
+  }
+}
+
+void Messages::tell(const Diagnostics& diagnostics, const std::string& file) const {
+  for (const Diagnostic& diagnostic : diagnostics) tell(diagnostic.severity, diagnostic.text(file));
+}
+
 Messages Messages::without_notes() const {
   Messages copy = *this;
   copy.tells_notes_ = false;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/diagnostic.h"
+
 #include <chrono>
 #include <cstdio>
 #include <string>
@@ -17,6 +19,11 @@ class Messages {
   void error(std::string_view text) const;
   void warning(std::string_view text) const;
   void note(std::string_view text) const;
+
+  /// Each as an error, a warning or a note by its severity: "FILE: place: message [CODE]".
+  void tell(const Diagnostics& diagnostics, const std::string& file) const;
+  /// One line of that severity.
+  void tell(Severity severity, std::string_view text) const;
 
   /// The same, silent about what is only worth knowing.
   [[nodiscard]] Messages without_notes() const;

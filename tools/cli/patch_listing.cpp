@@ -99,7 +99,7 @@ tl::expected<Exit, ToolError> list_patches_of(const CookOptions& options, const 
   drawn.recipe.scene_draw = true;
   const auto cooked = cook_alone(draft, drawn, messages);
   if (!cooked) return tl::unexpected(cooked.error());
-  for (const std::string& warning : cooked->report.warnings) messages.warning(options.source() + ": " + warning);
+  messages.tell(cooked->report.warnings, options.source());
   if (!options.output.empty()) {
     if (auto checked = check_output(options.output, files_of(choice, cooked->inputs)); !checked)
       return tl::unexpected(checked.error());

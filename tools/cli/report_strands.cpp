@@ -35,7 +35,7 @@ tl::expected<ReportStrands, ToolError> read_report_strands(const ReportOptions& 
   if (!bytes) return tl::unexpected(bytes.error());
   auto groom = groom::read_groom(source, options.cards.limits.of_import(import_settings(choice->recipe, {}), messages));
   if (!groom) return tl::unexpected(groom.error());
-  for (const std::string& warning : groom->warnings) messages.warning(source + ": " + warning);
+  messages.tell(groom->warnings, source);
   return ReportStrands{std::move(*groom), xxh64(bytes->span()), std::move(settings)};
 }
 

@@ -18,21 +18,10 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json issue_list(const std::vector<validate::Issue>& issues) {
-  auto list = ordered_json::array();
-  for (const validate::Issue& issue : issues) {
-    list.push_back({{"code", issue.code},
-                    {"severity", validate::name(issue.severity)},
-                    {"message", issue.message},
-                    {"where", issue.where}});
-  }
-  return list;
-}
-
 ordered_json folded_list(const std::vector<validate::FoldedIssues>& folded) {
   auto list = ordered_json::array();
   for (const validate::FoldedIssues& more : folded) {
-    list.push_back({{"code", more.code}, {"severity", validate::name(more.severity)}, {"count", more.count}});
+    list.push_back({{"code", more.code}, {"severity", name(more.severity)}, {"count", more.count}});
   }
   return list;
 }
@@ -53,7 +42,7 @@ std::string verdicts_json(const std::vector<Verdict>& verdicts) {
                      {"errors", issues.errors},
                      {"warnings", issues.warnings},
                      {"infos", issues.infos},
-                     {"issues", issue_list(issues.shown)},
+                     {"issues", validate::issues_json(issues.shown)},
                      {"folded", folded_list(issues.folded)}});
   }
   return json_text({{"files", std::move(files)}});
@@ -78,16 +67,13 @@ std::string meaning(const std::string& code) {
 
 ordered_json issue_rows(const validate::JudgedIssues& issues) {
   ordered_json rows = ordered_json::array();
-  for (const validate::Issue& issue : issues.shown) {
-    rows.push_back({{"code", issue.code},
-                    {"severity", validate::name(issue.severity)},
-                    {"where", issue.where},
-                    {"message", issue.message},
-                    {"meaning", meaning(issue.code)}});
+  for (const Diagnostic& issue : issues.shown) {
+    ordered_json& row = rows.emplace_back(issue);
+    row["meaning"] = meaning(issue.code);
   }
   for (const validate::FoldedIssues& more : issues.folded) {
     rows.push_back({{"code", more.code},
-                    {"severity", validate::name(more.severity)},
+                    {"severity", name(more.severity)},
                     {"where", ""},
                     {"message", fmt::format("{} more like this", more.count)},
                     {"meaning", ""}});
@@ -129,9 +115,9 @@ namespace {
 
 constexpr std::size_t kMostPictures = 12;
 
-std::vector<std::uint32_t> patches_of(std::span<const validate::Issue> issues) {
+std::vector<std::uint32_t> patches_of(std::span<const Diagnostic> issues) {
   std::vector<std::uint32_t> patches;
-  for (const validate::Issue& issue : issues) {
+  for (const Diagnostic& issue : issues) {
     const bool known = issue.patch && std::ranges::find(patches, *issue.patch) != patches.end();
     if (issue.patch && !known && patches.size() < kMostPictures) patches.push_back(*issue.patch);
   }
@@ -165,7 +151,7 @@ render::PictureSettings look_at(const Asset& asset, std::uint32_t patch) {
 
 }  // namespace
 
-IssuePictures picture_issues(const Asset& asset, std::span<const validate::Issue> issues) {
+IssuePictures picture_issues(const Asset& asset, std::span<const Diagnostic> issues) {
   IssuePictures result;
   const std::vector<std::uint32_t> patches = patches_of(issues);
   if (patches.empty()) return result;

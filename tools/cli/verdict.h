@@ -27,7 +27,7 @@ struct IssuePictures {
 };
 
 /// Every patch that `issues` name, red among grey ones, seen from its own side.
-[[nodiscard]] IssuePictures picture_issues(const Asset& asset, std::span<const validate::Issue> issues);
+[[nodiscard]] IssuePictures picture_issues(const Asset& asset, std::span<const Diagnostic> issues);
 
 /// What `coif validate` found out about one file.
 struct Verdict {

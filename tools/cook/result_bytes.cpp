@@ -17,11 +17,6 @@ void read(const json& in, PassTime& pass) {
   in.at(1).get_to(pass.ms);
 }
 
-json document_of(const Warning& warning) { return {warning.code, std::string(warning)}; }
-void read(const json& in, Warning& warning) {
-  warning = Warning(in.at(0).get<std::string>(), in.at(1).get<std::string>());
-}
-
 json document_of(const LeftOut& l) { return {l.what, l.why, l.bytes, l.bytes_per_head, l.ns_per_frame}; }
 void read(const json& in, LeftOut& l) {
   in.at(0).get_to(l.what);
@@ -96,7 +91,7 @@ void read(const json& in, OrderFigures& o) {
 
 json report_document(const CookReport& r) {
   return {{"passes", list_of_documents(r.passes)},
-          {"warnings", list_of_documents(r.warnings)},
+          {"warnings", r.warnings},
           {"notes", r.notes},
           {"left_out", list_of_documents(r.left_out)},
           {"figures",
@@ -108,7 +103,7 @@ json report_document(const CookReport& r) {
 CookReport report_from(const json& document) {
   CookReport r;
   read_list(document.at("passes"), r.passes);
-  read_list(document.at("warnings"), r.warnings);
+  document.at("warnings").get_to(r.warnings);
   document.at("notes").get_to(r.notes);
   read_list(document.at("left_out"), r.left_out);
   std::uint32_t* const figures[] = {&r.triangles,           &r.vertices, &r.patches, &r.patches_by_index,

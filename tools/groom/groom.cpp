@@ -64,7 +64,7 @@ std::string groups_fault(const Groom& groom) {
   return next == groom.strand_count() ? "" : "strands without a group";
 }
 
-void warn_of(std::size_t count, const char* what, std::vector<Warning>& warnings) {
+void warn_of(std::size_t count, const char* what, Diagnostics& warnings) {
   if (count != 0)
     importer::warn(warnings, importer::source_code::kStrands, "{} left out: {}", counted(count, "strand", "strands"),
                    what);

@@ -2,7 +2,7 @@
 
 // Hair as strands: what grooming tools export, and what cards are made from.
 
-#include "base/warning.h"
+#include "base/diagnostic.h"
 #include "import/source_model.h"
 
 #include <Eigen/Core>
@@ -40,7 +40,7 @@ struct Groom {
   std::uint32_t follow_hairs = 0;  ///< That the file asks for beside each strand; none of them is here.
   bool root_first = false;         ///< By the format's definition. Else either end of a strand may be its root.
   importer::SourceSpace space;
-  std::vector<Warning> warnings;  ///< What was repaired or dropped, one sentence each.
+  Diagnostics warnings;  ///< What was repaired or dropped, one sentence each.
 
   [[nodiscard]] std::size_t strand_count() const { return begin.empty() ? 0 : begin.size() - 1; }
   [[nodiscard]] std::span<const Eigen::Vector3f> strand(std::size_t i) const {

@@ -66,7 +66,7 @@ struct PointArrays {
   std::vector<Eigen::Vector3f> points, colors;
   std::vector<float> widths, opacities;
 
-  void tidy(const HairHeader& header, std::vector<Warning>& warnings) {
+  void tidy(const HairHeader& header, Diagnostics& warnings) {
     if (widths.empty() && header.usual_thickness > 0) widths.assign(points.size(), header.usual_thickness);
     if (opacities.empty() && header.usual_transparency > 0) opacities.assign(points.size(), header.usual_transparency);
     std::size_t bad = 0;

@@ -175,7 +175,7 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
 tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::path& path, const SourceSuffix& suffix,
                                                       const ImportSettings& settings) try {
   std::optional<std::string> plain;
-  std::vector<Warning> warnings;  // of what is made plain
+  Diagnostics warnings;  // of what is made plain
   SourceText text;
   if (suffix.format == SourceFormat::kDae) {
     text.bytes = bytes_of(path);

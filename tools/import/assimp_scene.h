@@ -67,7 +67,7 @@ struct SceneNodes {
 /// bone's name (a mesh 'head' beside a joint 'head'), the one without meshes and within a skeleton is the joint; a
 /// warning says so where that does not decide.
 [[nodiscard]] SceneNodes flatten_nodes(const aiScene& scene, const Eigen::Affine3d& model_from_scene,
-                                       std::vector<Warning>& warnings);
+                                       Diagnostics& warnings);
 
 /// Matches the nodes to the file's models, by name and order below their parents, and marks what Visibility hides and
 /// what is not the finest level of a LodGroup. `objects` outlives `nodes`.
@@ -75,7 +75,7 @@ void add_fbx_objects(const FbxObjects& objects, const aiScene& scene, SceneNodes
 
 /// Gives materials the colour and opacity textures that assimp passes over: of properties that it does not know, as
 /// "Maya|opacity" or "3dsMax|Parameters|cutout_map", and of layered textures. Warns of layers that are not read.
-void connect_fbx_textures(const FbxObjects& objects, const aiScene& scene, std::vector<Warning>& warnings);
+void connect_fbx_textures(const FbxObjects& objects, const aiScene& scene, Diagnostics& warnings);
 
 /// How textures go on outside 0..1 (WrapModeU, WrapModeV), which assimp does not hand on. A texture goes by the
 /// material's name and its file's.
@@ -87,7 +87,7 @@ class FbxShapeKeys {
   /// `nodes` outlives this object.
   explicit FbxShapeKeys(const SceneNodes& nodes) : nodes_(nodes) {}
   /// Adds them to positions and normals of `out`, made of `mesh` on `node`; a warning names them, once for a geometry.
-  void apply(const aiMesh& mesh, std::uint32_t node, RawMesh& out, std::vector<Warning>& warnings);
+  void apply(const aiMesh& mesh, std::uint32_t node, RawMesh& out, Diagnostics& warnings);
 
  private:
   const SceneNodes& nodes_;
@@ -101,14 +101,14 @@ class FbxShapeKeys {
 /// says nothing and is taken as metres, Y up. Settings override the file. Whether the file is right is not judged here.
 [[nodiscard]] Eigen::Affine3d model_from_scene(const aiScene& scene, SourceFormat format,
                                                const ImportSettings& settings, SourceSpace& space,
-                                               std::vector<Warning>& warnings);
+                                               Diagnostics& warnings);
 
 /// One SourceMesh per mesh and node that shows it, in the order of nodes: instances are copied, since each stands
 /// elsewhere. Points and lines, triangles with absent or non-finite vertices and vertices without a triangle are
 /// dropped; meshes with no triangle left are too. Mesh names fall back to the node's. Points and lines are told of as
 /// source_code::kLoose.
 [[nodiscard]] std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes,
-                                                     const SourceSurface& surface, std::vector<Warning>& warnings);
+                                                     const SourceSurface& surface, Diagnostics& warnings);
 
 /// Fills `materials`, one per material of the scene, and `images` with the embedded base-colour textures that they
 /// use. Colours: the diffuse colour, which FBX and COLLADA replace by a texture where there is one. Alpha is not kept:

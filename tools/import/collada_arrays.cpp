@@ -81,7 +81,7 @@ std::size_t unusable_weights(const char* text) {
 
 }  // namespace
 
-void warn_of_weights(const pugi::xml_document& document, std::vector<Warning>& warnings) {
+void warn_of_weights(const pugi::xml_document& document, Diagnostics& warnings) {
   for (const pugi::xpath_node& found : document.select_nodes("//skin")) {
     const pugi::xml_node skin = found.node();
     const pugi::xml_node input = skin.child("vertex_weights").find_child_by_attribute("input", "semantic", "WEIGHT");

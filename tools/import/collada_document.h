@@ -3,7 +3,7 @@
 // A COLLADA document as the tree of its elements: what assimp 5.2 passes over is taken from there, all of it in one
 // parse.
 
-#include "base/warning.h"
+#include "base/diagnostic.h"
 
 #include <pugixml.hpp>
 
@@ -36,11 +36,11 @@ struct SceneNodes;
 
 /// The document as assimp 5.2 reads it, which refuses textures of COLLADA 1.5 and each <morph>: in version 1.4, and
 /// without the latter. None where it is that already. Throws std::bad_alloc where memory runs out.
-[[nodiscard]] std::optional<std::string> plain_collada(std::string_view text, std::vector<Warning>& warnings);
+[[nodiscard]] std::optional<std::string> plain_collada(std::string_view text, Diagnostics& warnings);
 
 /// Takes each <morph> out of the document: its mesh gets the shape that its targets give it, as far as their weights
 /// are on, of which a warning tells, and stands for it wherever that is referred to. False where there is none.
-bool apply_collada_morphs(pugi::xml_document& document, std::vector<Warning>& warnings);
+bool apply_collada_morphs(pugi::xml_document& document, Diagnostics& warnings);
 
 /// Marks nodes that the document hides (<visibility> in an <extra> of theirs), and what is below them.
 void mark_hidden_by_collada(const pugi::xml_document& document, SceneNodes& nodes);
@@ -58,6 +58,6 @@ struct ColladaNames {
 };
 
 /// Warns of each skin that has weights below zero or that are no numbers, which assimp 5.2 drops.
-void warn_of_weights(const pugi::xml_document& document, std::vector<Warning>& warnings);
+void warn_of_weights(const pugi::xml_document& document, Diagnostics& warnings);
 
 }  // namespace coif::importer

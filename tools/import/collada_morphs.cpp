@@ -46,7 +46,7 @@ std::string shown_name(const pugi::xml_node& named) {
 
 class Morphs {
  public:
-  Morphs(pugi::xml_document& document, std::vector<Warning>& warnings) : document_(document), warnings_(warnings) {
+  Morphs(pugi::xml_document& document, Diagnostics& warnings) : document_(document), warnings_(warnings) {
     for (const pugi::xpath_node& found : document.select_nodes("//geometry[@id]"))
       geometries_.emplace(found.node().attribute("id").value(), found.node());
   }
@@ -117,14 +117,14 @@ class Morphs {
   }
 
   pugi::xml_document& document_;
-  std::vector<Warning>& warnings_;
+  Diagnostics& warnings_;
   std::map<std::string, pugi::xml_node> geometries_;  // by id
   std::map<std::string, std::string> mesh_of_;        // the geometry's id, by the controller's
 };
 
 }  // namespace
 
-bool apply_collada_morphs(pugi::xml_document& document, std::vector<Warning>& warnings) {
+bool apply_collada_morphs(pugi::xml_document& document, Diagnostics& warnings) {
   return Morphs(document, warnings).apply();
 }
 

@@ -50,7 +50,7 @@ bool is_off(const pugi::xml_node& node) {
 
 }  // namespace
 
-std::optional<std::string> plain_collada(std::string_view text, std::vector<Warning>& warnings) {
+std::optional<std::string> plain_collada(std::string_view text, Diagnostics& warnings) {
   pugi::xml_document document = parse_collada(text);
   const bool is_newer = write_as_version_14(document), has_morphs = apply_collada_morphs(document, warnings);
   if (!is_newer && !has_morphs) return std::nullopt;

@@ -81,7 +81,7 @@ void connect(const FbxMap& map, unsigned index, aiTextureType type, const aiScen
   material.AddProperty(&uv_set, 1, AI_MATKEY_UVWSRC(type, 0));
 }
 
-void warn_of_layers(const FbxMap& map, const std::string& material, const char* what, std::vector<Warning>& warnings) {
+void warn_of_layers(const FbxMap& map, const std::string& material, const char* what, Diagnostics& warnings) {
   if (map.layers < 2) return;
   warn(warnings, source_code::kImages,
        "material '{}': its {} is made of {} layers of textures, of which '{}' alone is read; bake them into one image "
@@ -91,7 +91,7 @@ void warn_of_layers(const FbxMap& map, const std::string& material, const char* 
 
 }  // namespace
 
-void connect_fbx_textures(const FbxObjects& objects, const aiScene& scene, std::vector<Warning>& warnings) {
+void connect_fbx_textures(const FbxObjects& objects, const aiScene& scene, Diagnostics& warnings) {
   constexpr aiTextureType kColor[] = {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE};
   constexpr aiTextureType kOpacity[] = {aiTextureType_OPACITY};
   std::map<std::string, const FbxObject*> named;  // of several the first

@@ -103,7 +103,7 @@ void add_fbx_objects(const FbxObjects& objects, const aiScene& scene, SceneNodes
   mark_coarser(scene, nodes);
 }
 
-void FbxShapeKeys::apply(const aiMesh& mesh, std::uint32_t node, RawMesh& out, std::vector<Warning>& warnings) {
+void FbxShapeKeys::apply(const aiMesh& mesh, std::uint32_t node, RawMesh& out, Diagnostics& warnings) {
   if (nodes_.fbx == nullptr || nodes_.model[node] == nullptr) return;
   const FbxObject* unlike = nullptr;
   for (const FbxConnection& connection : nodes_.fbx->below(nodes_.model[node]->id)) {

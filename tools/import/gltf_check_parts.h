@@ -41,7 +41,7 @@ class GltfFaults {
   void add(const char* code, fmt::format_string<Args...> text, Args&&... args) {
     add(code, fmt::format(text, std::forward<Args>(args)...));
   }
-  [[nodiscard]] std::vector<Warning> finish() &&;
+  [[nodiscard]] Diagnostics finish() &&;
 
  private:
   /// How often one kind is true elsewhere, beside the places that are named.
@@ -50,7 +50,7 @@ class GltfFaults {
     std::size_t more = 0;
     std::size_t last = 0;  ///< Of told_, the last one that names a place.
   };
-  std::vector<Warning> told_;
+  Diagnostics told_;
   std::map<std::string, Kind> kinds_;
   std::size_t more_ = 0;
 };

@@ -25,7 +25,7 @@ std::string kind_of(const std::string& text) {
 }  // namespace
 
 void GltfFaults::add(const char* code, std::string text) {
-  const bool is_known = std::ranges::any_of(told_, [&](const Warning& told) { return told == text; });
+  const bool is_known = std::ranges::any_of(told_, [&](const Diagnostic& told) { return told.message == text; });
   if (is_known) return;
   Kind& kind = kinds_[kind_of(text)];
   if (kind.named == kMostPlaces) {
@@ -39,10 +39,10 @@ void GltfFaults::add(const char* code, std::string text) {
   }
 }
 
-std::vector<Warning> GltfFaults::finish() && {
+Diagnostics GltfFaults::finish() && {
   for (const auto& [text, kind] : kinds_) {
     if (kind.more > 0)
-      told_[kind.last] += fmt::format(" (and the same in {})", counted(kind.more, "more place", "more places"));
+      told_[kind.last].message += fmt::format(" (and the same in {})", counted(kind.more, "more place", "more places"));
   }
   if (more_ > 0) told_.emplace_back(gltf_code::kRules, fmt::format("{} more places break the rules of glTF", more_));
   return std::move(told_);
@@ -85,7 +85,7 @@ std::optional<StoredNumbers> CheckedGltf::read(const json& accessor) {
   return out;
 }
 
-std::vector<Warning> check_gltf(const fs::path& path) {
+Diagnostics check_gltf(const fs::path& path) {
   const auto document = gltf::read_gltf_json(path);
   if (!document) {
     GltfFaults of_container;
@@ -97,7 +97,7 @@ std::vector<Warning> check_gltf(const fs::path& path) {
   return check_gltf(path, *document, buffers);
 }
 
-std::vector<Warning> check_gltf(const fs::path& path, const json& document, gltf::GltfBuffers& buffers) {
+Diagnostics check_gltf(const fs::path& path, const json& document, gltf::GltfBuffers& buffers) {
   CheckedGltf file(document, buffers);
   check_gltf_container(path, file.faults);
   check_gltf_objects(file);

@@ -14,9 +14,9 @@ namespace coif::importer {
 /// weights that are off by rounding are none, nor is what lies in compressed buffer views. Throws std::bad_alloc alone.
 /// Reads the whole file: call it where files are parsed. Source: Khronos, "glTF 2.0 Specification", chapters 3.5
 /// to 3.11, 4.4 and 5.
-[[nodiscard]] std::vector<Warning> check_gltf(const std::filesystem::path& path);
+[[nodiscard]] Diagnostics check_gltf(const std::filesystem::path& path);
 /// The same of a file whose document is read; `buffers` are its.
-[[nodiscard]] std::vector<Warning> check_gltf(const std::filesystem::path& path, const nlohmann::json& document,
-                                              gltf::GltfBuffers& buffers);
+[[nodiscard]] Diagnostics check_gltf(const std::filesystem::path& path, const nlohmann::json& document,
+                                     gltf::GltfBuffers& buffers);
 
 }  // namespace coif::importer

@@ -73,7 +73,7 @@ tl::expected<SourceModel, ToolError> read_gltf_model(const std::filesystem::path
   std::string bad = uvs ? read_gltf_meshes(*document, buffers, nodes, *uvs, settings.variant, model) : uvs.error();
   if (!bad.empty()) return unreadable(path, fmt::format("{}; {}", bad, kReexport));
   warn_of_respelled(buffers.respelled(), model.warnings);
-  std::vector<Warning> faults = check_gltf(path, *document, buffers);
+  Diagnostics faults = check_gltf(path, *document, buffers);
   model.named_images = names_of_images(*document);
   model.side_files.assign(buffers.side_files().begin(), buffers.side_files().end());
   model.warnings.insert(model.warnings.end(), std::make_move_iterator(faults.begin()),

@@ -27,7 +27,7 @@ namespace coif::importer {
 /// What is said of extensions that a document asks for or uses.
 struct GltfExtensions {
   std::string refusal;  ///< A sentence with the cure, where it requires one that is not read; empty otherwise.
-  std::vector<Warning> warnings;
+  Diagnostics warnings;
 };
 [[nodiscard]] GltfExtensions check_gltf_extensions(const nlohmann::json& document);
 

@@ -164,7 +164,7 @@ void move_uvs(const TexturePlace& place, SourceMesh& mesh) {
 /// How opaque a material is as a whole: what its texture's alpha is multiplied with. A material that is not there at
 /// all is none that anybody made for hair: exporters write "d 0" or "Tr 1" beside a texture whose alpha is meant, and
 /// some write Tr for d.
-void take_over_dissolve(const ObjMaterial& said, SourceMaterial& material, std::vector<Warning>& warnings) {
+void take_over_dissolve(const ObjMaterial& said, SourceMaterial& material, Diagnostics& warnings) {
   constexpr float kSeen = 1e-3f;
   if (!said.dissolve && !said.transparency) return;
   const float alpha = said.dissolve ? *said.dissolve : 1 - *said.transparency;
@@ -181,7 +181,7 @@ void take_over_dissolve(const ObjMaterial& said, SourceMaterial& material, std::
 }
 
 /// The colour is what a texture is multiplied with; exporters that mean the texture alone write black beside it.
-void take_over_color(const ObjMaterial& said, SourceMaterial& material, std::vector<Warning>& warnings) {
+void take_over_color(const ObjMaterial& said, SourceMaterial& material, Diagnostics& warnings) {
   if (!said.base || !material.base_color.head<3>().isZero(0)) return;
   material.base_color.head<3>().setOnes();
   warn(warnings, source_code::kClear,
@@ -191,7 +191,7 @@ void take_over_color(const ObjMaterial& said, SourceMaterial& material, std::vec
        material.name, said.base->path);
 }
 
-void take_over_textures(const ObjMaterial& said, SourceMaterial& material, std::vector<Warning>& warnings) {
+void take_over_textures(const ObjMaterial& said, SourceMaterial& material, Diagnostics& warnings) {
   if (said.base) take_over(*said.base, material.base_texture);
   if (!said.transparency_map.empty() && !said.opacity) {
     warn(warnings, source_code::kImages,
@@ -219,7 +219,7 @@ TexturePlace place_of(const ObjMaterial& said) {
 }
 
 /// assimp makes a plain material of each name that no library has.
-void warn_of_absent(const ObjMaterials& materials, const SourceModel& model, std::vector<Warning>& warnings) {
+void warn_of_absent(const ObjMaterials& materials, const SourceModel& model, Diagnostics& warnings) {
   std::set<std::string> absent;
   for (const SourceMesh& mesh : model.meshes) {
     const std::string name = material_name(model, mesh);

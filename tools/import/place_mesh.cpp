@@ -58,7 +58,7 @@ PlacedVertices place_vertices(const RawMesh& mesh, const SkinBinding& binding) {
 
 // The file's triangles that can be used, wound counter-clockwise after placement.
 std::vector<std::uint32_t> usable_triangles(const RawMesh& mesh, const PlacedVertices& placed, const std::string& label,
-                                            std::vector<Warning>& warnings) {
+                                            Diagnostics& warnings) {
   std::vector<std::uint32_t> triangles;
   std::size_t out_of_range = 0;
   std::size_t misplaced = 0;
@@ -104,7 +104,7 @@ std::vector<std::uint32_t> keep_used_vertices(std::vector<std::uint32_t>& triang
 }
 
 void copy_uvs(const RawMesh& mesh, std::span<const std::uint32_t> kept, const std::string& label, SourceMesh& out,
-              std::vector<Warning>& warnings) {
+              Diagnostics& warnings) {
   if (mesh.uvs.empty()) return;
   std::size_t unusable = 0;
   std::string first;
@@ -131,7 +131,7 @@ void copy_uvs(const RawMesh& mesh, std::span<const std::uint32_t> kept, const st
 
 // Those that are all white and opaque say nothing.
 void copy_colors(const RawMesh& mesh, std::span<const std::uint32_t> kept, const std::string& label, SourceMesh& out,
-                 std::vector<Warning>& warnings) {
+                 Diagnostics& warnings) {
   if (mesh.colors.empty()) return;
   std::size_t unusable = 0;
   for (const std::uint32_t v : kept) {
@@ -155,7 +155,7 @@ void copy_influences(const SkinBinding& binding, std::span<const std::uint32_t> 
 }
 
 // Unusable normals are taken from the surface, or point up where that has none.
-void repair_normals(SourceMesh& mesh, const std::string& label, std::vector<Warning>& warnings) {
+void repair_normals(SourceMesh& mesh, const std::string& label, Diagnostics& warnings) {
   std::vector<Eigen::Vector3f> surface(mesh.normals.size(), Eigen::Vector3f::Zero());
   for (std::size_t i = 0; i < mesh.triangles.size() && !surface.empty(); i += 3) {
     const std::uint32_t* corner = &mesh.triangles[i];
@@ -176,7 +176,7 @@ void repair_normals(SourceMesh& mesh, const std::string& label, std::vector<Warn
 }  // namespace
 
 SourceMesh place_mesh(const RawMesh& mesh, std::uint32_t node, std::span<const SourceNode> nodes,
-                      std::vector<Warning>& warnings) {
+                      Diagnostics& warnings) {
   SourceMesh out;
   out.name = mesh.name.empty() ? nodes[node].name : mesh.name;
   out.node = node;
@@ -198,7 +198,7 @@ SourceMesh place_mesh(const RawMesh& mesh, std::uint32_t node, std::span<const S
   return out;
 }
 
-void keep_mesh(const RawMesh& raw, SourceMesh placed, std::vector<SourceMesh>& meshes, std::vector<Warning>& warnings) {
+void keep_mesh(const RawMesh& raw, SourceMesh placed, std::vector<SourceMesh>& meshes, Diagnostics& warnings) {
   if (raw.points_and_lines != 0) {
     warn(warnings, source_code::kLoose, "mesh '{}': {} points or lines left out", placed.name, raw.points_and_lines);
   }

@@ -50,7 +50,7 @@ class SkinBinding {
   /// finite or not above zero. Weights are normalised; a skinned mesh's vertices without any weight follow `mesh_node`.
   /// `label` names the mesh in warnings.
   SkinBinding(const RawMesh& mesh, std::uint32_t mesh_node, std::span<const SourceNode> nodes, const std::string& label,
-              std::vector<Warning>& warnings);
+              Diagnostics& warnings);
 
   /// False when no vertex has a usable weight: the mesh is rigid to its node.
   [[nodiscard]] bool skinned() const { return !begin_.empty(); }
@@ -65,9 +65,9 @@ class SkinBinding {
     SourceInfluence influence;
   };
   [[nodiscard]] std::vector<Weight> collect_weights(const RawMesh& mesh, const std::string& label,
-                                                    std::vector<Warning>& warnings);
+                                                    Diagnostics& warnings);
   void build_table(std::vector<Weight>& weights, std::size_t vertex_count, std::uint32_t mesh_node,
-                   const std::string& label, std::vector<Warning>& warnings);
+                   const std::string& label, Diagnostics& warnings);
   void append_vertex(std::span<const Weight> weights);
 
   Eigen::Affine3d model_from_node_;
@@ -81,11 +81,11 @@ class SkinBinding {
 /// vertices without a triangle are dropped, with warnings; unusable normals, UVs and colours are replaced. No triangles
 /// may be left.
 [[nodiscard]] SourceMesh place_mesh(const RawMesh& mesh, std::uint32_t node, std::span<const SourceNode> nodes,
-                                    std::vector<Warning>& warnings);
+                                    Diagnostics& warnings);
 
 /// Puts a placed mesh that has triangles behind the others. Says what was left out: points and lines as
 /// source_code::kLoose, or all of it.
-void keep_mesh(const RawMesh& raw, SourceMesh placed, std::vector<SourceMesh>& meshes, std::vector<Warning>& warnings);
+void keep_mesh(const RawMesh& raw, SourceMesh placed, std::vector<SourceMesh>& meshes, Diagnostics& warnings);
 
 /// Fills `posed_node` and `posed_degrees` of what became of the mesh.
 void measure_pose(const RawMesh& mesh, std::span<const SourceNode> nodes, SourceMesh& out);

@@ -21,7 +21,7 @@ Eigen::Vector3f vector(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
 // assimp knows bones by name alone.
 void add_bones(const aiMesh& mesh, const SceneNodes& nodes, const std::string& label, RawMesh& out,
-               std::vector<Warning>& warnings) {
+               Diagnostics& warnings) {
   for (const aiBone* bone : std::span(mesh.mBones, mesh.mNumBones)) {
     const auto found = nodes.joint_named.find(bone->mName.C_Str());
     const Eigen::Affine3d bone_from_mesh = affine_of(bone->mOffsetMatrix);
@@ -39,7 +39,7 @@ void add_bones(const aiMesh& mesh, const SceneNodes& nodes, const std::string& l
 }
 
 /// Formats that assimp reads leave it to the reader to scale weights; whoever wants them as they are must know.
-void warn_of_sums(const RawMesh& mesh, const std::string& label, std::vector<Warning>& warnings) {
+void warn_of_sums(const RawMesh& mesh, const std::string& label, Diagnostics& warnings) {
   constexpr double kLeastError = 0.01;  // programs that write percent stay below it
   std::vector<double> sums(mesh.positions.size(), 0);
   for (const RawWeight& weight : mesh.weights) {
@@ -76,7 +76,7 @@ void move_to_bound_space(RawMesh& mesh) {
 }
 
 std::vector<Eigen::Vector2f> uvs_of(const aiMesh& mesh, const TexturePlace& place, const std::string& label,
-                                    std::vector<Warning>& warnings) {
+                                    Diagnostics& warnings) {
   std::vector<Eigen::Vector2f> uvs;
   const unsigned set = mesh.HasTextureCoords(place.uv_set) ? place.uv_set : 0;
   if (!mesh.HasTextureCoords(set)) return uvs;
@@ -93,7 +93,7 @@ std::vector<Eigen::Vector2f> uvs_of(const aiMesh& mesh, const TexturePlace& plac
 }
 
 RawMesh raw_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, const SceneNodes& nodes,
-                 const SourceSurface& surface, FbxShapeKeys& shape_keys, std::vector<Warning>& warnings) {
+                 const SourceSurface& surface, FbxShapeKeys& shape_keys, Diagnostics& warnings) {
   RawMesh out;
   out.name = text_of(mesh.mName);
   if (surface.names != nullptr) out.name = ColladaNames::find(surface.names->geometries, out.name);
@@ -124,7 +124,7 @@ RawMesh raw_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, c
 }  // namespace
 
 std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes, const SourceSurface& surface,
-                                       std::vector<Warning>& warnings) {
+                                       Diagnostics& warnings) {
   std::vector<SourceMesh> meshes;
   std::vector<std::string> hidden, coarser;
   FbxShapeKeys shape_keys(nodes);

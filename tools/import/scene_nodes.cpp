@@ -35,8 +35,7 @@ bool is_off(const aiMetadata* metadata, const char* key) {
          (metadata->Get(name, wide) && wide == 0) || (metadata->Get(name, whole) && whole == 0);
 }
 
-void append(SceneNodes& out, const Pending& pending, const Eigen::Affine3d& model_from_scene,
-            std::vector<Warning>& warnings) {
+void append(SceneNodes& out, const Pending& pending, const Eigen::Affine3d& model_from_scene, Diagnostics& warnings) {
   const Eigen::Affine3d& above =
       pending.parent == kNoIndex ? model_from_scene : out.nodes[pending.parent].model_from_node;
   SourceNode node;
@@ -93,7 +92,7 @@ int joint_likeness(const aiNode& node, const std::unordered_set<std::string>& bo
   return (node.mNumMeshes == 0 ? 2 : 0) + (within_skeleton ? 1 : 0);
 }
 
-void name_joints(const aiScene& scene, SceneNodes& out, std::vector<Warning>& warnings) {
+void name_joints(const aiScene& scene, SceneNodes& out, Diagnostics& warnings) {
   const std::unordered_set<std::string> bones = bone_names(scene);
   std::vector<std::string> undecided;
   for (std::uint32_t i = 0; i < out.origin.size(); ++i) {
@@ -114,8 +113,7 @@ void name_joints(const aiScene& scene, SceneNodes& out, std::vector<Warning>& wa
 
 }  // namespace
 
-SceneNodes flatten_nodes(const aiScene& scene, const Eigen::Affine3d& model_from_scene,
-                         std::vector<Warning>& warnings) {
+SceneNodes flatten_nodes(const aiScene& scene, const Eigen::Affine3d& model_from_scene, Diagnostics& warnings) {
   SceneNodes out;
   // A list instead of recursion: a file may nest nodes deeper than the stack.
   std::vector<Pending> pending{{scene.mRootNode, kNoIndex, false, {}, {}}};

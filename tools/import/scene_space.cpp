@@ -41,7 +41,7 @@ std::optional<Eigen::Vector3d> axis(const aiMetadata* metadata, const std::strin
 }
 
 // FBX names the file's right (Coord), up and front axes; front points at the viewer, so (right, up, front) = (X, Y, Z).
-Eigen::Matrix3d y_up_from_fbx(const aiMetadata* metadata, std::vector<Warning>& warnings) {
+Eigen::Matrix3d y_up_from_fbx(const aiMetadata* metadata, Diagnostics& warnings) {
   const auto right = axis(metadata, "CoordAxis");
   const auto up = axis(metadata, "UpAxis");
   const auto front = axis(metadata, "FrontAxis");
@@ -58,7 +58,7 @@ Eigen::Matrix3d y_up_from_fbx(const aiMetadata* metadata, std::vector<Warning>& 
 
 constexpr double kMetresPerCentimetre = 0.01;
 
-double fbx_metres_per_unit(const aiMetadata* metadata, SourceSpace& space, std::vector<Warning>& warnings) {
+double fbx_metres_per_unit(const aiMetadata* metadata, SourceSpace& space, Diagnostics& warnings) {
   const std::optional<double> said = number(metadata, "UnitScaleFactor");
   const double centimetres = said.value_or(1.0);
   if (!(std::isfinite(centimetres) && centimetres > 0)) {
@@ -122,7 +122,7 @@ void read_format(const aiScene& scene, SourceFormat format, SourceSpace& space) 
 }  // namespace
 
 Eigen::Affine3d model_from_scene(const aiScene& scene, SourceFormat format, const ImportSettings& settings,
-                                 SourceSpace& space, std::vector<Warning>& warnings) {
+                                 SourceSpace& space, Diagnostics& warnings) {
   space.generator = generator_of(scene);
   read_format(scene, format, space);
   double scale = 1;

@@ -128,7 +128,7 @@ bool are_bytes(std::span<const aiColor4D> colors) {
 }  // namespace
 
 TexturePlace texture_place(const aiMaterial& material, const std::string& geometry, const SourceSurface& surface,
-                           const std::string& label, std::vector<Warning>& warnings) {
+                           const std::string& label, Diagnostics& warnings) {
   constexpr aiTextureType kBase[] = {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE, aiTextureType_EMISSION_COLOR,
                                      aiTextureType_EMISSIVE};
   constexpr aiTextureType kOpacity[] = {aiTextureType_OPACITY};

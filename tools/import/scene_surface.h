@@ -96,8 +96,7 @@ struct SourceSurface {
 /// warning where both are there and differ, since a mesh keeps one set alone. `geometry` is what assimp calls the mesh.
 /// assimp 5.2 hands on the transforms of FBX and COLLADA; an OBJ's library is read by apply_obj_options().
 [[nodiscard]] TexturePlace texture_place(const aiMaterial& material, const std::string& geometry,
-                                         const SourceSurface& surface, const std::string& label,
-                                         std::vector<Warning>& warnings);
+                                         const SourceSurface& surface, const std::string& label, Diagnostics& warnings);
 
 /// How the first texture of one of assimp's types goes on outside 0..1. Of FBX assimp 5.2 does not say:
 /// apply_fbx_wraps().

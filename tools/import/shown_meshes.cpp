@@ -20,7 +20,7 @@ std::string list_of_names(std::span<const std::string> names) {
 
 }  // namespace
 
-void warn_of_hidden(std::span<const std::string> nodes, std::vector<Warning>& warnings) {
+void warn_of_hidden(std::span<const std::string> nodes, Diagnostics& warnings) {
   if (nodes.empty()) return;
   warn(warnings, source_code::kHidden,
        "{} left out, since the file hides {}: {}; show {} and export again where {} hair",
@@ -28,8 +28,7 @@ void warn_of_hidden(std::span<const std::string> nodes, std::vector<Warning>& wa
        nodes.size() == 1 ? "it" : "them", nodes.size() == 1 ? "it is" : "they are");
 }
 
-void warn_of_coarser(std::span<const std::string> meshes, std::span<const std::string> finest,
-                     std::vector<Warning>& warnings) {
+void warn_of_coarser(std::span<const std::string> meshes, std::span<const std::string> finest, Diagnostics& warnings) {
   if (meshes.empty()) return;
   warn(warnings, source_code::kCoarser,
        "{} left out as coarser levels of detail of {}: {}; the cook makes levels of its own{}",
@@ -38,7 +37,7 @@ void warn_of_coarser(std::span<const std::string> meshes, std::span<const std::s
        finest.empty() ? "" : "; name another in the recipe's \"hair.meshes\" where that is meant");
 }
 
-void warn_of_shape_keys(const std::string& mesh, std::span<const std::string> on, std::vector<Warning>& warnings) {
+void warn_of_shape_keys(const std::string& mesh, std::span<const std::string> on, Diagnostics& warnings) {
   if (on.empty()) return;
   warn(warnings, source_code::kShapeKeys,
        "mesh '{}': shape keys are on ({}) and are part of the hair's shape; turn them off and export again "

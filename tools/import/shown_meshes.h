@@ -15,15 +15,14 @@
 namespace coif::importer {
 
 /// Where the file hides meshes, by the names of their nodes: a warning that they are left out.
-void warn_of_hidden(std::span<const std::string> nodes, std::vector<Warning>& warnings);
+void warn_of_hidden(std::span<const std::string> nodes, Diagnostics& warnings);
 
 /// A warning that names meshes, or nodes with one, that are left out as coarser levels of detail; none where there are
 /// none. `finest`: what is kept of them, where the caller may choose; else empty.
-void warn_of_coarser(std::span<const std::string> meshes, std::span<const std::string> finest,
-                     std::vector<Warning>& warnings);
+void warn_of_coarser(std::span<const std::string> meshes, std::span<const std::string> finest, Diagnostics& warnings);
 
 /// A warning that shape keys are part of the mesh's shape, each as "'Longer' at 0.5"; none where none is on.
-void warn_of_shape_keys(const std::string& mesh, std::span<const std::string> on, std::vector<Warning>& warnings);
+void warn_of_shape_keys(const std::string& mesh, std::span<const std::string> on, Diagnostics& warnings);
 
 /// Keeps the finest of meshes that are levels of detail of one thing, with a warning that names the others. They are,
 /// by names of nodes, those above them or meshes: "Hair_LOD0", "Hair_LOD1" and "Hair" beside them; "Hair_L0", "Hair_L1"

@@ -14,7 +14,7 @@ constexpr float kRounding = 1e-4f;  // what exporters leave of a weight of 0 may
 }  // namespace
 
 SkinBinding::SkinBinding(const RawMesh& mesh, std::uint32_t mesh_node, std::span<const SourceNode> nodes,
-                         const std::string& label, std::vector<Warning>& warnings)
+                         const std::string& label, Diagnostics& warnings)
     : model_from_node_(nodes[mesh_node].model_from_node * mesh.node_from_mesh) {
   if (mesh.bones.empty()) return;
   palette_.assign(nodes.size(), Eigen::Affine3d::Identity());
@@ -28,7 +28,7 @@ SkinBinding::SkinBinding(const RawMesh& mesh, std::uint32_t mesh_node, std::span
 }
 
 std::vector<SkinBinding::Weight> SkinBinding::collect_weights(const RawMesh& mesh, const std::string& label,
-                                                              std::vector<Warning>& warnings) {
+                                                              Diagnostics& warnings) {
   std::vector<Weight> weights;
   std::size_t without_vertex = 0;
   std::size_t without_bone = 0;
@@ -53,7 +53,7 @@ std::vector<SkinBinding::Weight> SkinBinding::collect_weights(const RawMesh& mes
 }
 
 void SkinBinding::build_table(std::vector<Weight>& weights, std::size_t vertex_count, std::uint32_t mesh_node,
-                              const std::string& label, std::vector<Warning>& warnings) {
+                              const std::string& label, Diagnostics& warnings) {
   // Stable: equal weights keep the file's order on every platform.
   std::ranges::stable_sort(weights, {}, [](const Weight& w) { return std::pair(w.vertex, w.influence.node); });
   begin_.reserve(vertex_count + 1);

@@ -2,8 +2,8 @@
 
 // What every supported file becomes: a plain model in metres, Y up, right-handed, in its rest pose.
 
+#include "base/diagnostic.h"
 #include "base/texture_channel.h"
-#include "base/warning.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -186,8 +186,7 @@ struct SourceModel {
   std::vector<SourceLevel> coarser;  ///< Each of fewer triangles than the one before; cards alone have them.
   double scalp_radius = 0;  ///< Of the sphere that the strands' roots lie on, metres; 0 where that is not known.
   SourceSpace space;
-  std::vector<Warning>
-      warnings;  ///< What is wrong or odd in the file, was repaired or dropped: where, what, and what mends it.
+  Diagnostics warnings;  ///< What is wrong or odd in the file, was repaired or dropped: where, what, and what mends it.
   /// Paths of the other files that the importer opened or looked for, absent ones too: buffers, material libraries. Not
   /// textures, which it leaves alone.
   std::vector<std::string> side_files;

@@ -2,8 +2,8 @@
 
 // What readers of models and strands warn of, and how they say it.
 
+#include "base/diagnostic.h"
 #include "base/side_file.h"
-#include "base/warning.h"
 
 #include <fmt/format.h>
 
@@ -39,7 +39,7 @@ inline constexpr const char* kClear = "S226";       ///< Materials that would no
 }  // namespace source_code
 
 template <class... Args>
-void warn(std::vector<Warning>& warnings, const char* code, fmt::format_string<Args...> text, Args&&... args) {
+void warn(Diagnostics& warnings, const char* code, fmt::format_string<Args...> text, Args&&... args) {
   warnings.emplace_back(code, fmt::format(text, std::forward<Args>(args)...));
 }
 
@@ -48,12 +48,12 @@ inline std::string told_of(const Respelled& name) {
 }
 
 /// A warning for each file that is named one way and lies there under another.
-inline void warn_of_respelled(std::span<const Respelled> names, std::vector<Warning>& warnings) {
+inline void warn_of_respelled(std::span<const Respelled> names, Diagnostics& warnings) {
   for (const Respelled& name : names) warnings.emplace_back(source_code::kFileNames, told_of(name));
 }
 
 /// "LABEL: 3 points or lines dropped", where there are any.
-inline void warn_count(std::vector<Warning>& warnings, const char* code, std::size_t count, const std::string& label,
+inline void warn_count(Diagnostics& warnings, const char* code, std::size_t count, const std::string& label,
                        const char* what) {
   if (count != 0) warn(warnings, code, "{}: {} {}", label, count, what);
 }

@@ -32,7 +32,7 @@ static_assert(sizeof(Eigen::Vector3f) == 12 && sizeof(Eigen::Vector2f) == 8 && s
 inline constexpr auto transfer_text = [](auto& archive, auto& text) { return archive.sequence(text); };
 
 inline constexpr auto transfer_warning = [](auto& archive, auto& warning) {
-  return archive.sequence(warning.code) && archive.sequence(warning);
+  return archive.sequence(warning.code) && archive.sequence(warning.message);
 };
 
 inline bool transfer_flag(ByteEncoder& archive, const bool& flag) { return archive.plain(std::uint8_t{flag}); }

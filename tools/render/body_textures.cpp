@@ -25,7 +25,7 @@ BodyTextures read_body_textures(const importer::SourceModel& model, cook::Findin
     }
     textures[m] = texture;
   }
-  for (const Warning& warning : images.findings().warnings) findings.warnings.push_back(warning);
+  for (const Diagnostic& warning : images.findings().warnings) findings.warnings.push_back(warning);
   return textures;
 }
 

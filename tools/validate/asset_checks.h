@@ -23,22 +23,22 @@ namespace coif::validate {
 [[nodiscard]] std::string bone_place(const Asset& asset, std::size_t bone);
 
 template <typename... Args>
-void add_patch_issue(Issues& issues, std::string_view code, std::size_t patch, fmt::format_string<Args...> message,
+void add_patch_issue(Diagnostics& issues, std::string_view code, std::size_t patch, fmt::format_string<Args...> message,
                      Args&&... args) {
   add_issue(issues, code, fmt::format("patch {}", patch), message, std::forward<Args>(args)...);
   issues.back().patch = std::uint32_t(patch);
 }
 
-void check_bones(const Asset& asset, Issues& issues);       ///< A202, A207, A211, A212, A213
-void check_dynamics(const Asset& asset, Issues& issues);    ///< A203, A205, A221 to A224
-void check_geometry(const Asset& asset, Issues& issues);    ///< A201, A231 to A235
-void check_patches(const Asset& asset, Issues& issues);     ///< A241, A242, A243
-void check_orders(const Asset& asset, Issues& issues);      ///< A251, A253
-void check_skin(const Asset& asset, Issues& issues);        ///< A261, A262
-void check_textures(const Asset& asset, Issues& issues);    ///< A204, A271, A272
-void check_alpha(const Asset& asset, Issues& issues);       ///< A252, A273, A274, A277
-void check_unwrapping(const Asset& asset, Issues& issues);  ///< A275, A276
-void check_quality(const Asset& asset, Issues& issues);     ///< A281 to A285
-void check_origin(const Asset& asset, Issues& issues);      ///< A291
+void check_bones(const Asset& asset, Diagnostics& issues);       ///< A202, A207, A211, A212, A213
+void check_dynamics(const Asset& asset, Diagnostics& issues);    ///< A203, A205, A221 to A224
+void check_geometry(const Asset& asset, Diagnostics& issues);    ///< A201, A231 to A235
+void check_patches(const Asset& asset, Diagnostics& issues);     ///< A241, A242, A243
+void check_orders(const Asset& asset, Diagnostics& issues);      ///< A251, A253
+void check_skin(const Asset& asset, Diagnostics& issues);        ///< A261, A262
+void check_textures(const Asset& asset, Diagnostics& issues);    ///< A204, A271, A272
+void check_alpha(const Asset& asset, Diagnostics& issues);       ///< A252, A273, A274, A277
+void check_unwrapping(const Asset& asset, Diagnostics& issues);  ///< A275, A276
+void check_quality(const Asset& asset, Diagnostics& issues);     ///< A281 to A285
+void check_origin(const Asset& asset, Diagnostics& issues);      ///< A291
 
 }  // namespace coif::validate

@@ -26,8 +26,8 @@ std::string place(const LoadStatus& status) {
 
 }  // namespace
 
-Issues find_asset_issues(const Asset& asset) {
-  Issues issues;
+Diagnostics find_asset_issues(const Asset& asset) {
+  Diagnostics issues;
   for (const auto check : {check_bones, check_dynamics, check_geometry, check_patches, check_orders, check_skin,
                            check_textures, check_alpha, check_unwrapping, check_quality, check_origin}) {
     check(asset, issues);
@@ -35,7 +35,7 @@ Issues find_asset_issues(const Asset& asset) {
   return issues;
 }
 
-Issue refusal_issue(const LoadStatus& status) {
+Diagnostic refusal_issue(const LoadStatus& status) {
   return make_issue(fmt::format("A{}", 100 + int(status.code)), describe_text(status), place(status));
 }
 
@@ -45,13 +45,14 @@ using Version = std::uint16_t[3];
 
 std::string text(const Version& v) { return fmt::format("{}.{}.{}", v[0], v[1], v[2]); }
 
-void compare_hashes(const char* code, const char* what, std::uint64_t then, std::uint64_t now, Issues& issues) {
+void compare_hashes(const char* code, const char* what, std::uint64_t then, std::uint64_t now, Diagnostics& issues) {
   if (then == now) return;
   add_issue(issues, code, "chunk PROV", "cooked from {} with the hash {:016x}; it now is {:016x}: cook again", what,
             then, now);
 }
 
-void compare_versions(const char* code, const char* what, const Version& then, const Version& now, Issues& issues) {
+void compare_versions(const char* code, const char* what, const Version& then, const Version& now,
+                      Diagnostics& issues) {
   if (std::ranges::equal(then, now)) return;
   add_issue(issues, code, "chunk PROV", "cooked by {} {}; this is {}", what, text(then), text(now));
 }
@@ -65,12 +66,12 @@ bool has_chunk(const Asset& asset, const ChunkEntry& other) {
 
 }  // namespace
 
-Issues find_origin_issues(const Asset& asset, const ProvenanceRecord& now) {
+Diagnostics find_origin_issues(const Asset& asset, const ProvenanceRecord& now) {
   const ProvenanceRecord* then = asset.provenance();
   if (then == nullptr) {
     return {make_issue("R105", "it does not say what it was cooked from; cook with \"scene.provenance\": true")};
   }
-  Issues issues;
+  Diagnostics issues;
   compare_hashes("R101", "a source", then->source_hash, now.source_hash, issues);
   if (is_draft(asset)) {
     issues.push_back(make_issue("R107", "it was cooked with --draft; cook it in full", "chunk PROV"));
@@ -83,7 +84,7 @@ Issues find_origin_issues(const Asset& asset, const ProvenanceRecord& now) {
   return issues;
 }
 
-Issues find_recook_issues(const Asset& asset, const Asset& cooked_anew) {
+Diagnostics find_recook_issues(const Asset& asset, const Asset& cooked_anew) {
   std::vector<std::string> different;
   const auto compare = [&different](const Asset& one, const Asset& other) {
     for (const ChunkEntry& entry : one.chunks()) {
@@ -102,7 +103,7 @@ Issues find_recook_issues(const Asset& asset, const Asset& cooked_anew) {
 namespace {
 
 void note_meshes(const importer::SourceModel& source, const cook::HairMesh& hair, const cook::Recipe& recipe,
-                 Issues& issues) {
+                 Diagnostics& issues) {
   bool rigid = true;
   for (const std::uint32_t mesh : hair.source_meshes) {
     rigid = rigid && source.meshes[mesh].influences.empty();
@@ -122,23 +123,24 @@ void warn_of_strips(const cook::HairMesh& mesh, const cook::Recipe& recipe, cook
 
 }  // namespace
 
-Issue import_issue(const ToolError& error) {
+Diagnostic import_issue(const ToolError& error) {
   return make_issue(error.kind == ToolError::Kind::kUnsupported ? "S102" : "S101", error.message);
 }
 
-Issues cook_issues(const cook::Findings& findings) {
-  Issues issues;
-  for (const Warning& warning : findings.warnings) issues.push_back(make_issue(warning.code, warning));
+Diagnostics cook_issues(const cook::Findings& findings) {
+  Diagnostics issues;
+  for (const Diagnostic& warning : findings.warnings)
+    issues.push_back(make_issue(warning.code, warning.message, warning.place));
   return issues;
 }
 
-Issues find_source_issues(const importer::SourceModel& imported, const cook::Recipe& recipe) {
+Diagnostics find_source_issues(const importer::SourceModel& imported, const cook::Recipe& recipe) {
   cook::Findings findings;
   findings.warnings = imported.warnings;
   const cook::SettledSource settled = cook::settle_size(imported, recipe, findings);
   const importer::SourceModel& source = settled.model ? *settled.model : imported;
   const auto hair = cook::select_hair(source, recipe, findings);
-  Issues notes;
+  Diagnostics notes;
   if (hair) {
     cook::warn_of_odd_size(*hair, findings);
     warn_of_strips(*hair, recipe, findings);
@@ -147,23 +149,23 @@ Issues find_source_issues(const importer::SourceModel& imported, const cook::Rec
     notes.push_back(make_issue("S104", hair.error().message));
   }
   findings.acknowledge(recipe.acknowledged_warnings);
-  Issues issues = cook_issues(findings);
+  Diagnostics issues = cook_issues(findings);
   issues.insert(issues.end(), notes.begin(), notes.end());
   return issues;
 }
 
-Issues find_source_issues(const importer::SourceModel& imported, const cook::Recipe& recipe,
-                          const tl::expected<cook::CookResult, ToolError>& cooked) {
-  Issues first = find_source_issues(imported, recipe);
+Diagnostics find_source_issues(const importer::SourceModel& imported, const cook::Recipe& recipe,
+                               const tl::expected<cook::CookResult, ToolError>& cooked) {
+  Diagnostics first = find_source_issues(imported, recipe);
   if (!cooked) {
-    const bool is_told = std::ranges::any_of(first, [](const Issue& issue) { return issue.code == "S104"; });
+    const bool is_told = std::ranges::any_of(first, [](const Diagnostic& issue) { return issue.code == "S104"; });
     if (!is_told) first.push_back(make_issue("S105", cooked.error().message));
     return first;
   }
   // What the cook says in full takes the place of what its first passes say.
-  Issues issues = cook_issues(cooked->report);
+  Diagnostics issues = cook_issues(cooked->report);
   std::ranges::copy_if(first, std::back_inserter(issues),
-                       [](const Issue& issue) { return issue.severity == Severity::kInfo; });
+                       [](const Diagnostic& issue) { return issue.severity == Severity::kInfo; });
   return issues;
 }
 

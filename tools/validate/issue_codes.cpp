@@ -24,11 +24,6 @@ std::vector<IssueCode> all_codes() {
 
 }  // namespace
 
-const char* name(Severity severity) {
-  constexpr const char* kNames[] = {"info", "warning", "error"};
-  return kNames[std::size_t(severity)];
-}
-
 const char* name(IssueGroup group) {
   constexpr const char* kNames[kIssueGroups] = {"container", "skeleton", "dynamics", "geometry", "patches",
                                                 "orders",    "skin",     "textures", "quality",  "source"};
@@ -45,11 +40,20 @@ const IssueCode* find_issue_code(std::string_view code) {
   return found == issue_codes().end() ? nullptr : &*found;
 }
 
-Issue make_issue(std::string_view code, std::string message, std::string where) {
+nlohmann::ordered_json issues_json(const Diagnostics& issues) {
+  auto list = nlohmann::ordered_json::array();
+  for (const Diagnostic& issue : issues) {
+    const IssueCode* row = find_issue_code(issue.code);
+    list.push_back(issue);
+    list.back()["cure"] = row != nullptr ? row->cure : "";
+  }
+  return list;
+}
+
+Diagnostic make_issue(std::string_view code, std::string message, std::string where) {
   const IssueCode* row = find_issue_code(code);
   assert(row != nullptr && "an issue without a row in its table");
-  return {
-      std::string(code), row != nullptr ? row->severity : Severity::kError, std::move(message), std::move(where), {}};
+  return {std::string(code), std::move(message), row != nullptr ? row->severity : Severity::kError, std::move(where)};
 }
 
 namespace {
@@ -101,7 +105,7 @@ std::size_t& counter(JudgedIssues& judged, Severity severity) {
   return judged.errors;
 }
 
-void fold(const Issue& issue, JudgedIssues& judged) {
+void fold(const Diagnostic& issue, JudgedIssues& judged) {
   const auto found = std::ranges::find(judged.folded, issue.code, &FoldedIssues::code);
   if (found != judged.folded.end()) {
     ++found->count;
@@ -122,10 +126,10 @@ bool is_unsupported(std::string_view code) {
   return std::ranges::find(kCodes, code) != std::end(kCodes);
 }
 
-JudgedIssues judge(std::vector<Issue> issues, const IssuePolicy& policy) {
+JudgedIssues judge(Diagnostics issues, const IssuePolicy& policy) {
   JudgedIssues judged;
   std::map<std::string, std::size_t> shown_of;
-  for (Issue& issue : issues) {
+  for (Diagnostic& issue : issues) {
     if (std::ranges::find(policy.ignored, issue.code) != policy.ignored.end()) continue;
     if (policy.warnings_as_errors && issue.severity == Severity::kWarning) issue.severity = Severity::kError;
     ++counter(judged, issue.severity);

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "base/diagnostic.h"
+
 #include <fmt/format.h>
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,28 +15,12 @@
 
 namespace coif::validate {
 
-enum class Severity { kInfo, kWarning, kError };
-
-/// One finding about a source or an asset. Codes are stable: a build may let some pass by number. issue_codes.h holds
-/// all.
-struct Issue {
-  std::string code;
-  Severity severity = Severity::kError;
-  std::string message;
-  std::string where;                     ///< Chunk, record, bone or patch; empty: the whole file.
-  std::optional<std::uint32_t> patch{};  ///< Of all of the asset's, where the issue is one of a patch.
-};
-
-[[nodiscard]] const char* name(Severity severity);
-
 /// With the severity that issue_codes() gives `code`, which must be one of them.
-[[nodiscard]] Issue make_issue(std::string_view code, std::string message, std::string where = "");
-
-using Issues = std::vector<Issue>;
+[[nodiscard]] Diagnostic make_issue(std::string_view code, std::string message, std::string where = "");
 
 /// Appends one whose message is written as by fmt::format().
 template <typename... Args>
-void add_issue(Issues& issues, std::string_view code, std::string where, fmt::format_string<Args...> message,
+void add_issue(Diagnostics& issues, std::string_view code, std::string where, fmt::format_string<Args...> message,
                Args&&... args) {
   issues.push_back(make_issue(code, fmt::format(message, std::forward<Args>(args)...), std::move(where)));
 }
@@ -76,6 +62,9 @@ struct IssueCode {
 /// All codes, group by group, ascending within each.
 [[nodiscard]] std::span<const IssueCode> issue_codes();
 
+/// Each as {"code", "severity", "message", "where", "cure"}, and "patch" where it is about one.
+[[nodiscard]] nlohmann::ordered_json issues_json(const Diagnostics& issues);
+
 /// Null for text that is no code.
 [[nodiscard]] const IssueCode* find_issue_code(std::string_view code);
 
@@ -108,7 +97,7 @@ struct FoldedIssues {
 };
 
 struct JudgedIssues {
-  std::vector<Issue> shown;
+  Diagnostics shown;
   std::vector<FoldedIssues> folded;
   std::size_t errors = 0;  ///< Shown, folded or below the lowest severity; never ignored ones.
   std::size_t warnings = 0;
@@ -123,6 +112,6 @@ struct JudgedIssues {
 /// Whether an error of this code says that this program cannot read the file, not that something is wrong with it.
 [[nodiscard]] bool is_unsupported(std::string_view code);
 
-[[nodiscard]] JudgedIssues judge(std::vector<Issue> issues, const IssuePolicy& policy);
+[[nodiscard]] JudgedIssues judge(Diagnostics issues, const IssuePolicy& policy);
 
 }  // namespace coif::validate

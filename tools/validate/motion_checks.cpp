@@ -17,7 +17,7 @@ constexpr std::size_t kEnoughBones = 4;     // for a median that says something
 
 bool is_simulated(const BoneRecord& bone) { return bone.kind == BoneKind::kSimulated; }
 
-void find_unused_bones(const Asset& asset, Issues& issues) {
+void find_unused_bones(const Asset& asset, Diagnostics& issues) {
   if (asset.skin().empty()) return;
   std::vector<bool> used(asset.bones().size(), false);
   for (const SkinRecord& skin : asset.skin()) {
@@ -42,7 +42,7 @@ float median_length(const Asset& asset) {
   return *middle;
 }
 
-void find_odd_lengths(const Asset& asset, Issues& issues) {
+void find_odd_lengths(const Asset& asset, Diagnostics& issues) {
   const float median = median_length(asset);
   for (std::size_t i = 0; i < asset.bones().size(); ++i) {
     const BoneRecord& bone = asset.bones()[i];
@@ -63,7 +63,7 @@ std::string bone_place(const Asset& asset, std::size_t bone) {
   return name.empty() ? fmt::format("bone {}", bone) : fmt::format("bone '{}'", name);
 }
 
-void check_bones(const Asset& asset, Issues& issues) {
+void check_bones(const Asset& asset, Diagnostics& issues) {
   if (asset.skeleton().simulated_count == 0) {
     add_issue(issues, "A202", "", "no simulated bone: the hair is rigid; name the hair's bones in the recipe");
   }
@@ -93,7 +93,7 @@ std::vector<Vec3> resting_particles(const Asset& asset) {
   return particles;
 }
 
-void find_resting_penetration(const Asset& asset, Issues& issues) {
+void find_resting_penetration(const Asset& asset, Diagnostics& issues) {
   const float depth = animation::worst_penetration(asset, resting_particles(asset));
   if (!(depth > kRestingDepth)) return;
   add_issue(issues, "A205", "",
@@ -101,7 +101,7 @@ void find_resting_penetration(const Asset& asset, Issues& issues) {
             100 * depth);
 }
 
-void find_idle_colliders(const Asset& asset, Issues& issues) {
+void find_idle_colliders(const Asset& asset, Diagnostics& issues) {
   std::uint32_t reached = 0;
   for (const BoneRecord& bone : asset.bones()) reached |= bone.colliders;
   for (std::size_t i = 0; i < asset.colliders().size(); ++i) {
@@ -111,7 +111,7 @@ void find_idle_colliders(const Asset& asset, Issues& issues) {
   }
 }
 
-void find_idle_body_colliders(const Asset& asset, Issues& issues) {
+void find_idle_body_colliders(const Asset& asset, Diagnostics& issues) {
   std::uint32_t touched = 0;
   for (const std::uint32_t set : asset.body_sets()) touched |= set;
   for (std::uint32_t i = 0; i < asset.body_colliders().size(); ++i) {
@@ -121,7 +121,7 @@ void find_idle_body_colliders(const Asset& asset, Issues& issues) {
   }
 }
 
-void find_odd_pulls(const Asset& asset, Issues& issues) {
+void find_odd_pulls(const Asset& asset, Diagnostics& issues) {
   for (std::size_t i = 0; i < asset.dynamics().size(); ++i) {
     if (!is_simulated(asset.bones()[i])) continue;
     const DynamicsRecord& bone = asset.dynamics()[i];
@@ -133,7 +133,7 @@ void find_odd_pulls(const Asset& asset, Issues& issues) {
   }
 }
 
-void find_strained_links(const Asset& asset, Issues& issues) {
+void find_strained_links(const Asset& asset, Diagnostics& issues) {
   const std::vector<Vec3> particles = resting_particles(asset);
   for (const LinkRecord& link : asset.links()) {
     const Vec3 one = particles[link.bone], other = particles[link.to];
@@ -148,7 +148,7 @@ void find_strained_links(const Asset& asset, Issues& issues) {
 
 }  // namespace
 
-void check_dynamics(const Asset& asset, Issues& issues) {
+void check_dynamics(const Asset& asset, Diagnostics& issues) {
   if (asset.skeleton().simulated_count == 0) return;
   if (asset.colliders().empty()) add_issue(issues, "A203", "", "no collider: hair will pass through the head");
   find_resting_penetration(asset, issues);
@@ -189,7 +189,7 @@ float distance(const Vector3f& at, const BoneRecord& bone) {
   return (from - direction * std::clamp(from.dot(direction), 0.0f, bone.length)).norm();
 }
 
-void find_strays(const Asset& asset, Issues& issues) {
+void find_strays(const Asset& asset, Diagnostics& issues) {
   Eigen::AlignedBox3f box;
   for (const VertexRecord& vertex : asset.vertices()) box.extend(Vector3f(vertex.position));
   const float far_away = kFarAway * cook::largest_side(box);
@@ -209,7 +209,7 @@ void find_strays(const Asset& asset, Issues& issues) {
 
 }  // namespace
 
-void check_skin(const Asset& asset, Issues& issues) {
+void check_skin(const Asset& asset, Diagnostics& issues) {
   if (asset.vertices().empty() || asset.skeleton().simulated_count == 0) return;
   if (std::ranges::none_of(asset.skin(), [&](const SkinRecord& skin) { return moves(asset, skin); })) {
     return add_issue(issues, "A261", "", "no vertex follows a simulated bone: what is drawn does not move");
@@ -245,7 +245,7 @@ QualityRecord worst_of(const Asset& asset, const TuningRecord& tuning) {
   return worst;
 }
 
-void check_budget(const TuningRecord& tuning, const QualityRecord& worst, Issues& issues) {
+void check_budget(const TuningRecord& tuning, const QualityRecord& worst, Diagnostics& issues) {
   if (tuning.asked_error > 0 && worst.rms_error > kRounding * tuning.asked_error) {
     add_issue(issues, "A281", "chunk QUAL", "an error of {:.2g} % of the chain's length, where {:.2g} % was the budget",
               100 * worst.rms_error, 100 * tuning.asked_error);
@@ -256,17 +256,17 @@ void check_budget(const TuningRecord& tuning, const QualityRecord& worst, Issues
   }
 }
 
-void add_share(const char* code, const char* text, float share, float limit, Issues& issues) {
+void add_share(const char* code, const char* text, float share, float limit, Diagnostics& issues) {
   if (share > limit) add_issue(issues, code, "chunk QUAL", "{} {:.2g} %", text, 100 * share);
 }
 
 }  // namespace
 
-void check_origin(const Asset& asset, Issues& issues) {
+void check_origin(const Asset& asset, Diagnostics& issues) {
   if (is_draft(asset)) add_issue(issues, "A291", "chunk PROV", "a draft: cooked with --draft, to look at");
 }
 
-void check_quality(const Asset& asset, Issues& issues) {
+void check_quality(const Asset& asset, Diagnostics& issues) {
   if (asset.dynamics().empty() || asset.skeleton().simulated_count == 0) return;
   if (asset.tuning() == nullptr) {
     if (is_draft(asset)) return;  // A291 says so.

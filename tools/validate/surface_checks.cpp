@@ -54,7 +54,7 @@ PatchFaults faults_of(const Asset& asset, Corners corners) {
   return faults;
 }
 
-void find_faulty_triangles(const Asset& asset, Issues& issues) {
+void find_faulty_triangles(const Asset& asset, Diagnostics& issues) {
   for (std::size_t i = 0; i < asset.patches().size(); ++i) {
     const PatchRecord& patch = asset.patches()[i];
     const PatchFaults faults = faults_of(asset, asset.indices().subspan(patch.first_index, patch.index_count));
@@ -67,7 +67,7 @@ void find_faulty_triangles(const Asset& asset, Issues& issues) {
   }
 }
 
-void find_unused_vertices(const Asset& asset, Issues& issues) {
+void find_unused_vertices(const Asset& asset, Diagnostics& issues) {
   std::vector<bool> used(asset.vertices().size(), false);
   for (const std::uint32_t vertex : asset.indices()) used[vertex] = true;
   const auto unused = std::size_t(std::ranges::count(used, false));
@@ -75,14 +75,14 @@ void find_unused_vertices(const Asset& asset, Issues& issues) {
   add_issue(issues, "A232", "chunk VERT", "{} in no triangle", counted(unused, "vertex", "vertices"));
 }
 
-void check_size(const Asset& asset, Issues& issues) {
+void check_size(const Asset& asset, Diagnostics& issues) {
   Eigen::AlignedBox3f box;
   for (const VertexRecord& vertex : asset.vertices()) box.extend(position(vertex));
   if (cook::is_hair_sized(cook::largest_side(box))) return;
   add_issue(issues, "A234", "", "{:.3g} m large; hair has 0.05 .. 3 m", cook::largest_side(box));
 }
 
-void find_equal_levels(const Asset& asset, Issues& issues) {
+void find_equal_levels(const Asset& asset, Diagnostics& issues) {
   for (std::uint32_t lod = 1; lod < asset.lod_count(); ++lod) {
     const double share = double(asset.lod_indices(lod).size()) / double(asset.lod_indices(lod - 1).size());
     if (share <= kSavesLittle) continue;
@@ -93,7 +93,7 @@ void find_equal_levels(const Asset& asset, Issues& issues) {
 
 }  // namespace
 
-void check_geometry(const Asset& asset, Issues& issues) {
+void check_geometry(const Asset& asset, Diagnostics& issues) {
   if (asset.vertices().empty()) return add_issue(issues, "A201", "", "no mesh: it can be simulated but not drawn");
   find_faulty_triangles(asset, issues);
   find_unused_vertices(asset, issues);
@@ -159,7 +159,7 @@ float head_radius(const Asset& asset) {
   return radius > 0 ? radius : kHeadRadius;
 }
 
-void find_unsortable(const Asset& asset, Issues& issues) {
+void find_unsortable(const Asset& asset, Diagnostics& issues) {
   const float widest = kTooWide * head_radius(asset);
   for (std::size_t i = 0; i < asset.lod_patches(0).size(); ++i) {
     const PatchRecord& patch = asset.lod_patches(0)[i];
@@ -174,7 +174,7 @@ void find_unsortable(const Asset& asset, Issues& issues) {
 
 }  // namespace
 
-void check_patches(const Asset& asset, Issues& issues) {
+void check_patches(const Asset& asset, Diagnostics& issues) {
   const std::size_t patches = asset.lod_patches(0).size();
   const std::size_t triangles = asset.lod_indices(0).size() / 3;
   if (cook::is_shattered(triangles, patches))
@@ -182,7 +182,7 @@ void check_patches(const Asset& asset, Issues& issues) {
   find_unsortable(asset, issues);
 }
 
-void check_orders(const Asset& asset, Issues& issues) {
+void check_orders(const Asset& asset, Diagnostics& issues) {
   if (asset.orders().empty()) return;
   // Order 0 is that of the triangles themselves and costs nothing.
   for (std::uint32_t i = 1; i < asset.order_count(); ++i) {

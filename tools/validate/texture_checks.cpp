@@ -36,7 +36,7 @@ bool has_soft_texels(const Asset& asset, const TextureRecord& texture) {
   return false;
 }
 
-void find_thin_mips(const TextureRecord& texture, std::span<const cook::AlphaCoverage> coverage, Issues& issues) {
+void find_thin_mips(const TextureRecord& texture, std::span<const cook::AlphaCoverage> coverage, Diagnostics& issues) {
   for (std::uint32_t mip = 1; mip < coverage.size(); ++mip) {
     if (std::min(texture.width, texture.height) >> mip < kFewTexels) return;
     const double share = coverage[mip].opacity / coverage[0].opacity;
@@ -45,7 +45,7 @@ void find_thin_mips(const TextureRecord& texture, std::span<const cook::AlphaCov
   }
 }
 
-void check_size(const TextureRecord& texture, Issues& issues) {
+void check_size(const TextureRecord& texture, Diagnostics& issues) {
   const std::string size = fmt::format("{} x {} texels", texture.width, texture.height);
   if (!std::has_single_bit(texture.width) || !std::has_single_bit(texture.height)) {
     add_issue(issues, "A271", place(texture.role), "{} are no powers of two", size);
@@ -57,7 +57,7 @@ void check_size(const TextureRecord& texture, Issues& issues) {
 
 }  // namespace
 
-void check_textures(const Asset& asset, Issues& issues) {
+void check_textures(const Asset& asset, Diagnostics& issues) {
   if (!asset.vertices().empty() && asset.texture(TextureRole::kBaseColor) == nullptr) {
     add_issue(issues, "A204", "", "no base colour texture: strips are drawn as solid cards");
   }
@@ -66,7 +66,7 @@ void check_textures(const Asset& asset, Issues& issues) {
   }
 }
 
-void check_alpha(const Asset& asset, Issues& issues) {
+void check_alpha(const Asset& asset, Diagnostics& issues) {
   const TextureRecord* texture = asset.texture(TextureRole::kBaseColor);
   const std::vector<cook::AlphaCoverage> coverage = cook::mip_coverage(asset);
   if (texture == nullptr || coverage.empty()) return;
@@ -124,7 +124,7 @@ Areas areas_of(const Asset& asset) {
 
 }  // namespace
 
-void check_unwrapping(const Asset& asset, Issues& issues) {
+void check_unwrapping(const Asset& asset, Diagnostics& issues) {
   const TextureRecord* texture = asset.texture(TextureRole::kBaseColor);
   if (texture == nullptr || asset.vertices().empty()) return;
   for (std::size_t i = 0; i < asset.lod_patches(0).size(); ++i) {

@@ -62,7 +62,7 @@ int print(const std::filesystem::path& path) {
   if (!model) {
     out["error"] = model.error().message;
   } else {
-    out["warnings"] = std::vector<std::string>(model->warnings.begin(), model->warnings.end());
+    out["warnings"] = messages_of(model->warnings);
     out["meshes"] = json::array();
     for (const SourceMesh& mesh : model->meshes) {
       out["meshes"].push_back({{"name", mesh.name},

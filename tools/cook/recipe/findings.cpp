@@ -22,9 +22,11 @@ void Findings::append(const Findings& later) {
 }
 
 void Findings::acknowledge(std::span<const std::string> codes) {
-  const auto is_known = [&](const Warning& warning) { return std::ranges::find(codes, warning.code) != codes.end(); };
-  for (const Warning& warning : warnings) {
-    if (is_known(warning)) note(fmt::format("acknowledged: {} [{}]", std::string_view(warning), warning.code));
+  const auto is_known = [&](const Diagnostic& warning) {
+    return std::ranges::find(codes, warning.code) != codes.end();
+  };
+  for (const Diagnostic& warning : warnings) {
+    if (is_known(warning)) note(fmt::format("acknowledged: {} [{}]", warning.message, warning.code));
   }
   std::erase_if(warnings, is_known);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/warning.h"
+#include "base/diagnostic.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -26,7 +26,7 @@ struct LeftOut {
 /// What passes have to say: the one place that all of them write to, each list in the order in which they ran.
 struct Findings {
   std::vector<std::string> notes;  ///< What was chosen, and why.
-  std::vector<Warning> warnings;   ///< What the artist may not have meant.
+  Diagnostics warnings;            ///< What the artist may not have meant.
   std::vector<LeftOut> left_out;   ///< What of the source is not in the asset, and why.
 
   void note(std::string text) { notes.push_back(std::move(text)); }

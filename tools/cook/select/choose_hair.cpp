@@ -247,7 +247,7 @@ tl::unexpected<ToolError> no_hair_in_body(const SourceModel& source) {
   }
   const std::string node = empty_hair_node(source);
   const bool hides_meshes = std::ranges::any_of(
-      source.warnings, [](const Warning& warning) { return warning.code == importer::source_code::kHidden; });
+      source.warnings, [](const Diagnostic& warning) { return warning.code == importer::source_code::kHidden; });
   const std::string lost = hides_meshes   ? "the file hides other meshes, which are not read: show the hair; "
                            : node.empty() ? ""
                                           : fmt::format("node '{}' has no mesh, so its hair was not exported; ", node);

@@ -132,9 +132,8 @@ tl::expected<LiveResult, ToolError> LiveCook::cook(const Order& order, const std
     imported_ = Imported{order.source, live.import, std::move(values), std::move(cooked->model), live.source_hash};
   watch(order, cooked->result.inputs, since);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  const auto& warnings = cooked->result.report.warnings;
-  return LiveResult{order.name,    std::move(cooked->result.asset),    std::move(recipe->file),
-                    order.changes, {warnings.begin(), warnings.end()}, seconds.count()};
+  return LiveResult{order.name,    std::move(cooked->result.asset),           std::move(recipe->file),
+                    order.changes, std::move(cooked->result.report.warnings), seconds.count()};
 } catch (const std::bad_alloc&) {
   return file_failure(ToolError::Kind::kBadInput, order.source, "not enough memory for this");
 }

@@ -25,7 +25,7 @@ struct LiveResult {
   std::vector<std::byte> asset;
   nlohmann::json recipe_file = nlohmann::json::object();  ///< What lies on the disk.
   nlohmann::json changes = nlohmann::json::object();      ///< What was cooked on top of it.
-  std::vector<std::string> warnings;
+  Diagnostics warnings;
   double seconds = 0;
 };
 

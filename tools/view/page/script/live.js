@@ -84,7 +84,7 @@ export class Live {
 
   told(state) {
     if (state.cooking || state.revision === 0) return 'Cooking ...';
-    const warnings = state.warnings.map((text) => `\nWarning: ${text}`).join('');
+    const warnings = state.warnings.map(({ message, code }) => `\nWarning: ${message} [${code}]`).join('');
     return `Cooked as ${state.quality === 'draft' ? 'a draft' : 'games get it'} in ${state.seconds.toFixed(2)} s.${warnings}`;
   }
 
