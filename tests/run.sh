@@ -14,6 +14,7 @@
 #     calm    hair of heads that are held comes to rest, in every way to run each of the artists' files; ten minutes
 #     agree   coif cook and coif validate find the same in every shared file; an hour
 #     style   every C++ and C file is in the form of .clang-format
+#     tidy    clang-tidy has nothing to say about any source; an hour
 #     debug   the program, compiled for a debugger, cooks the bytes that the one for release cooks
 #     all     all of these
 set -u
@@ -84,10 +85,10 @@ compare_builds() {
 
 install program tests
 for part in ${*:-plain}; do
-  [ "$part" = all ] && part='plain asan asan-cook fuzz farm web blender variants calm agree style debug'
+  [ "$part" = all ] && part='plain asan asan-cook fuzz farm web blender variants calm agree style tidy debug'
   for part in $part; do
     case $part in
-      plain) build release -DCOIF_TESTS=ON all && run release plain -LE '^(farm|other_builds|web|blender|calm_all|agree_all|style)$' ;;
+      plain) build release -DCOIF_TESTS=ON all && run release plain -LE '^(farm|other_builds|web|blender|calm_all|agree_all|style|tidy)$' ;;
       asan) sanitize asan formats sim c import groom ;;
       asan-cook) sanitize asan-cook cook cache validate view ;;
       fuzz) install fuzz && build fuzz -DCOIF_TESTS=ON fuzz_readers && run fuzz fuzz ;;
@@ -100,8 +101,9 @@ for part in ${*:-plain}; do
       calm) build release -DCOIF_TESTS=ON coif_cli coif_hold_heads && run release calm -L '^calm_all$' ;;
       agree) build release -DCOIF_TESTS=ON coif_cli && run release agree -L '^agree_all$' ;;
       style) install style && build release -DCOIF_TESTS=ON coif_cli && run release style -L '^style$' ;;
+      tidy) install tidy && build release -DCOIF_TESTS=ON coif_cli && run release tidy -L '^tidy$' ;;
       debug) compare_builds ;;
-      *) echo "run.sh: '$part' is none of plain, asan, asan-cook, fuzz, farm, web, blender, variants (or one of them), calm, agree, style, debug, all" >&2; broken=$((broken + 1)) ;;
+      *) echo "run.sh: '$part' is none of plain, asan, asan-cook, fuzz, farm, web, blender, variants (or one of them), calm, agree, style, tidy, debug, all" >&2; broken=$((broken + 1)) ;;
     esac
   done
 done

@@ -1,4 +1,4 @@
-#!/ usr / bin / env python3
+#!/usr/bin/env python3
 """What no file of the project may be: too long, written for one machine or one tracker, a copy of a test asset that is
 not ours to ship, named so that anything could end up in it, or in another folder's namespace.
 
@@ -12,7 +12,7 @@ from pathlib import Path
 
 MAX_LINES = 300
 MAX_TEST_LINES = 400  # One file for a unit, however much is promised of it.
-#Files that are longer for a reason : path->the reason.
+# Files that are longer for a reason: path -> the reason.
 LONGER = {
     "tools/cook/cook.cpp": "the list of a cook's passes, which one reads from top to bottom",
     "tests/mutants/mutants.txt": "a list, three lines to a mistake",
@@ -27,6 +27,8 @@ BAD_TEXT = [
     (re.compile(r"\b(?:tickets?|issue\s*#?\d+|(?:fixes|closes|see)\s+#\d+)\b", re.IGNORECASE), "a tracker's number"),
     (re.compile(r"\b(?:chatgpt|claude|copilot|as an ai|language model)\b", re.IGNORECASE), "talk about its making"),
 ]
+# What a formatter of C++ makes of other languages.
+MANGLED = re.compile(r"^(?:#+[A-Z]|```\w+ \S|#! ?/ )")
 PLAIN = {"base"}  # Folders of tools whose words are all tools': they are in namespace coif itself.
 NAMES = {"import": "importer"}  # Other names of namespaces than folders': that one is a word of C++.
 FOLDERS = ("formats", "runtime", "tools", "shaders", "tests", "sample_assets", ".ci")
@@ -47,6 +49,8 @@ def text_problems(path, text):
     if Path(path).suffix in CODE and lines > most and path not in LONGER:
         yield f"{path}: {lines} lines, above {most}; split it, or give the reason in LONGER"
     for number, line in enumerate(text.splitlines(), 1):
+        if Path(path).suffix in {".md", ".py", ".sh"} and MANGLED.search(line) and not line.startswith("#!/"):
+            yield f"{path}:{number}: formatted as if it were C++: {line.strip()[:80]}"
         for pattern, what in BAD_TEXT:
             if pattern.search(line):
                 yield f"{path}:{number}: {what}: {line.strip()[:80]}"
@@ -99,9 +103,11 @@ def self_test():
     must_fail = {"tools/cook/long.cpp": "//\n" * 301, "tests/long.cpp": "//\n" * 401, "tools/x.cpp": "// /" + "work/main\n", "formats/a.md": "TO" "DO\n",
                  "tests/b.cpp": "// see #12\n", "tools/string_utils.h": "", "tools/utils/x.h": "",
                  "sample_assets/a/a.glb": "bytes of an artist", "runtime/c.cpp": "// made by Chat" "GPT\n", "tools/cook/a.h": "namespace coif {\n", "tools/cook/b.h": "namespace coif::view {\n",
-                 "tools/base/c.h": "namespace coif::base {\n"}
+                 "tools/base/c.h": "namespace coif::base {\n", "tests/c.md": "##One part,\n", "tests/d.py": "#! / usr / bin\n",
+                 "tools/d.md": "```sh sh tools / x.sh\n"}
     must_pass = {"tools/cook/fine.cpp": "//\n" * 300, "tests/fine.cpp": "//\n" * 400, "README.md": "an issue of a file, at https://example.org/home/x\n",
-                 "tools/cook/d.h": "namespace coif::view {\nclass Page;\n}\nnamespace coif::cook {\n", "tools/base/e.h": "namespace coif {\n"}
+                 "tools/cook/d.h": "namespace coif::view {\nclass Page;\n}\nnamespace coif::cook {\n", "tools/base/e.h": "namespace coif {\n",
+                 "tests/f.md": "# One\n\n```sh\n#!/bin/sh\n```\n", "tests/g.py": "#!/usr/bin/env python3\n# A\n"}
     bad = []
     for path, text in {**must_fail, **must_pass}.items():
         with tempfile.TemporaryDirectory() as tree, tempfile.TemporaryDirectory() as assets:
