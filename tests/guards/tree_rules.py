@@ -1,4 +1,4 @@
-#!/ usr / bin / env python3
+#!/usr/bin/env python3
 """What no file of the project may be: too long, written for one machine or one tracker, a copy of a test asset that is
 not ours to ship, named so that anything could end up in it, or in another folder's namespace.
 
@@ -12,7 +12,7 @@ from pathlib import Path
 
 MAX_LINES = 300
 MAX_TEST_LINES = 400  # One file for a unit, however much is promised of it.
-#Files that are longer for a reason : path->the reason.
+# Files that are longer for a reason: path -> the reason.
 LONGER = {
     "tools/cook/cook.cpp": "the list of a cook's passes, which one reads from top to bottom",
     "tests/mutants/mutants.txt": "a list, three lines to a mistake",

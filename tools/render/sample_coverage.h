@@ -1,6 +1,6 @@
 #pragma once
 
-#include <coif/transparency.h>
+#include <coif/research.h>
 
 namespace coif::render {
 

@@ -6,6 +6,8 @@
 #include "render/sample_coverage.h"
 #include "visibility/hair_surface.h"
 
+#include <coif/research.h>
+
 #include <cmath>
 #include <memory>
 #include <numbers>

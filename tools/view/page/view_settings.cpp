@@ -3,6 +3,8 @@
 #include "base/geometry.h"
 #include "base/hair_runtime.h"
 
+#include <coif/research.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>

@@ -3,6 +3,8 @@
 
 #include "gl/crowd_draw.h"
 
+#include <coif/research.h>
+
 #include <GLES3/gl31.h>
 
 #include <cstdint>

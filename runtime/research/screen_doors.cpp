@@ -1,9 +1,14 @@
 #include "gl/passes.h"
 
+#include <coif/research.h>
+
 #include <hair_shaders.h>
 
 namespace coif {
 namespace {
+
+constexpr FragmentCode kCheckerboardCode = {
+    .id = 8, .keep = kShaderKeepCheckerboardGlsl, .output = kShaderHairOutputGlsl, .thins = true};
 
 constexpr FragmentCode kBayerCode = {.id = 9,
                                      .keep = kShaderKeepBayerGlsl,
@@ -12,6 +17,8 @@ constexpr FragmentCode kBayerCode = {.id = 9,
                                      .thins = true};
 
 }  // namespace
+
+const TransparencyMode kCheckerboardMode = {"checkerboard", plan_thinned<kCheckerboardCode>};
 
 const TransparencyMode kBayerMode = {"bayer", plan_thinned<kBayerCode>};
 

@@ -1,4 +1,4 @@
-#include "gl/transparency/exact.h"
+#include "research/exact.h"
 
 #include "gl/textures.h"
 
