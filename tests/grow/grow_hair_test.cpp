@@ -4,7 +4,7 @@
 #include "grow/body_surface.h"
 #include "grow/head_frame.h"
 #include "grow/round_bodies.h"
-#include "grow/scalp.h"
+#include "grow/strand_paths.h"
 #include "mannequin/head_shape.h"
 
 #include <gtest/gtest.h>

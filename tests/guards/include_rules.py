@@ -15,7 +15,7 @@ RESEARCH = RENDERER | {"runtime/include/coif/research.h"}
 VERSION = {"runtime/include/coif/version.h"}
 C_HEADERS = VERSION | {"runtime/include/coif.h", "runtime/include/coif/c"}  # What is read by C.
 HASH = {"formats/payload_hash.h"}  # Private to the format, but tools stamp sources and recipes with the same hash.
-VIEW_SETTINGS = {"tools/view/page/view_motions.h", "tools/view/page/view_settings.h"}
+VIEW_SETTINGS = {"tools/view/page/view_settings.h"}
 # Folder (or file) -> folders it may include from; itself always. The longest match owns a file. Those of the tools follow
 # from what tools/CMakeLists.txt links: see tool_layers().
 LAYERS = {

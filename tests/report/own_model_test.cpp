@@ -1,10 +1,9 @@
 // Each solver comes, with ever finer steps, to the motion of its own model, at its order.
 
-#include "report/accuracy/own_model.h"
+#include "report/accuracy/measure_accuracy.h"
 
 #include "lab/measure_runtime.h"
 #include "models/test_rig.h"
-#include "report/accuracy/measure_accuracy.h"
 
 #include <gtest/gtest.h>
 

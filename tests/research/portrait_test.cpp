@@ -3,7 +3,6 @@
 #include "mannequin/portrait.h"
 #include "import/import.h"
 #include "mannequin/portrait_head.h"
-#include "mannequin/portrait_paint.h"
 #include "models/small_asset.h"
 #include "research/sample/bob.h"
 #include "research/sample_meshes.h"

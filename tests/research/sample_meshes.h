@@ -1,7 +1,7 @@
 #pragma once
 // What tests of the sample files ask of meshes.
 
-#include "mannequin/surface_mesh.h"
+#include "mannequin/head_shape.h"
 
 #include <Eigen/Core>
 

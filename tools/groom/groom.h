@@ -2,7 +2,7 @@
 
 // Hair as strands: what grooming tools export, and what cards are made from.
 
-#include "base/warning.h"
+#include "base/tool_error.h"
 #include "import/source_model.h"
 
 #include <Eigen/Core>

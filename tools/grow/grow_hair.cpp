@@ -5,8 +5,6 @@
 #include "grow/body_field.h"
 #include "grow/head_frame.h"
 #include "grow/random.h"
-#include "grow/scalp.h"
-#include "grow/shape_strands.h"
 #include "grow/strand_paths.h"
 #include "mannequin/head_shape.h"
 

@@ -3,7 +3,7 @@
 // A COLLADA document as the tree of its elements: what assimp 5.2 passes over is taken from there, all of it in one
 // parse.
 
-#include "base/warning.h"
+#include "base/tool_error.h"
 
 #include <pugixml.hpp>
 

@@ -3,7 +3,7 @@
 // What every supported file becomes: a plain model in metres, Y up, right-handed, in its rest pose.
 
 #include "base/texture_channel.h"
-#include "base/warning.h"
+#include "base/tool_error.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

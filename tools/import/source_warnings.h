@@ -3,7 +3,7 @@
 // What readers of models and strands warn of, and how they say it.
 
 #include "base/side_file.h"
-#include "base/warning.h"
+#include "base/tool_error.h"
 
 #include <fmt/format.h>
 

@@ -2,9 +2,7 @@
 
 #include "mannequin/head_shape.h"
 #include "mannequin/portrait_head.h"
-#include "mannequin/portrait_paint.h"
 #include "mannequin/solid_shapes.h"
-#include "mannequin/surface_mesh.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "base/srgb.h"
+#include "mannequin/portrait.h"
 #include "mannequin/portrait_head.h"
-#include "mannequin/portrait_paint.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "mannequin/portrait_paint.h"
+#include "mannequin/portrait.h"
 
 #include "mannequin/portrait_head.h"
 

@@ -1,4 +1,4 @@
-#include "render/mannequin_bust.h"
+#include "render/presentation.h"
 
 #include "base/collider_shapes.h"
 #include "mannequin/portrait.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/warning.h"
+#include "base/tool_error.h"
 
 #include <cstddef>
 #include <cstdint>

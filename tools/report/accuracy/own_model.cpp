@@ -1,4 +1,4 @@
-#include "report/accuracy/own_model.h"
+#include "report/accuracy/measure_accuracy.h"
 
 #include "base/parallel_for.h"
 

@@ -2,7 +2,6 @@
 
 #include "mannequin/head_shape.h"
 #include "mannequin/solid_shapes.h"
-#include "mannequin/surface_mesh.h"
 #include "research/sample/gltf_document.h"
 #include "research/sample/strips.h"
 

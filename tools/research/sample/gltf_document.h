@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/glb_file.h"
-#include "mannequin/surface_mesh.h"
+#include "mannequin/head_shape.h"
 #include "research/sample/strips.h"
 
 #include <array>

@@ -3,7 +3,6 @@
 // What every way to lay hair on the skull needs.
 
 #include "mannequin/head_shape.h"
-#include "mannequin/surface_mesh.h"
 #include "research/sample/gltf_document.h"
 
 #include <Eigen/Core>

@@ -3,7 +3,6 @@
 #include "base/geometry.h"
 #include "mannequin/head_shape.h"
 #include "mannequin/solid_shapes.h"
-#include "mannequin/surface_mesh.h"
 #include "research/sample/long.h"
 
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mannequin/surface_mesh.h"
+#include "mannequin/head_shape.h"
 
 #include <Eigen/Core>
 
