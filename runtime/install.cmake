@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 set(shipped coif_formats coif_sim coif_skinning coif_drawing coif_c coif_shared)
 if(COIF_GL)
-  list(APPEND shipped coif_gl)
+  list(APPEND shipped coif_gl coif_research)
 endif()
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/coif)
 
@@ -61,6 +61,7 @@ coif_pc(coif-drawing coif_drawing "What a renderer of hair computes, for any gra
 coif_pc(coif-c coif_c "Hair for games, C interface as an archive" "coif-sim, coif-skinning, coif-drawing")
 if(COIF_GL)
   coif_pc(coif-gl coif_gl "Hair for games, drawn with OpenGL ES 3.0" "coif-drawing, coif-sim")
+  coif_pc(coif-research coif_research "Ways to draw hair to compare with, with OpenGL ES 3.0" "coif-gl")
 endif()
 
 if(TARGET coif_cli)

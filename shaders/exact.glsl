@@ -2,7 +2,7 @@
 // order.
 
 //// fragment_lists.glsl
-// Lists of soft texels, one for each pixel, in the layout of ListHead in runtime/gl/transparency/exact_lists.cpp.
+// Lists of soft texels, one for each pixel, in the layout of ListHead in runtime/research/exact_lists.cpp.
 struct Node {
   uint red_green;   // premultiplied, as halves
   uint blue_alpha;

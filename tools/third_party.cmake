@@ -61,7 +61,7 @@ string(TIMESTAMP coif_built_at UTC)
 coif_read_notices(${COIF_TOOLS})
 file(CONFIGURE OUTPUT ${coif_third_party}/THIRD_PARTY_NOTICES.txt CONTENT "@notices@" @ONLY)
 file(CONFIGURE OUTPUT ${coif_third_party}/third_party_notices.cpp @ONLY CONTENT [[
-#include "cli/third_party_notices.h"
+#include "cli/messages.h"
 
 namespace coif::cli {
 

@@ -1,7 +1,7 @@
 #include "write/asset_writer.h"
 
 #include "payload_hash.h"
-#include "write/chunk_words.h"
+#include "write/strip_asset.h"
 
 #include <algorithm>
 #include <cstring>

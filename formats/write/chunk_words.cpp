@@ -1,4 +1,4 @@
-#include "write/chunk_words.h"
+#include "write/strip_asset.h"
 
 namespace coif {
 namespace {

@@ -1,5 +1,5 @@
 // Air, blows and sets of dynamics in C.
-#include "hair_view.h"
+#include "asset_view.h"
 
 #include <coif/air.h>
 

@@ -1,9 +1,11 @@
 #pragma once
-// What the files of the C interface share: an asset behind coif_asset, and lists of its records as C sees them.
+// What the files of the C interface share: an asset behind coif_asset, hair behind coif_hair, and lists of records as C
+// sees them.
 
 #include <coif.h>
 #include <coif/asset.h>
 #include <coif/bit_cast.h>
+#include <coif/hair.h>
 #include <coif/math.h>
 #include <coif/status.h>
 
@@ -11,6 +13,12 @@
 #include <cstdint>
 #include <span>
 #include <type_traits>
+
+// In the first bytes of the caller's memory; what coif::Hair needs follows.
+struct coif_hair {
+  coif::Asset asset;
+  coif::Hair hair;
+};
 
 namespace coif::c {
 
@@ -37,6 +45,13 @@ const InC* list(std::span<const Record> records, std::uint32_t* count) {
   static_assert(sizeof(InC) == sizeof(Record) && alignof(InC) == alignof(Record));
   if (count != nullptr) *count = static_cast<std::uint32_t>(records.size());
   return records.empty() ? nullptr : reinterpret_cast<const InC*>(records.data());
+}
+
+/// A list of C's type, which has the same layout; empty for null.
+template <typename T, typename InC>
+std::span<const T> span_of(const InC* list, std::uint32_t count) {
+  static_assert(sizeof(InC) == sizeof(T) && alignof(InC) == alignof(T));
+  return {reinterpret_cast<const T*>(list), list == nullptr ? 0 : count};
 }
 
 /// The same bytes in the other language's type.

@@ -1,5 +1,5 @@
 // Characters in C: colliders that move, bodies, poses to follow.
-#include "hair_view.h"
+#include "asset_view.h"
 
 namespace {
 

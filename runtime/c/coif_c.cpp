@@ -1,5 +1,5 @@
 // The simulation in C.
-#include "hair_view.h"
+#include "asset_view.h"
 
 #include <coif/links.h>
 

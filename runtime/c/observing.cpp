@@ -1,6 +1,6 @@
 // Bounds, bones against their parents, the last frame's matrices and lines of what the simulation knows, in C.
+#include "asset_view.h"
 #include "drawing_types.h"
-#include "hair_view.h"
 
 #include <coif/bone_transforms.h>
 #include <coif/bounds.h>

@@ -30,7 +30,7 @@ class CrowdDraw {
 
   /// Draws every head in view with each of the passes, whose programs exist. State is set as far as passes differ; the
   /// rest is the caller's. False where the driver cannot map the stream.
-  bool draw(const PassList& passes);
+  COIF_API bool draw(const PassList& passes);
 
  private:
   using Group = VisibleCrowd::Group;

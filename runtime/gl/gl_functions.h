@@ -98,6 +98,6 @@ struct GlFunctions : GlCoreFunctions, GlMappingFunctions {
   }
 };
 
-void clear_errors(const GlFunctions& gl);
+COIF_API void clear_errors(const GlFunctions& gl);
 
 }  // namespace coif

@@ -1,9 +1,11 @@
 #pragma once
-// Ways to draw: of which passes each consists, and what its fragment shaders do otherwise than others'.
+// Ways to draw: of which passes each consists, and what its fragment shaders do otherwise than others'. COIF_API marks
+// what ways outside this library (runtime/research) call, here and in this folder's other headers.
 
 #include "gl/gl_functions.h"
 
 #include <coif/drawing.h>
+#include <coif/export.h>
 #include <coif/transparency.h>
 
 #include <cfloat>
@@ -44,7 +46,7 @@ struct FragmentCode {
 inline constexpr std::uint32_t kMaxFragmentCodes = 32;
 
 /// Keeps a range of alpha (Pass::alpha_min to alpha_max) and writes premultiplied colour.
-extern const FragmentCode kRangeCode;
+extern COIF_API const FragmentCode kRangeCode;
 
 inline constexpr float kNoAlphaLimit = FLT_MAX;
 
@@ -70,7 +72,7 @@ class PassList {
   static constexpr std::size_t kMost = 6;
 
   /// Leaves the pass out if no texel of these alphas is in its range, and the test if all are.
-  void add_for(const AlphaRange& alpha, Pass pass);
+  COIF_API void add_for(const AlphaRange& alpha, Pass pass);
   /// At most kMost.
   void add(const Pass& pass) { passes_[count_++] = pass; }
   /// Where light is summed, one of the lights has this shadow.
@@ -83,22 +85,22 @@ class PassList {
 };
 
 /// Of the texture times the material's own alpha.
-[[nodiscard]] AlphaRange drawn_alpha(const MaterialRecord& material, const AlphaRange& texture);
+[[nodiscard]] COIF_API AlphaRange drawn_alpha(const MaterialRecord& material, const AlphaRange& texture);
 
 /// What is culled where both faces are wanted: back faces of one-sided hair.
 [[nodiscard]] GLenum unseen_faces(const MaterialRecord& material);
 
 /// Texels from the opaque threshold on, as solid, sorted by the depth buffer.
-[[nodiscard]] Pass solid_pass(const MaterialRecord& material);
+[[nodiscard]] COIF_API Pass solid_pass(const MaterialRecord& material);
 
 /// Texels between the thresholds, blended over what is there.
-[[nodiscard]] Pass soft_pass(const MaterialRecord& material);
+[[nodiscard]] COIF_API Pass soft_pass(const MaterialRecord& material);
 
 /// Depth of those soft texels that hide most of what is behind them. For what is drawn after the hair.
-[[nodiscard]] Pass soft_depth_pass(const MaterialRecord& material);
+[[nodiscard]] COIF_API Pass soft_depth_pass(const MaterialRecord& material);
 
 /// Texels from the discard threshold on, those below the opaque one thinned by `code`, all sorted by the depth buffer.
-[[nodiscard]] Pass thinned_pass(const MaterialRecord& material, const FragmentCode& code);
+[[nodiscard]] COIF_API Pass thinned_pass(const MaterialRecord& material, const FragmentCode& code);
 
 /// The passes of those modes that take one and do not blend.
 template <const FragmentCode& code>
@@ -109,7 +111,7 @@ PassList plan_thinned(const MaterialRecord& material, const AlphaRange& texture)
 }
 
 /// What passes share: premultiplied blending, depth test, winding.
-void set_draw_state(const GlFunctions& gl);
+COIF_API void set_draw_state(const GlFunctions& gl);
 
 /// What this pass wants beside.
 void set_pass_state(const GlFunctions& gl, const Pass& pass);
@@ -124,6 +126,11 @@ struct ModeDraw {
   CrowdDraw& crowd;
   const PassList& passes;
 };
+
+/// Draws the passes with alpha to coverage. Samples that are drawn get the whole colour. Their alpha, which says how
+/// many are drawn, would be left in the target too and let the picture through a second time where it is shown; over
+/// what is opaque it stays 1 this way. Lies beside kCoverageMode.
+COIF_API bool draw_covered(const ModeDraw& draw);
 
 struct TransparencyMode {
   const char* name;

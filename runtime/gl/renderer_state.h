@@ -33,7 +33,7 @@ struct RendererState {
   [[nodiscard]] const Program* find_program(std::uint32_t variant) const;
   /// Whether a program of this code can be built here, and is the one to draw with. Where it is not, its mode has
   /// another way.
-  [[nodiscard]] bool takes(const FragmentCode& code) const;
+  [[nodiscard]] COIF_API bool takes(const FragmentCode& code) const;
   /// Builds those of the passes' programs that there are not yet. kDriver where one is refused; see failure.
   Status build_missing(const PassList& passes, std::uint32_t needs, const MaterialRecord& material,
                        Component component);

@@ -19,8 +19,8 @@ inline constexpr char kGlsl320[] = "#version 320 es\n";  ///< For OpenGL ES 3.2:
 
 /// Compiles and links a program from pieces of GLSL ES, at most kMaxPieces for each shader, without their #version
 /// line. Returns 0 on failure, with the driver's log in `log`, always ended by a zero byte.
-GLuint build_program(const GlFunctions& gl, const char* version, std::span<const char* const> vertex,
-                     std::span<const char* const> fragment, std::span<char> log);
+COIF_API GLuint build_program(const GlFunctions& gl, const char* version, std::span<const char* const> vertex,
+                              std::span<const char* const> fragment, std::span<char> log);
 
 /// What a program can do, one bit each. A program without a bit has no trace of it: no texture to fetch, no branch.
 /// What is not of an asset or its material (lights, sRGB, which component to show) is a uniform instead.

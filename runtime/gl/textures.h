@@ -24,8 +24,8 @@ inline constexpr GLuint kListHeadIndex = 0;  // shader storage buffer indices
 inline constexpr GLuint kListNodeIndex = 1;
 
 /// 0: nothing happens.
-void bind_texture(const GlFunctions& gl, GLint unit, GLuint texture);
-void unbind_texture(const GlFunctions& gl, GLint unit);
+COIF_API void bind_texture(const GlFunctions& gl, GLint unit, GLuint texture);
+COIF_API void unbind_texture(const GlFunctions& gl, GLint unit);
 
 /// Sets every GL_UNPACK parameter and the pixel unpack buffer to its initial value, whatever the host left there.
 void reset_unpack_state(const GlFunctions& gl);
@@ -36,7 +36,7 @@ GLuint upload_texture(const RendererState& renderer, const Asset& asset, Texture
 
 /// One without mips, for what shaders read texel by texel. Leaves it bound to the active unit. Errors show in
 /// glGetError.
-[[nodiscard]] GLuint make_texture(const GlFunctions& gl, GLenum format, GLsizei width, GLsizei height);
+[[nodiscard]] COIF_API GLuint make_texture(const GlFunctions& gl, GLenum format, GLsizei width, GLsizei height);
 
 /// A texture for the matrices of as many bones, three texels each, 256 bones to a row: with one a row, the most bones
 /// would exceed the height of 2048 that OpenGL ES 3.0 promises. Those of further frames begin with a row of their own.

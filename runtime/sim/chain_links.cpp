@@ -3,7 +3,6 @@
 #include "chain_links.h"
 
 #include "crowd.h"
-#include "hold_links.h"
 #include "memory_carver.h"
 
 #include <coif/links.h>

@@ -2,7 +2,6 @@
 // Chains that hang together: which bones of a crowd's rows links are about, and what keeps them in their lengths. Once
 // per head and part of a step, after the rows.
 
-#include "lanes/character_row.h"
 #include "lanes/linked_bone.h"
 #include "lanes/row.h"
 
@@ -87,5 +86,11 @@ struct LinkCode {
   /// head, (m/s)^2.
   float (*keep)(CrowdState& crowd, std::uint32_t block, std::int32_t lane) = nullptr;
 };
+
+struct LinkState;
+
+/// LinkCode::keep: brings the linked bones of one head, depth after depth from root to tip, to where
+/// their links have their lengths, by the least turns, by mass; and takes what leads on from their velocities.
+[[nodiscard]] float hold_links(const LinkState& links, std::uint32_t block, std::int32_t lane);
 
 }  // namespace coif

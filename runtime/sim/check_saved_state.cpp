@@ -1,5 +1,5 @@
 // What a crowd could have saved, in the order in which saved_state.cpp writes it.
-#include "check_saved_state.h"
+#include "saved_lane.h"
 
 #include "head_lanes.h"
 #include "saved_collider.h"

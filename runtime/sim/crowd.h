@@ -2,8 +2,8 @@
 // What create() makes of an asset in the caller's memory.
 
 #include "chain_links.h"
-#include "lanes/character_row.h"
 #include "lanes/lane_layout.h"
+#include "lanes/row.h"
 #include "moving_colliders.h"
 #include "placed_colliders.h"
 #include "rows.h"

@@ -1,6 +1,5 @@
-#include "hold_links.h"
-
 #include "chain_links.h"
+
 #include "solver.h"
 #include "vector_math.h"
 

@@ -1,4 +1,4 @@
-#include "check_saved_state.h"
+#include "saved_lane.h"
 
 #include "vector_math.h"
 

@@ -3,11 +3,11 @@
 
 #include <coif/hair.h>
 
-#include "check_saved_state.h"
 #include "crowd_step.h"
 #include "float_environment.h"
 #include "mixer.h"
 #include "saved_collider.h"
+#include "saved_lane.h"
 
 #include <cstring>
 

@@ -2,9 +2,9 @@
 
 #include <coif/hair.h>
 
-#include "check_collider.h"
 #include "crowd_step.h"
 #include "float_environment.h"
+#include "saved_collider.h"
 #include "vector_math.h"
 
 #include <bit>

@@ -42,7 +42,7 @@ def main():
         folder = pathlib.Path(name)
         for kind, quads, copies in SIZES:
             model = folder / f"{kind}.glb"
-            subprocess.run([build / "tools/sample/coif_make_sample", model, quads, str(copies)], check=True,
+            subprocess.run([build / "tools/coif_make_sample", model, quads, str(copies)], check=True,
                            stdout=subprocess.DEVNULL)
             report, one = median_run(build, model, 1, folder, runs)
             _, two = median_run(build, model, 2, folder, runs)

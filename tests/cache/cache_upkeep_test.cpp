@@ -1,6 +1,5 @@
-#include "cache/cache_upkeep.h"
-
 #include "cache/cook_cache.h"
+
 #include "platform/files.h"
 
 #include <gtest/gtest.h>

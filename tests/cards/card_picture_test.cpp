@@ -1,6 +1,5 @@
-#include "cards/card_picture.h"
+#include "cards/hair_picture.h"
 
-#include "cards/compare_hair.h"
 #include "cards/made_up_cards.h"
 #include "cards/made_up_groom.h"
 

@@ -1,6 +1,6 @@
-#include "cards/cards_model.h"
+#include "cards/make_cards.h"
 
-#include "cards/card_atlas.h"
+#include "cards/card_texture.h"
 #include "cards/made_up_groom.h"
 
 #include <gtest/gtest.h>

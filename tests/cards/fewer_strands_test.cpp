@@ -1,7 +1,7 @@
-#include "cards/fewer_strands.h"
+#include "cards/fit_opacity.h"
 
+#include "cards/hair_picture.h"
 #include "cards/made_up_groom.h"
-#include "cards/strand_picture.h"
 
 #include <gtest/gtest.h>
 

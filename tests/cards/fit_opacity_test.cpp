@@ -1,7 +1,6 @@
 #include "cards/fit_opacity.h"
 
-#include "cards/card_picture.h"
-#include "cards/compare_hair.h"
+#include "cards/hair_picture.h"
 #include "cards/made_up_cards.h"
 #include "cards/made_up_groom.h"
 

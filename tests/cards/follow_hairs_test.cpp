@@ -1,4 +1,4 @@
-#include "cards/follow_hairs.h"
+#include "cards/hair_source.h"
 
 #include "cards/made_up_groom.h"
 

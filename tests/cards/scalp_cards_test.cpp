@@ -1,6 +1,5 @@
 #include "cards/scalp_cards.h"
 
-#include "cards/cards_model.h"
 #include "cards/made_up_groom.h"
 #include "cards/make_cards.h"
 #include "cards/scalp_patches.h"

@@ -1,6 +1,5 @@
-#include "cards/strand_body.h"
-
 #include "cards/hair_source.h"
+
 #include "cards/made_up_groom.h"
 #include "cook/recipe/recipe.h"
 #include "grow/round_bodies.h"

@@ -1,4 +1,4 @@
-#include "cards/strand_picture.h"
+#include "cards/hair_picture.h"
 
 #include "cards/made_up_groom.h"
 

@@ -1,4 +1,4 @@
-#include "cards/wisps.h"
+#include "cards/choose_cards.h"
 
 #include "cards/made_up_groom.h"
 

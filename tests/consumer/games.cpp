@@ -155,6 +155,7 @@ int main() {
 #elif defined GAME_draw_hashed || defined GAME_draw_jittered || defined GAME_draw_exactly
 // A program that draws soft hair in one other way, and holds no way beside it.
 #include <coif/renderer.h>
+#include <coif/research.h>
 
 #ifdef GAME_draw_hashed
 constexpr const coif::TransparencyMode& kMode = coif::kHashedMode;

@@ -1,6 +1,6 @@
 // Which directions bones may have: as the file's springs and the recipe say.
 
-#include "cook/dynamics/bake_limits.h"
+#include "cook/dynamics/bake_dynamics.h"
 
 #include "cook/built_models.h"
 #include "cook/recipe/recipe.h"

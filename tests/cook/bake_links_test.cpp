@@ -2,7 +2,6 @@
 
 #include "cook/dynamics/bake_links.h"
 
-#include "cook/dynamics/link_forest.h"
 #include "cook/recipe/recipe.h"
 #include "cook/told.h"
 #include "models/small_asset.h"

@@ -1,4 +1,4 @@
-#include "cook/select/bare_body.h"
+#include "cook/select/hair_evidence.h"
 
 #include "cook/built_models.h"
 #include "cook/recipe/recipe.h"

@@ -1,4 +1,4 @@
-#include "cook/lods/card_levels.h"
+#include "cook/lods/make_lods.h"
 
 #include "cook/built_models.h"
 #include "cook/cook.h"

@@ -2,7 +2,6 @@
 
 #include "cook/dynamics/choose_model.h"
 
-#include "cook/dynamics/settle_model.h"
 #include "cook/recipe/hair_preset.h"
 #include "cook/recipe/recipe.h"
 #include "cook/told.h"

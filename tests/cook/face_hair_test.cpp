@@ -1,5 +1,5 @@
-#include "cook/strands/face_hair.h"
 #include "cook/recipe/recipe.h"
+#include "cook/strands/choose_patches.h"
 
 #include "cook/built_models.h"
 

@@ -1,7 +1,7 @@
 // What hair is wrapped around, where it is a part of a head's mesh.
 
-#include "cook/select/hair_core.h"
 #include "cook/recipe/recipe.h"
+#include "cook/select/under_hair.h"
 
 #include "cook/built_models.h"
 

@@ -1,10 +1,7 @@
-#include "cook/dynamics/natural_dynamics.h"
+#include "cook/dynamics/choose_model.h"
 
 #include "cook/built_models.h"
 #include "cook/dynamics/bake_dynamics.h"
-#include "cook/dynamics/choose_model.h"
-#include "cook/dynamics/rest_shape.h"
-#include "cook/dynamics/settle_model.h"
 #include "cook/recipe/recipe.h"
 #include "cook/told.h"
 #include "lab/rig.h"

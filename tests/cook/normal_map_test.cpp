@@ -1,11 +1,10 @@
-#include "cook/texture/normal_map.h"
 #include "cook/recipe/recipe.h"
+#include "cook/texture/relief.h"
 
 #include "cook/built_models.h"
 #include "cook/image_files.h"
 #include "cook/strands/strand_direction.h"
 #include "cook/texture/bake_textures.h"
-#include "cook/texture/relief.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Core>

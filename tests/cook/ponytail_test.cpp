@@ -8,7 +8,6 @@
 
 #include "cook/cook.h"
 #include "cook/dynamics/choose_model.h"
-#include "cook/dynamics/settle_model.h"
 #include "cook/told.h"
 #include "import/import.h"
 #include "lab/rig.h"

@@ -4,7 +4,7 @@
 #include "cook/built_models.h"
 #include "cook/fitted_wig.h"
 #include "cook/recipe/recipe.h"
-#include "cook/size/up_evidence.h"
+#include "cook/size/evidence.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
 // Which strips hang on two chains, by what carries their vertices.
 
-#include "cook/dynamics/shared_strips.h"
+#include "cook/dynamics/bake_links.h"
 
 #include "cook/built_models.h"
 #include "cook/cook.h"

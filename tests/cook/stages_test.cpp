@@ -1,11 +1,7 @@
 // The stages of a cook, each called alone.
+#include "cook/stages/stages.h"
 #include "cook/built_models.h"
 #include "cook/cook.h"
-#include "cook/stages/draw_hair.h"
-#include "cook/stages/find_hair.h"
-#include "cook/stages/find_strips.h"
-#include "cook/stages/make_rig.h"
-#include "cook/stages/write_hair.h"
 
 #include <coif/asset.h>
 

@@ -1,5 +1,5 @@
-#include "cook/texture/texture_wrap.h"
 #include "cook/recipe/recipe.h"
+#include "cook/texture/base_color.h"
 
 #include "cook/built_models.h"
 #include "cook/image_files.h"

@@ -1,4 +1,4 @@
-#include "cook/dynamics/tied_chains.h"
+#include "cook/dynamics/bake_dynamics.h"
 
 #include "cook/built_models.h"
 #include "cook/recipe/recipe.h"

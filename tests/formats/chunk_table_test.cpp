@@ -1,6 +1,6 @@
 // The list of chunks (coif/chunks.h) against what is written by hand beside it.
 
-#include "write/chunk_words.h"
+#include "write/strip_asset.h"
 
 #include <coif/asset.h>
 

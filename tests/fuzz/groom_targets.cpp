@@ -1,6 +1,6 @@
 #include "fuzz/targets.h"
 
-#include "groom/groom_stream.h"
+#include "groom/read_groom.h"
 #include "groom/strand_files.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "gltf/document.h"
 #include "import/clip_file.h"
 #include "import/fbx_objects.h"
-#include "import/model_stream.h"
+#include "import/reader_process.h"
 #include "import/source_model.h"
 #include "import/vrm_springs.h"
 

@@ -4,11 +4,11 @@
 #include "cache/small_entry.h"
 #include "cook/recipe/recipe.h"
 #include "groom/groom_files.h"
-#include "groom/groom_stream.h"
+#include "groom/read_groom.h"
 #include "groom/strand_files.h"
 #include "import/fbx_files.h"
 #include "import/model_files.h"
-#include "import/model_stream.h"
+#include "import/reader_process.h"
 #include "models/small_asset.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "gl/gl_test.h"
 
-#include <coif/transparency.h>
+#include <coif/research.h>
 
 #include <GLES3/gl31.h>
 

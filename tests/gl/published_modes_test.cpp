@@ -2,7 +2,7 @@
 
 #include "gl/multisampled_test.h"
 
-#include <coif/transparency.h>
+#include <coif/research.h>
 
 #include <GLES3/gl3.h>
 

@@ -3,7 +3,7 @@
 #include "gl/gl_test.h"
 #include "models/absent.h"
 
-#include <coif/transparency.h>
+#include <coif/research.h>
 #include <coif/triangle_order.h>
 
 #include <array>

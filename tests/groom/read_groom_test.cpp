@@ -1,7 +1,6 @@
 #include "groom/read_groom.h"
 
 #include "groom/groom_files.h"
-#include "groom/groom_stream.h"
 #include "import/model_files.h"
 
 #include <gtest/gtest.h>

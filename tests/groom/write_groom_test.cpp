@@ -1,4 +1,4 @@
-#include "groom/write_groom.h"
+#include "groom/read_groom.h"
 
 #include "groom/groom_files.h"
 #include "groom/strand_files.h"

@@ -2,8 +2,7 @@
 #include "grow/body_surface.h"
 #include "grow/head_frame.h"
 #include "grow/round_bodies.h"
-
-#include "sample/head_shape.h"
+#include "mannequin/head_shape.h"
 
 #include <gtest/gtest.h>
 
@@ -61,13 +60,13 @@ TEST(BodyField, TakesWhatIsInTheSkinOutOfIt) {
 }
 
 TEST(HeadFrame, IsTheSkullOfABust) {
-  const sample::SurfaceMesh bust = sample::make_bust();
+  const mannequin::SurfaceMesh bust = mannequin::make_bust();
   std::vector<Vector3f> positions;
   for (const Eigen::Vector3d& p : bust.positions) positions.push_back(p.cast<float>());
   const auto head = grow::find_head(positions, bust.triangles);
   ASSERT_TRUE(head);
-  EXPECT_LT((head->center.cast<double>() - sample::kCraniumCenter).norm(), 0.01);
-  EXPECT_LT((head->radii.cast<double>() - sample::kCraniumRadii).norm(), 0.01);
+  EXPECT_LT((head->center.cast<double>() - mannequin::kCraniumCenter).norm(), 0.01);
+  EXPECT_LT((head->radii.cast<double>() - mannequin::kCraniumRadii).norm(), 0.01);
   EXPECT_NEAR(head->scale(), 1, 0.03f);
 }
 

@@ -4,8 +4,8 @@
 #include "grow/body_surface.h"
 #include "grow/head_frame.h"
 #include "grow/round_bodies.h"
-#include "grow/scalp.h"
-#include "sample/head_shape.h"
+#include "grow/strand_paths.h"
+#include "mannequin/head_shape.h"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,9 @@ float length_of(std::span<const Vector3f> strand) {
 
 /// The sample's skull, face towards +Z.
 Vector3f direction_of(const Vector3f& point) {
-  return (point - sample::kCraniumCenter.cast<float>()).cwiseQuotient(sample::kCraniumRadii.cast<float>()).normalized();
+  return (point - mannequin::kCraniumCenter.cast<float>())
+      .cwiseQuotient(mannequin::kCraniumRadii.cast<float>())
+      .normalized();
 }
 
 /// Metres from the bust's triangles, negative inside.
@@ -130,7 +132,7 @@ TEST(GrowHair, IsAsLongAsAskedAndCutLevel) {
     "length_random": 0, "clump": 0, "clump_children": 0, "frizz": 0, "flyaways": 0})");
   for (std::size_t i = 0; i < plain.strand_count(); ++i) EXPECT_NEAR(length_of(plain.strand(i)), 0.2f, 0.025f);
   const groom::Groom cut = grown(R"({"strands": 300, "cut": -1, "length_random": 0})");
-  const double level = sample::kCraniumCenter.y() - sample::kCraniumRadii.y();
+  const double level = mannequin::kCraniumCenter.y() - mannequin::kCraniumRadii.y();
   for (std::size_t i = 0; i < cut.strand_count(); ++i) EXPECT_GT(cut.strand(i).back().y(), level - 0.01);
 }
 
@@ -207,7 +209,7 @@ TEST(GrowHair, ATieHoldsEveryStrand) {
   const groom::Groom groom = grown(R"({"style": "ponytail", "strands": 300, "flyaways": 0})");
   // Behind the tie all hair is in one tail: no strand's tip is before the middle of the head.
   for (std::size_t i = 0; i < groom.strand_count(); ++i) {
-    EXPECT_LT(groom.strand(i).back().z(), sample::kCraniumCenter.z());
+    EXPECT_LT(groom.strand(i).back().z(), mannequin::kCraniumCenter.z());
     EXPECT_LT(std::abs(groom.strand(i).back().x()), 0.06f);
   }
 }

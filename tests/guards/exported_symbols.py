@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """A shared library shows its public interface and nothing else: what a public header names, functions of the C interface
-in libcoif.so and namespace coif in all others. libcoif.so shows all that the headers of the C interface declare.
+in libcoif.so and namespace coif in all others. libcoif.so shows all that the headers of the C interface declare. Headers
+of other folders add what they mark COIF_API, for libraries of ours that stand on that one.
 
-usage: exported_symbols.py NM INCLUDE_DIR... -- LIBRARY... | --self-test NM COMPILER
+usage: exported_symbols.py NM INCLUDE_DIR... [--marked DIR...] -- LIBRARY... | --self-test NM COMPILER
 """
 import re
 import subprocess
@@ -13,6 +14,9 @@ from pathlib import Path
 NAME = re.compile(r"[A-Za-z_]\w*")
 COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.DOTALL)
 C_FUNCTION = re.compile(r"\b(coif_\w+)\(")
+
+
+MARKED = re.compile(r"^(?:.*\bCOIF_API\b.*|(?:class|struct) \w+.*\{)$", re.MULTILINE)
 
 
 def is_c_header(path):
@@ -35,10 +39,11 @@ def fault(symbol, is_c, public):
     return None
 
 
-def check(nm, roots, libraries):
+def check(nm, roots, libraries, marked=()):
     files = [header for root in roots for header in sorted(Path(root).rglob("*.h"))]
     headers = [header.read_text() for header in files]
-    public = set(NAME.findall("\n".join(headers)))
+    inner = [line for root in marked for header in sorted(Path(root).rglob("*.h")) for line in MARKED.findall(header.read_text())]
+    public = set(NAME.findall("\n".join(headers + inner)))
     promised = {name for path, text in zip(files, headers) if is_c_header(path)
                 for name in C_FUNCTION.findall(COMMENT.sub("", text))}
     seen, bad = 0, [] if headers else ["no public header found: nothing was compared"]
@@ -59,6 +64,8 @@ def self_test(nm, compiler):
         ("libcoif_sim.so", "coif::Hair::~Hair() {} void coif::Hair::step() {}", False),
         ("libcoif_sim.so", "namespace coif { int f(Hair) { return 1; } }", False),
         ("libcoif_sim.so", "namespace coif { int inside() { return 1; } }", True),
+        ("libcoif_sim.so", "namespace coif { int inner() { return 1; } }", False),
+        ("libcoif_sim.so", "namespace coif { int unmarked() { return 1; } }", True),
         ("libcoif_sim.so", "namespace hwy { int f() { return 1; } }", True),
         ("libcoif_sim.so", "int f() { return 1; }", True),
         ("libcoif_sim.so", "extern \"C\" void coif_step() {}", True),
@@ -72,12 +79,13 @@ def self_test(nm, compiler):
     ]
     bad = []
     for name, body, must_fail in cases:
-        with tempfile.TemporaryDirectory() as folder:
+        with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as marked:
             Path(folder, "coif.h").write_text(header)
+            Path(marked, "gl.h").write_text("class Pass {\n  COIF_API int inner();\n};\nint unmarked();\n")
             library, source = Path(folder, name), Path(folder, "case.cpp")
             source.write_text('#include "coif.h"\n' + body)
             subprocess.run([compiler, "-shared", "-fPIC", source, "-o", library], check=True)
-            if bool(check(nm, [folder], [str(library)])[1]) != must_fail:
+            if bool(check(nm, [folder], [str(library)], [marked])[1]) != must_fail:
                 bad.append(f"{'did not fire on' if must_fail else 'fired on'} {name}: {body!r}")
     with tempfile.TemporaryDirectory() as empty:
         if not check(nm, [empty], [])[1]:
@@ -90,6 +98,9 @@ if __name__ == "__main__":
         seen, problems = self_test(*sys.argv[2:])
     else:
         split = sys.argv.index("--")
-        seen, problems = check(sys.argv[1], sys.argv[2:split], sys.argv[split + 1:])
+        roots, marked = sys.argv[2:split], []
+        if "--marked" in roots:
+            roots, marked = roots[:roots.index("--marked")], roots[roots.index("--marked") + 1:]
+        seen, problems = check(sys.argv[1], roots, sys.argv[split + 1:], marked)
     print("\n".join(problems) or f"exported symbols: {seen} symbols or cases checked")
     sys.exit(1 if problems else 0)

@@ -11,10 +11,11 @@ FORMATS = {"formats/include"}
 SIM = FORMATS | {"runtime/include"}
 DRAWING = {"runtime/include/coif/debug_lines.h", "runtime/include/coif/drawing.h", "runtime/include/coif/triangle_order.h"}
 RENDERER = DRAWING | {"runtime/include/coif/motion_vectors.h", "runtime/include/coif/renderer.h", "runtime/include/coif/shadow.h"}
+RESEARCH = RENDERER | {"runtime/include/coif/research.h"}
 VERSION = {"runtime/include/coif/version.h"}
 C_HEADERS = VERSION | {"runtime/include/coif.h", "runtime/include/coif/c"}  # What is read by C.
 HASH = {"formats/payload_hash.h"}  # Private to the format, but tools stamp sources and recipes with the same hash.
-VIEW_SETTINGS = {"tools/view/page/view_motions.h", "tools/view/page/view_settings.h"}
+VIEW_SETTINGS = {"tools/view/page/view_settings.h"}
 # Folder (or file) -> folders it may include from; itself always. The longest match owns a file. Those of the tools follow
 # from what tools/CMakeLists.txt links: see tool_layers().
 LAYERS = {
@@ -32,24 +33,26 @@ LAYERS = {
     "runtime/include/coif/renderer.h": SIM | DRAWING,
     "runtime/include/coif/motion_vectors.h": SIM | RENDERER,
     "runtime/include/coif/shadow.h": SIM | RENDERER,
+    "runtime/include/coif/research.h": SIM | RENDERER,
     "runtime/sim": SIM,
     "runtime/skinning": SIM,
     "runtime/c": SIM | DRAWING | C_HEADERS,
     "runtime/drawing": SIM | DRAWING,
     "runtime/gl": SIM | RENDERER,
+    "runtime/research": SIM | RESEARCH | {"runtime/gl"},
     "runtime/examples": SIM | RENDERER | C_HEADERS,
     "tools/cli": None,  # Everything.
     # For browsers, by the build for the web: tools/CMakeLists.txt knows nothing of it. Of the cook it has the formulas of bones, and what
     # these stand on: view/page/CMakeLists.txt names their files.
-    "tools/view/page": SIM | RENDERER | VIEW_SETTINGS
+    "tools/view/page": SIM | RESEARCH | VIEW_SETTINGS
     | {"tools/base", "tools/motion", "tools/render", "tools/lab", "tools/cook/recipe", "tools/cook/dynamics"},
     # What that page can set, which sheets speak of.
-    **{header: SIM | RENDERER | {"tools/motion"} for header in VIEW_SETTINGS},
+    **{header: SIM | RESEARCH | {"tools/motion"} for header in VIEW_SETTINGS},
     "tests": None,
 }
 # What every tool may include, and what linking these brings along.
 TOOL_BASE = SIM | HASH | VERSION | {"formats/write"}
-LINKED = {"coif::gl": RENDERER, "coif::drawing": DRAWING, "coif_view_settings": VIEW_SETTINGS}
+LINKED = {"coif::gl": RENDERER, "coif::research": RESEARCH, "coif::drawing": DRAWING, "coif_view_settings": VIEW_SETTINGS}
 
 # Third-party header -> the folders that may include it.
 HOMES = {
@@ -72,7 +75,7 @@ HOMES = {
     "stb/stb_image_write.h": ["tools/base", "tests/cook"],
     "EGL/": ["tools/render", "tests/gl", "runtime/examples"],
     "GLES2/": ["tools/render", "tests/gl", "tests/render"],
-    "GLES3/": ["runtime/gl", "tools/render", "tools/report/shadow", "tests/gl", "tests/render", "runtime/examples", "tools/view/page"],
+    "GLES3/": ["runtime/gl", "runtime/research", "tools/render", "tools/report/shadow", "tests/gl", "tests/render", "runtime/examples", "tools/view/page"],
     "emscripten/": ["tools/view/page"],
     "KHR/": ["tools/render"],
     "linux/": ["tools/platform", "tests/platform", "tests/import"],
@@ -92,11 +95,11 @@ STANDARD = {"algorithm", "bit", "cfloat", "climits", "cmath", "concepts", "cstdd
             "limits", "new", "numeric", "span", "type_traits", "utility"}
 C_STANDARD = {"stddef.h", "stdint.h"}
 SHIPPED = ("formats", "formats/include", "formats/payload_hash.h", "runtime/include", "runtime/include/coif/motion_vectors.h",
-           "runtime/include/coif/renderer.h", "runtime/include/coif/shadow.h", "runtime/include/coif/debug_lines.h", "runtime/include/coif/drawing.h", "runtime/include/coif/triangle_order.h", "runtime/sim", "runtime/skinning",
-           "runtime/drawing", "runtime/gl", "runtime/c", *C_HEADERS)
+           "runtime/include/coif/renderer.h", "runtime/include/coif/research.h", "runtime/include/coif/shadow.h", "runtime/include/coif/debug_lines.h", "runtime/include/coif/drawing.h", "runtime/include/coif/triangle_order.h", "runtime/sim", "runtime/skinning",
+           "runtime/drawing", "runtime/gl", "runtime/research", "runtime/c", *C_HEADERS)
 
-# Headers that the build writes, by the one layer that includes them.
-GENERATED = {"runtime/gl": {"hair_shaders.h"}}
+# Headers that the build writes, by the layers that include them.
+GENERATED = {"runtime/gl": {"hair_shaders.h"}, "runtime/research": {"hair_shaders.h"}}
 
 ROOTS = ["", "formats/include", "runtime/include", "formats", "runtime", "tools", "tests"]
 SUFFIXES = {".h", ".cpp", ".hpp", ".c", ".inl"}
@@ -199,13 +202,14 @@ coif_tool_library(render PUBLIC coif_base coif::gl)
     bad = problems + ([] if tool_layers("coif_tool_library(a PUBLIC coif_b)\ncoif_tool_library(b)\n")[1] else ["upward links pass"])
     tree = {"tools/base/text.h", "tools/cook/order/sort.h", "tools/import/import.h",
             "tools/cook/cook.h", "tools/render/picture.h", "formats/write/asset_writer.h", "formats/include/coif/asset.h",
-            "runtime/include/coif/drawing.h", "runtime/include/coif/renderer.h", "runtime/include/coif/hair.h",
+            "runtime/include/coif/drawing.h", "runtime/include/coif/renderer.h", "runtime/include/coif/research.h", "runtime/include/coif/hair.h",
             "runtime/include/coif/c/types.h",
             "tests/sim/rig.h", "tools/platform/spawn.h", "tools/platform/job.h"}
     must_fail = [("runtime/sim/a.cpp", "#include <vector>"), ("runtime/sim/a.cpp", '#include "cook/cook.h"'),
                  ("runtime/sim/a.cpp", "#include <coif/renderer.h>"), ("runtime/sim/a.cpp", "#include <GLES3/gl3.h>"),
                  ("runtime/sim/a.cpp", "#include <coif/drawing.h>"), ("runtime/drawing/a.cpp", "#include <GLES3/gl3.h>"),
                  ("runtime/drawing/a.cpp", "#include <coif/renderer.h>"),
+                 ("runtime/gl/a.cpp", "#include <coif/research.h>"), ("tools/render/a.cpp", "#include <coif/research.h>"),
                  ("runtime/gl/a.cpp", "#include <nlohmann/json.hpp>"), ("runtime/gl/a.cpp", "#  include <EGL/egl.h>"),
                  ("formats/a.cpp", "#include <coif/hair.h>"), ("formats/a.cpp", '#include "write/asset_writer.h"'),
                  ("runtime/include/coif/a.h", "#include <string>"), ("tools/cook/a.cpp", "#include <assimp/scene.h>"),
@@ -225,6 +229,7 @@ coif_tool_library(render PUBLIC coif_base coif::gl)
                  ("runtime/sim/lanes/a.cpp", "#include <hwy/highway.h>"),
                  ("runtime/drawing/a.cpp", "#include <coif/drawing.h>"),
                  ("runtime/gl/a.cpp", "#include <GLES3/gl3.h>"), ("tools/import/a.cpp", "#include <assimp/scene.h>"),
+                 ("runtime/research/a.cpp", "#include <coif/research.h>\n#include <hair_shaders.h>"),
                  ("tools/cook/order/a.cpp", '#include "import/import.h"\n#include "base/text.h"'),
                  ("tools/cook/a.cpp", '#include "cook/order/sort.h"'), ("tools/render/a.cpp", "#include <coif/renderer.h>"),
                  ("tools/cook/a.cpp", '#include "write/asset_writer.h"\n#include <vector>\n#include <ctime>'),

@@ -84,7 +84,7 @@ PROGRAMS = {
     "only_draw": DRAWING | {"blended hair"},
     "draw_motion": DRAWING | {"blended hair", "vectors of motion"},
     "draw_hashed": DRAWING | {"hashed hair"},
-    "draw_jittered": DRAWING | {"hair by jittered samples", "alpha to coverage"},
+    "draw_jittered": DRAWING | {"hair by jittered samples", "hair by counted samples", "hair by coverage", "alpha to coverage"},
     "draw_by_bones": DRAWING | {"blended hair", "bones sorted in each frame"},
     "cast_plainly": DRAWING | {"opaque hair", "shadows", "plain shadow maps"},
     "draw_exactly": DRAWING | {"exact hair"},

@@ -1,8 +1,8 @@
 // The walker of FBX records: both encodings, and files that lie.
 
-#include "import/fbx_records.h"
 #include "import/fbx_files.h"
 #include "import/fbx_objects.h"
+#include "import/fbx_walk.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

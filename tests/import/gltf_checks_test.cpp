@@ -1,4 +1,4 @@
-#include "import/gltf_checks.h"
+#include "import/gltf_scene.h"
 
 #include "import/model_files.h"
 

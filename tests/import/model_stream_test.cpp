@@ -1,4 +1,4 @@
-#include "import/model_stream.h"
+#include "import/reader_process.h"
 
 #include "import/model_files.h"
 #include "import/source_model.h"

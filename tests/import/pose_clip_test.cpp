@@ -1,4 +1,4 @@
-#include "import/pose_clip.h"
+#include "import/clip_file.h"
 
 #include "import/model_files.h"
 

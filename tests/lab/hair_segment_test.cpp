@@ -1,5 +1,5 @@
 #include "lab/hair_segment.h"
-#include "report/solver_trial.h"
+#include "research/solver_trial.h"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@ using Eigen::Vector3d;
 
 constexpr double kRadius = 0.1, kThickness = 0.01;
 
-SolidShape ball() { return SolidShape(report::sphere(Vector3d::Zero(), kRadius)); }
+SolidShape ball() { return SolidShape(research::sphere(Vector3d::Zero(), kRadius)); }
 
 SolidShape tapered_capsule() {
-  ColliderRecord record = report::sphere(Vector3d(-0.05, 0, 0), 0.1);
+  ColliderRecord record = research::sphere(Vector3d(-0.05, 0, 0), 0.1);
   record.shape = ColliderShape::kTaperedCapsule;
   record.radii[1] = 0.04f, record.radii[2] = 0;
   record.axis[0] = 0.15f, record.axis[1] = 0.03f;
@@ -23,7 +23,7 @@ SolidShape tapered_capsule() {
 }
 
 SolidShape ellipsoid() {
-  ColliderRecord record = report::sphere(Vector3d(0.01, 0, 0), 0.1);
+  ColliderRecord record = research::sphere(Vector3d(0.01, 0, 0), 0.1);
   record.shape = ColliderShape::kEllipsoid;
   record.radii[1] = 0.05f, record.radii[2] = 0.08f;
   return SolidShape(record);

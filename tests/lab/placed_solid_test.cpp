@@ -1,7 +1,7 @@
 // How deep hair lies in colliders that move, as the lab tells.
 
 #include "lab/placed_solid.h"
-#include "report/solver_trial.h"
+#include "research/solver_trial.h"
 
 #include <gtest/gtest.h>
 
@@ -100,7 +100,7 @@ TEST(PlacedSolid, CountsTheEndAloneOfWhatStartsInside) {
 }
 
 TEST(MovingMeter, KeepsTheWorstAndWhereItWas) {
-  Rig rig = report::strand_rig(3);
+  Rig rig = research::strand_rig(3);
   std::vector<Vector3d> ends;
   for (const RigBone& bone : rig.bones) {
     const Vector3d start = bone.parent < 0 ? bone.joint : ends[std::size_t(bone.parent)];

@@ -4,8 +4,8 @@
 #include "lab/reference_trial.h"
 #include "models/test_rig.h"
 #include "report/accuracy/measure_accuracy.h"
-#include "report/solver_trial.h"
 #include "report/stability/measure_stability.h"
+#include "research/solver_trial.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ using Eigen::Vector3d;
 const SolverScene kEarth;
 
 ColliderRecord shaped(ColliderShape shape, const Vector3d& center, const Vector3d& radii, const Vector3d& axis) {
-  ColliderRecord record = report::sphere(center, 0);
+  ColliderRecord record = research::sphere(center, 0);
   record.shape = shape;
   for (int k = 0; k < 3; ++k) {
     record.radii[k] = float(radii[k]);
@@ -49,14 +49,14 @@ struct NamedCollider {
 void PrintTo(const NamedCollider& named, std::ostream* out) { *out << named.name; }
 
 ColliderRecord cup() {
-  ColliderRecord record = report::sphere({0, -0.1, 0}, 0.16);
+  ColliderRecord record = research::sphere({0, -0.1, 0}, 0.16);
   record.flags = kColliderKeepsInside;
   return record;
 }
 
 /// A back of the head, or what else hair lies against.
 const NamedCollider kBesideTheHair[] = {
-    {"sphere", report::sphere({0, -0.12, -0.05}, 0.08)},
+    {"sphere", research::sphere({0, -0.12, -0.05}, 0.08)},
     {"ellipsoid", tilted_ellipsoid()},
     {"capsule", shaped(ColliderShape::kCapsule, {-0.1, -0.12, -0.05}, Vector3d::Constant(0.07), {0.2, 0.02, 0})},
     {"tapered", shaped(ColliderShape::kTaperedCapsule, {-0.1, -0.12, -0.05}, {0.09, 0.06, 0}, {0.2, 0.02, 0})},
@@ -69,7 +69,7 @@ class Resting : public testing::TestWithParam<NamedCollider> {};
 /// A strand that starts behind the colliders above, damped well, and sags against them. On top of them it would buckle,
 /// and no two runs would agree to which side.
 Rig soft_strand() {
-  Rig rig = report::strand_rig(6);
+  Rig rig = research::strand_rig(6);
   for (RigBone& bone : rig.bones) {
     bone.joint = Vector3d(0, 0, -0.1);
     bone.length = 0.04;
@@ -147,7 +147,7 @@ TEST(ReferenceContact, ChildOfAHeldBoneFallsOnAsIfItsParentHadStopped) {
   follow(rig, *motion::path_of(motion::Motion::kStill), 1, 1.0 / 2880, [&](auto ends) { second.push_back(ends[1]); });
   follow(alone, *motion::path_of(motion::Motion::kStill), 1, 1.0 / 2880,
          [&](auto ends) { pendulum.push_back(ends[0]); });
-  EXPECT_LT(report::worst_distance(second, pendulum), 1e-4 * 0.04);
+  EXPECT_LT(research::worst_distance(second, pendulum), 1e-4 * 0.04);
   EXPECT_LT(pendulum[330].y(), -0.039);
 }
 
@@ -185,7 +185,7 @@ Rig with_torsion(Rig rig, double torsion) {
 
 /// A strand that winds forwards, with another that forks off sideways: a twist of a bone moves all that hang from it.
 Rig curl() {
-  Rig rig = report::forked_rig();
+  Rig rig = research::forked_rig();
   for (std::size_t i = 0; i < rig.bones.size(); ++i) {
     rig.bones[i].rest_direction =
         (Quaterniond(AngleAxisd(0.7 * double(i), Vector3d(0, 1, 0.4).normalized())) * rig.bones[i].rest_direction)
@@ -249,7 +249,7 @@ TEST(ReferenceTwist, HalvingTheStepCutsTheErrorByMoreThanEight) {
 }
 
 TEST(ReferenceTwist, ContactsAndLimitsLeaveNoTwistBehind) {
-  Rig rig = touching(curl(), report::sphere(Vector3d(0, -0.1, 0.02), 0.08));
+  Rig rig = touching(curl(), research::sphere(Vector3d(0, -0.1, 0.02), 0.08));
   for (RigBone& bone : rig.bones) bone.angle_limit = 0.6;
   const auto path = motion::path_of(motion::Motion::kTurn);
   const auto solve = [&](double torsion) { return solve_at(with_torsion(rig, torsion), kEarth, *path, 2, 5760); };

@@ -2,7 +2,7 @@
 #include "lab/reference_model.h"
 #include "lab/reference_trial.h"
 #include "lab/rig.h"
-#include "report/solver_trial.h"
+#include "research/solver_trial.h"
 
 #include <gtest/gtest.h>
 
@@ -74,7 +74,7 @@ TEST(ReferenceModel, ShortestArcTurnsOneToTheOther) {
 TEST(RigSample, HoldsWholeTreesThatMoveAsAmongAll) {
   Rig rig;
   for (int strand = 0; strand < 10; ++strand) {
-    for (RigBone bone : report::strand_rig(3).bones) {
+    for (RigBone bone : research::strand_rig(3).bones) {
       if (bone.parent >= 0) bone.parent += 3 * strand;
       bone.length *= 1 + 0.1 * strand;
       rig.bones.push_back(bone);
@@ -96,7 +96,7 @@ TEST(RigSample, HoldsWholeTreesThatMoveAsAmongAll) {
 }
 
 TEST(RigSample, OfEnoughBonesIsTheRig) {
-  const Rig rig = with_tips(report::forked_rig());
+  const Rig rig = with_tips(research::forked_rig());
   EXPECT_EQ(sample_of(rig, 100).bones.size(), rig.bones.size());
   EXPECT_EQ(sample_of(rig, 1).bones.size(), rig.bones.size()) << "one tree at least";
 }
@@ -104,7 +104,7 @@ TEST(RigSample, OfEnoughBonesIsTheRig) {
 const SolverScene kEarth;
 
 TEST(ReferenceSolver, HalvingTheStepCutsTheErrorOfFreeHairByMoreThanEight) {
-  const Rig rig = with_tips(report::strand_rig(5));
+  const Rig rig = with_tips(research::strand_rig(5));
   for (const motion::Motion motion : {motion::Motion::kTurn, motion::Motion::kRun, motion::Motion::kJump,
                                       motion::Motion::kCharge, motion::Motion::kTumble}) {
     const auto path = motion::path_of(motion);
@@ -117,7 +117,7 @@ TEST(ReferenceSolver, HalvingTheStepCutsTheErrorOfFreeHairByMoreThanEight) {
 
 TEST(ReferenceSolver, SmallSwingIsTheDampedOscillatorInClosedForm) {
   constexpr double kGravity = 1e-4, kStiffness = 400, kDamping = 6, kLength = 0.1;
-  Rig rig = report::pendulum_rig();
+  Rig rig = research::pendulum_rig();
   rig.bones[0].stiffness = kStiffness;
   rig.bones[0].damping = kDamping;
   SolverScene scene;
@@ -134,7 +134,7 @@ TEST(ReferenceSolver, SmallSwingIsTheDampedOscillatorInClosedForm) {
 }
 
 TEST(ReferenceSolver, UndampedPendulumNeverRisesAboveWhereItStartedAndComesBackThere) {
-  Rig rig = report::pendulum_rig();
+  Rig rig = research::pendulum_rig();
   rig.bones[0].stiffness = rig.bones[0].damping = 0;
   const ReferenceRun run = solve_well(with_tips(rig), kEarth, *motion::path_of(motion::Motion::kStill), 5);
   double lowest = 0, comes_back = -1;
@@ -149,7 +149,7 @@ TEST(ReferenceSolver, UndampedPendulumNeverRisesAboveWhereItStartedAndComesBackT
 }
 
 TEST(ReferenceSolver, DampingTakesHeightFromEverySwing) {
-  Rig rig = report::pendulum_rig();
+  Rig rig = research::pendulum_rig();
   rig.bones[0].stiffness = 0;
   rig.bones[0].friction = 1;
   const ReferenceRun run = solve_well(with_tips(rig), kEarth, *motion::path_of(motion::Motion::kStill), 20);
@@ -158,7 +158,7 @@ TEST(ReferenceSolver, DampingTakesHeightFromEverySwing) {
 }
 
 TEST(ReferenceSolver, SettlesInTheStaticPose) {
-  Rig rig = report::forked_rig();
+  Rig rig = research::forked_rig();
   for (RigBone& bone : rig.bones) {
     bone.parent_share = 0.6;
     bone.friction = 2;
@@ -180,7 +180,7 @@ TEST(ReferenceSolver, SettlesInTheStaticPose) {
 }
 
 TEST(ReferenceSolver, MirroredHairMovesMirrored) {
-  const Rig rig = report::forked_rig();
+  const Rig rig = research::forked_rig();
   const auto walk = [](const motion::HeadState& state) {
     return turned(state, Quaterniond(AngleAxisd(0.4, Vector3d(1, 1, 0.3).normalized())));
   };
@@ -188,13 +188,13 @@ TEST(ReferenceSolver, MirroredHairMovesMirrored) {
   const ChangedPath mirror(motion::Motion::kRun,
                            [&walk](const motion::HeadState& state) { return mirrored(walk(state)); });
   const ReferenceRun here = solve_well(with_tips(rig), kEarth, path, 2);
-  ReferenceRun there = solve_well(with_tips(report::mirrored(rig)), kEarth, mirror, 2);
+  ReferenceRun there = solve_well(with_tips(research::mirrored(rig)), kEarth, mirror, 2);
   for (Vector3d& place : there.places) place.x() = -place.x();
   EXPECT_LT(worst_apart(here, there), 1e-11);
 }
 
 TEST(ReferenceSolver, DoesNotCareWhichWayTheWorldIsTurned) {
-  const Rig rig = with_tips(report::forked_rig());
+  const Rig rig = with_tips(research::forked_rig());
   const Quaterniond turn(AngleAxisd(2.1, Vector3d::UnitY()));
   const ChangedPath path(motion::Motion::kTumble,
                          [&turn](const motion::HeadState& state) { return turned(state, turn); });
@@ -203,13 +203,13 @@ TEST(ReferenceSolver, DoesNotCareWhichWayTheWorldIsTurned) {
 }
 
 TEST(ReferenceSolver, TeleportKeepsTheShape) {
-  const Rig rig = touching(with_tips(report::forked_rig()), report::sphere(Vector3d(0, -0.1, 0.02), 0.08));
+  const Rig rig = touching(with_tips(research::forked_rig()), research::sphere(Vector3d(0, -0.1, 0.02), 0.08));
   const ReferenceRun still = solve_well(rig, kEarth, *motion::path_of(motion::Motion::kStill), 3);
   EXPECT_LT(worst_apart(still, solve_well(rig, kEarth, *motion::path_of(motion::Motion::kTeleport), 3)), 1e-11);
 }
 
 TEST(ReferenceSolver, SteadyHeadLeavesItsHairAlone) {
-  const Rig rig = with_tips(report::forked_rig());
+  const Rig rig = with_tips(research::forked_rig());
   const ChangedPath steady(motion::Motion::kStill, [](motion::HeadState state) {
     state.velocity = Vector3d(3, -2, 8);
     return state;
@@ -221,7 +221,7 @@ TEST(ReferenceSolver, SteadyHeadLeavesItsHairAlone) {
 TEST(ReferenceSolver, SelfDifferenceFindsTheChaoticRigAndPassesTheDampedOne) {
   const auto path = motion::path_of(motion::Motion::kTurn);
   const ReferenceSettings settings{.sample_times = evenly(60, 2), .most_steps_per_second = 2880};
-  Rig rig = report::strand_rig(16);
+  Rig rig = research::strand_rig(16);
   for (RigBone& bone : rig.bones) {
     bone.length = 0.03;
     bone.stiffness = 600;
@@ -237,7 +237,7 @@ TEST(ReferenceSolver, SelfDifferenceFindsTheChaoticRigAndPassesTheDampedOne) {
 }
 
 TEST(ReferenceSolver, TakesShorterStepsForStifferHair) {
-  Rig rig = report::pendulum_rig();
+  Rig rig = research::pendulum_rig();
   rig.bones[0].stiffness = 3.6e9;  // What a resistance of 1 is cooked into.
   rig.bones[0].damping = 1.2e5;
   const ReferenceRun run =
@@ -250,7 +250,7 @@ TEST(ReferenceSolver, TakesShorterStepsForStifferHair) {
 TEST(ReferenceSolver, IsEqualForOneAndManyThreads) {
   Rig rig;
   for (int strand = 0; strand < 5; ++strand) {
-    for (RigBone bone : report::strand_rig(3).bones) {
+    for (RigBone bone : research::strand_rig(3).bones) {
       if (bone.parent >= 0) bone.parent += 3 * strand;
       bone.joint.x() = 0.05 * strand;
       rig.bones.push_back(bone);

@@ -5,7 +5,7 @@
 #include "models/small_asset.h"
 #include "render/drawn_wig.h"
 #include "render/picture.h"
-#include "render/sample_coverage.h"
+#include "render/stage_renderer.h"
 
 #include <GLES3/gl3.h>
 

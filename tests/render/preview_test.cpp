@@ -2,10 +2,9 @@
 #include "models/drawn_card.h"
 #include "models/skinned_asset.h"
 #include "render/camera.h"
-#include "render/motion_frame.h"
 #include "render/picture.h"
+#include "render/picture_scene.h"
 #include "render/stage_renderer.h"
-#include "render/tone_curve.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include "models/drawn_card.h"
 #include "models/skinned_asset.h"
 #include "render/egl_context.h"
-#include "render/mannequin_bust.h"
 #include "render/picture.h"
+#include "render/presentation.h"
 
 #include <gtest/gtest.h>
 

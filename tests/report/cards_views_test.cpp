@@ -1,6 +1,6 @@
 #include "report/cards/groom_views.h"
 
-#include "cards/card_picture.h"
+#include "cards/hair_picture.h"
 #include "cards/made_up_cards.h"
 #include "cards/made_up_groom.h"
 #include "lab/rig.h"

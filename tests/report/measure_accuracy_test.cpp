@@ -2,8 +2,8 @@
 
 #include "lab/hair_segment.h"
 #include "motion/head_path.h"
-#include "report/solver_trial.h"
 #include "report/stability/measure_stability.h"
+#include "research/solver_trial.h"
 
 #include <gtest/gtest.h>
 
@@ -179,12 +179,12 @@ TEST(FrameTimes, HoldEveryFrameOfEveryRateOnce) {
 }
 
 TEST(ConstraintMeter, SeesStretchAndDepthAndKeepsTheWorst) {
-  lab::Rig rig = strand_rig(1);
+  lab::Rig rig = research::strand_rig(1);
   rig.bones[0].rest_direction = -Vector3d::UnitY();
   rig.bones[0].length = 0.1;
   rig.bones[0].colliders = 1;
   rig.bones[0].hit_radius = 0.01;
-  rig.colliders.push_back(sphere(Vector3d(0, -0.2, 0), 0.05));
+  rig.colliders.push_back(research::sphere(Vector3d(0, -0.2, 0), 0.05));
   lab::ConstraintMeter meter(rig);
   ASSERT_TRUE(meter.sees_colliders());
   const std::vector<Vector3d> stretched{Vector3d(0, 0, 0.13)}, inside{Vector3d(0, -0.15, 0)}, good{Vector3d(0, 0, 0.1)};
@@ -199,7 +199,7 @@ TEST(ConstraintMeter, SeesStretchAndDepthAndKeepsTheWorst) {
 }
 
 TEST(ConstraintMeter, NeverForgetsWhatWasNotANumber) {
-  const lab::Rig rig = strand_rig(1);
+  const lab::Rig rig = research::strand_rig(1);
   lab::ConstraintMeter meter(rig);
   const std::vector<Vector3d> broken{Vector3d::Constant(std::nan(""))}, good{rig.bones[0].rest_direction * 0.08};
   meter.look(broken);

@@ -1,10 +1,9 @@
 // Each solver comes, with ever finer steps, to the motion of its own model, at its order.
 
-#include "report/accuracy/own_model.h"
+#include "report/accuracy/measure_accuracy.h"
 
 #include "lab/measure_runtime.h"
 #include "models/test_rig.h"
-#include "report/accuracy/measure_accuracy.h"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +38,7 @@ class OwnModel : public testing::TestWithParam<motion::Motion> {
 };
 
 TEST_P(OwnModel, ErrorsOfTheOthersFallAtFirstOrder) {
-  for (const ListedSolver& listed : historical_solvers()) {
+  for (const research::ListedSolver& listed : research::historical_solvers()) {
     if (!listed.has_model) continue;
     // Explicit springs need so many before they hold at all.
     const int first = listed.name == "mass-spring" || listed.name == "angular-springs" ? 16 : 2;
@@ -79,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(Smooth, OwnModel,
 TEST(SubStepsOfOthers, DoNotGoThroughWhatAJumpLeavesOut) {
   const lab::OpenedAsset opened(calm_strand(3, 0.3f).contents());
   const lab::RigSample sample = lab::sample_of(lab::rig_of(opened.asset()), 8);
-  for (const ListedSolver& listed : historical_solvers()) {
+  for (const research::ListedSolver& listed : research::historical_solvers()) {
     const auto solver = listed.create(sample.rig, {}, 4);
     HeadPose head;
     solver->reset(head);

@@ -3,9 +3,8 @@
 
 #include "base/json.h"
 #include "cook/dynamics/bake_dynamics.h"
-#include "cook/dynamics/settle_model.h"
+#include "cook/dynamics/choose_model.h"
 #include "models/test_rig.h"
-#include "view/page/reduced_curve.h"
 #include "view/page/tunable_motion.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "view/server/file_watch.h"
+#include "view/server/live_cook.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,7 +1,7 @@
 #include "view/server/live_cook.h"
 #include "cook/recipe/recipe.h"
 
-#include "import/model_stream.h"
+#include "import/reader_process.h"
 #include "platform/stop.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "view/server/live_recipe.h"
 #include "cook/recipe/recipe.h"
+#include "view/server/live_cook.h"
 
 #include "cook/recipe/recipe_keys.h"
 

@@ -4,8 +4,7 @@
 #include "cook/recipe/recipe_keys.h"
 #include "models/drawn_card.h"
 #include "view/page/held_head.h"
-#include "view/page/motion_settings.h"
-#include "view/page/view_motions.h"
+#include "view/page/tunable_motion.h"
 
 #include <gtest/gtest.h>
 

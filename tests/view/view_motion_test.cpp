@@ -1,8 +1,8 @@
-#include "view/view_motion.h"
+#include "view/view_page.h"
 
 #include "base/encodings.h"
 #include "base/json.h"
-#include "motion/clip_bytes.h"
+#include "motion/head_path.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,6 @@
 // How far a simulated pose breaks the two constraints that the solver should keep.
 
 #include "base/tool_error.h"
-#include "motion/hair_company.h"
 #include "motion/head_path.h"
 
 #include <coif/asset.h>

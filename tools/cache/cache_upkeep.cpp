@@ -1,5 +1,3 @@
-#include "cache/cache_upkeep.h"
-
 #include "cache/cook_cache.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "cards/card_atlas.h"
+#include "cards/card_texture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "cards/card_picture.h"
+#include "cards/hair_picture.h"
 
 #include "base/parallel_for.h"
 #include "cards/surface_raster.h"
@@ -122,6 +122,40 @@ HairPicture draw_cards(const CardSurface& surface, const PictureFrame& frame, co
     develop_band(sorted(fragments, std::size_t(rows.width) * rows.count), rows, picture);
   });
   return picture;
+}
+
+HairLikeness compare_hair(const HairPicture& wanted, const HairPicture& seen) {
+  double both = 0, either = 0, squares = 0;
+  std::size_t covered = 0;
+  for (std::size_t i = 0; i < wanted.coverage.size(); ++i) {
+    both += double(std::min(wanted.coverage[i], seen.coverage[i]));
+    either += double(std::max(wanted.coverage[i], seen.coverage[i]));
+    if (!(wanted.coverage[i] > 0 || seen.coverage[i] > 0)) continue;
+    const double difference = double(wanted.shade[i]) - double(seen.shade[i]);
+    squares += difference * difference;
+    ++covered;
+  }
+  if (covered == 0) return {};
+  return {both / either, std::sqrt(squares / double(covered))};
+}
+
+double psnr_db(double error) { return error > 1e-5 ? -20 * std::log10(error) : 100; }
+
+std::vector<std::vector<std::uint32_t>> triangles_by_band(const CardSurface& surface, const PictureFrame& frame,
+                                                          std::uint32_t rows) {
+  std::vector<std::vector<std::uint32_t>> bands((frame.size + rows - 1) / rows);
+  for (std::uint32_t t = 0; 3 * std::size_t(t) < surface.triangles.size(); ++t) {
+    const SeenTriangle seen(surface, frame, t);
+    if (!seen.is_seen()) continue;
+    const auto box = seen.box_within({frame.size, 0, frame.size});
+    if (box.left > box.right) continue;
+    for (int y = box.top; y <= box.bottom;) {
+      const auto band = std::uint32_t(y) / rows;
+      bands[band].push_back(t);
+      y = int((band + 1) * rows);
+    }
+  }
+  return bands;
 }
 
 }  // namespace coif::cards

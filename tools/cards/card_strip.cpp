@@ -1,4 +1,4 @@
-#include "cards/card_strip.h"
+#include "cards/choose_cards.h"
 
 #include <Eigen/Cholesky>
 

@@ -1,6 +1,6 @@
 #include "cards/card_texture.h"
 
-#include "cards/card_strip.h"
+#include "cards/choose_cards.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "cards/cards_model.h"
+#include "cards/make_cards.h"
 
 #include "base/encodings.h"
 

@@ -1,7 +1,6 @@
 #include "cards/even_strands.h"
 
 #include "base/geometry.h"
-#include "base/quantile.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -46,5 +47,16 @@ struct EvenStrands {
 /// lie on a scalp, which is round, tips do not; where the file's own order does not tell them apart as a whole, each
 /// strand is judged by how far its ends lie from the sphere that most roots lie on.
 [[nodiscard]] std::vector<std::uint8_t> find_reversed_strands(const groom::Groom& groom);
+
+// What shapes of strands are measured by.
+
+/// The value that so much of them stay below, 0..1; 0.5: the median, of an even number the larger of the middle two.
+/// There must be some; they change places.
+template <typename Value>
+[[nodiscard]] Value quantile(std::vector<Value>& values, float share) {
+  const auto at = values.begin() + std::ptrdiff_t(share * float(values.size() - 1) + 0.5f);
+  std::ranges::nth_element(values, at);
+  return *at;
+}
 
 }  // namespace coif::cards

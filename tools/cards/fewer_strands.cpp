@@ -1,4 +1,4 @@
-#include "cards/fewer_strands.h"
+#include "cards/fit_opacity.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,6 @@
-#include "cards/fit_target.h"
+#include "cards/fit_opacity.h"
 
-#include "cards/fewer_strands.h"
-#include "cards/strand_picture.h"
+#include "cards/hair_picture.h"
 
 #include <Eigen/Geometry>
 

@@ -1,6 +1,5 @@
-#include "cards/follow_hairs.h"
+#include "cards/hair_source.h"
 
-#include "base/quantile.h"
 #include "cards/even_strands.h"
 
 #include <Eigen/Geometry>

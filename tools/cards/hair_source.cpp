@@ -1,9 +1,7 @@
 #include "cards/hair_source.h"
 
 #include "base/files.h"
-#include "cards/cards_model.h"
-#include "cards/follow_hairs.h"
-#include "cards/strand_body.h"
+#include "cards/make_cards.h"
 #include "cook/recipe/recipe_keys.h"
 #include "cook/select/hair_evidence.h"
 #include "groom/read_groom.h"

@@ -2,12 +2,14 @@
 
 #include "base/tool_error.h"
 #include "cook/recipe/recipe.h"
+#include "groom/groom.h"
 #include "import/import.h"
 #include "import/source_model.h"
 #include "platform/stop.h"
 
 #include <tl/expected.hpp>
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -35,5 +37,26 @@ struct HairSourceSettings {
 
 /// The recipe's values that read_hair_source() asks for: with others it gives another model.
 [[nodiscard]] std::string source_values(const cook::Recipe& recipe);
+
+/// The file's strands as guides, each followed by `count` others that run beside it, as wide and of its colours. They
+/// begin within `radius` metres of its root, across its first segment, and keep that offset, which grows to twice as
+/// much at the tip. Source: AMD, TressFX, TressFXAsset::GenerateFollowHairs(), with a tip separation of 1. `radius` 0:
+/// as far as guides' roots lie apart. Nothing changes where `count` is 0. kOverBudget: more strands than a groom may
+/// have.
+[[nodiscard]] tl::expected<groom::Groom, ToolError> with_follow_hairs(groom::Groom guides, std::uint32_t count,
+                                                                      float radius);
+
+// The head and body that strands belong to, which come in a file of their own.
+
+/// Strands and body are in metres with Y up as their files say, and one of the files may say nothing, or what its
+/// exporter always says. Where roots do not lie on the body, but would if the strands' file were of another usual unit
+/// or up axis, the strands are turned and scaled so, with a warning; where none fits, the warning says how far off they
+/// are. What the recipe gives stays as it is.
+void place_on_body(const importer::SourceModel& body, groom::Groom& groom);
+
+/// Adds the body's nodes and meshes to a model of cards, without its hair, springs and textures. The cards hang from
+/// its head: the node that is called so, else one that is made up where the skull is found, which what is above the
+/// chin follows. Warns where none is found.
+void add_body(importer::SourceModel body, importer::SourceModel& cards);
 
 }  // namespace coif::cards

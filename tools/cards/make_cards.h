@@ -1,15 +1,13 @@
 #pragma once
 
 #include "base/tool_error.h"
-#include "cards/card_atlas.h"
-#include "cards/card_strip.h"
 #include "cards/card_surface.h"
 #include "cards/card_texture.h"
 #include "cards/choose_cards.h"
 #include "cards/even_strands.h"
 #include "cards/scalp_cards.h"
-#include "cards/wisps.h"
 #include "groom/groom.h"
+#include "import/source_model.h"
 #include "platform/stop.h"
 
 #include <tl/expected.hpp>
@@ -71,5 +69,12 @@ struct Cards {
 
 /// As they are drawn, strip by strip, two vertices at each of its stations.
 [[nodiscard]] CardSurface surface_of(const Cards& cards);
+
+/// A model of strips with one texture in place of the strands, as an artist would hand it in: the rest of a cook goes
+/// on from there. Levels of detail behind the finest are SourceModel::coarser. Repeats for equal input, whatever
+/// `threads` is. kOverBudget where the budget is too small for the fewest cards that hold the hair.
+[[nodiscard]] tl::expected<importer::SourceModel, ToolError> model_of_cards(const groom::Groom& groom,
+                                                                            const CardsBudget& budget,
+                                                                            const platform::Threads& threads);
 
 }  // namespace coif::cards

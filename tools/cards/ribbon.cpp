@@ -1,7 +1,6 @@
 #include "cards/ribbon.h"
 
 #include "base/geometry.h"
-#include "base/quantile.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,6 @@
 #include "cards/scalp_cards.h"
 
 #include "base/parallel_for.h"
-#include "base/quantile.h"
 #include "cards/scalp_patches.h"
 
 #include <algorithm>

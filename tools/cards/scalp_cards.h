@@ -1,10 +1,8 @@
 #pragma once
 
-#include "cards/card_atlas.h"
-#include "cards/card_strip.h"
 #include "cards/card_texture.h"
+#include "cards/choose_cards.h"
 #include "cards/even_strands.h"
-#include "cards/wisps.h"
 #include "groom/groom.h"
 #include "platform/stop.h"
 

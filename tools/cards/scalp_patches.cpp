@@ -2,7 +2,6 @@
 
 #include "base/geometry.h"
 #include "base/parallel_for.h"
-#include "base/quantile.h"
 #include "cards/cluster_points.h"
 
 #include <algorithm>

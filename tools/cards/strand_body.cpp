@@ -1,7 +1,6 @@
-#include "cards/strand_body.h"
+#include "cards/hair_source.h"
 
 #include "base/geometry.h"
-#include "base/quantile.h"
 #include "cards/even_strands.h"
 #include "cook/select/hair_evidence.h"
 #include "cook/select/head.h"

@@ -1,4 +1,4 @@
-#include "cards/strand_picture.h"
+#include "cards/hair_picture.h"
 
 #include "base/parallel_for.h"
 

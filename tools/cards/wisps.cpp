@@ -1,7 +1,7 @@
-#include "cards/wisps.h"
+#include "cards/choose_cards.h"
 
 #include "base/parallel_for.h"
-#include "cards/spread_seeds.h"
+#include "cards/cluster_points.h"
 
 #include <algorithm>
 #include <limits>

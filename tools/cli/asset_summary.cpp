@@ -5,7 +5,7 @@
 #include "base/json.h"
 #include "base/text.h"
 #include "cook/texture/alpha.h"
-#include "write/chunk_words.h"
+#include "write/strip_asset.h"
 
 #include <fmt/format.h>
 

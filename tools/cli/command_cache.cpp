@@ -1,6 +1,6 @@
 #include "base/json.h"
 #include "base/text.h"
-#include "cache/cache_upkeep.h"
+#include "cache/cook_cache.h"
 #include "cli/command.h"
 #include "cli/options.h"
 

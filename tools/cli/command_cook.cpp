@@ -8,9 +8,8 @@
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
-#include "cli/patch_listing.h"
 #include "cook/recipe/recipe_preset.h"
-#include "import/model_stream.h"
+#include "import/reader_process.h"
 
 #include <fmt/format.h>
 

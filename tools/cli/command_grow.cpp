@@ -7,8 +7,7 @@
 #include "cli/messages.h"
 #include "cli/options.h"
 #include "cli/source_limits.h"
-#include "groom/groom_stream.h"
-#include "groom/write_groom.h"
+#include "groom/read_groom.h"
 #include "grow/grow_hair.h"
 #include "import/reader_process.h"
 

@@ -6,7 +6,7 @@
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
-#include "render/look.h"
+#include "render/gallery.h"
 
 #include <fmt/format.h>
 

@@ -7,12 +7,12 @@
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
-#include "cli/picture_options.h"
 #include "cli/source_limits.h"
+#include "cli/verb_options.h"
 #include "cook/size/settle_size.h"
 #include "payload_hash.h"
-#include "render/body_textures.h"
 #include "render/picture.h"
+#include "render/presentation.h"
 
 #include <algorithm>
 #include <memory>

@@ -5,7 +5,6 @@
 #include "cli/messages.h"
 #include "cli/options.h"
 #include "cli/report_options.h"
-#include "cli/report_strands.h"
 #include "cli/view_output.h"
 #include "render/camera.h"
 #include "report/accuracy/accuracy_report.h"

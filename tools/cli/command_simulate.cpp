@@ -6,8 +6,8 @@
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
-#include "cli/simulate_options.h"
-#include "import/pose_clip.h"
+#include "cli/verb_options.h"
+#include "import/clip_file.h"
 #include "render/picture.h"
 
 #include <filesystem>

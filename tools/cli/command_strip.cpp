@@ -6,7 +6,6 @@
 #include "cli/messages.h"
 #include "cli/options.h"
 #include "validate/find_issues.h"
-#include "write/chunk_words.h"
 #include "write/strip_asset.h"
 
 #include <fmt/format.h>

@@ -2,6 +2,7 @@
 
 #include "base/parallel_for.h"
 #include "base/tool_error.h"
+#include "cli/command.h"
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
@@ -111,5 +112,10 @@ tl::expected<cook::CookResult, ToolError> cook_alone(const CookOptions& options,
 /// report and depfile, each whole or not at all and none without the asset.
 tl::expected<CookSummary, FailedCook> run_cook_job(const CookOptions& options, const RecipeChoice& choice,
                                                    const Messages& messages);
+
+/// `coif cook SOURCE --list patches [-o PICTURE.png]`: cooks a draft, prints its patches with their numbers, and draws
+/// them.
+tl::expected<Exit, ToolError> list_patches_of(const CookOptions& options, const RecipeChoice& choice,
+                                              const Messages& messages);
 
 }  // namespace coif::cli

@@ -5,7 +5,6 @@
 #include "cards/hair_source.h"
 #include "cook/cook.h"
 #include "cook/pack/pack.h"
-#include "import/model_stream.h"
 #include "import/reader_process.h"
 #include "validate/find_issues.h"
 

@@ -1,12 +1,11 @@
-#include "cli/live_source.h"
+#include "cli/view_output.h"
 
 #include "base/files.h"
 #include "cli/cook_process.h"
 #include "cli/input_files.h"
-#include "cli/moved_page.h"
 #include "platform/program.h"
-#include "view/server/live_page.h"
 #include "view/server/live_view.h"
+#include "view/server/request_guard.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

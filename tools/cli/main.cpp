@@ -2,7 +2,7 @@
 
 #include "cli/asset_summary.h"
 #include "cli/command.h"
-#include "cli/third_party_notices.h"
+#include "cli/messages.h"
 #include "platform/job.h"
 #include "platform/program.h"
 

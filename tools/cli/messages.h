@@ -61,4 +61,7 @@ class ProgressLine {
 
 void print_result(std::string_view text);
 
+/// Whose works the program has in it, and their licences. Made by third_party.cmake.
+extern const char* const kThirdPartyNotices;
+
 }  // namespace coif::cli

@@ -1,9 +1,9 @@
-#include "cli/patch_listing.h"
+#include "cli/cook_job.h"
 
 #include "base/json.h"
 #include "base/text.h"
 #include "cli/options.h"
-#include "render/patch_chart.h"
+#include "render/gallery.h"
 
 #include <fmt/format.h>
 

@@ -1,13 +1,18 @@
 #pragma once
 
+#include "base/tool_error.h"
+#include "cli/messages.h"
 #include "cli/options.h"
 #include "cli/source_limits.h"
+#include "groom/groom.h"
 #include "report/accuracy/measure_accuracy.h"
 #include "report/cards/measure_cards.h"
 #include "report/cost/measure_cost.h"
 #include "report/order/measure_order.h"
 #include "report/shadow/measure_shadows.h"
 #include "report/stability/measure_stability.h"
+
+#include <tl/expected.hpp>
 
 #include <cstdint>
 #include <memory>
@@ -74,5 +79,17 @@ void add_report_options(CLI::App& app, ReportOptions& options);
 
 /// Error (kUsage): an option that is not for this subject or this output.
 tl::expected<void, ToolError> check_subject(const ReportOptions& options);
+
+/// What `coif report cards` compares with, and how.
+struct ReportStrands {
+  groom::Groom groom;
+  std::uint64_t hash = 0;          ///< XXH64 of its file.
+  report::CardsSettings settings;  ///< Those asked for, with what the recipe says.
+};
+
+/// Reads the strands as a cook with the recipe does. Errors: kUsage for a file that is of no format with strands or
+/// pictures that are not square; those of choose_recipe() and read_groom(). Blocks; costs a fork.
+[[nodiscard]] tl::expected<ReportStrands, ToolError> read_report_strands(const ReportOptions& options,
+                                                                         const Messages& messages);
 
 }  // namespace coif::cli

@@ -1,4 +1,4 @@
-#include "cli/report_strands.h"
+#include "cli/report_options.h"
 
 #include "base/files.h"
 #include "base/parallel_for.h"

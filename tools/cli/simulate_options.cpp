@@ -1,4 +1,4 @@
-#include "cli/simulate_options.h"
+#include "cli/verb_options.h"
 
 #include "cli/options.h"
 

@@ -4,6 +4,8 @@
 #include "render/camera.h"
 #include "view/view_page.h"
 
+#include <string_view>
+
 namespace coif::cli {
 
 CLI::Option* add_page(CLI::App& app, std::string& page) {
@@ -38,6 +40,24 @@ tl::expected<std::string, ToolError> filled_page(const std::string& page, const 
   if (!empty) return tl::unexpected(empty.error());
   return filled_page(*place, {reinterpret_cast<const char*>(empty->span().data()), empty->span().size()}, file, path,
                      sheet);
+}
+
+tl::expected<std::string, ToolError> moved_page(const std::filesystem::path& place,
+                                                const std::optional<HeadMotion>& motion, const Messages& messages) {
+  const auto bytes = FileBytes::read(place);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const std::string_view page(reinterpret_cast<const char*>(bytes->span().data()), bytes->span().size());
+  if (!motion) return std::string(page);
+
+  HeadClip clip{motion::all_motions()[std::size_t(motion->motion)].name, nullptr, {}};
+  if (motion->clip) {
+    auto opened = open_clip(*motion->clip, messages);
+    if (!opened) return tl::unexpected(opened.error());
+    clip = std::move(*opened);
+  }
+  auto moved = view::with_motion(page, clip.name, clip.keys);
+  if (!moved) return tl::unexpected(ToolError{moved.error().kind, place.string() + ": " + moved.error().message});
+  return moved;
 }
 
 }  // namespace coif::cli

@@ -1,13 +1,21 @@
 #pragma once
 
 #include "base/tool_error.h"
+#include "cli/command.h"
 #include "cli/input_files.h"
+#include "cli/messages.h"
+#include "cli/options.h"
+#include "cli/source_limits.h"
 
 #include <CLI/CLI.hpp>
 #include <tl/expected.hpp>
 
+#include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace coif::cli {
 
@@ -29,5 +37,28 @@ CLI::Option* add_page(CLI::App& app, std::string& page);
 /// The same of the page that is found as --page says. Errors: those of find_view_page() and FileBytes::read() too.
 [[nodiscard]] tl::expected<std::string, ToolError> filled_page(const std::string& page, const AssetFile& file,
                                                                const std::string& path, std::string_view sheet = {});
+
+/// The page of `coif view` that lies at `place`, read, which begins with this motion if there is one. Errors: those of
+/// a clip, of a file that cannot be read, and of a page without a place for motions.
+[[nodiscard]] tl::expected<std::string, ToolError> moved_page(const std::filesystem::path& place,
+                                                              const std::optional<HeadMotion>& motion,
+                                                              const Messages& messages);
+
+/// The command line of `coif view` of a source or a recipe.
+struct LiveOptions {
+  std::string file;  ///< A source, or a recipe with its source beside it.
+  std::optional<std::string> recipe;
+  std::vector<std::filesystem::path> roots;
+  std::filesystem::path page;        ///< As find_view_page() found it.
+  std::optional<HeadMotion> motion;  ///< That it begins with.
+  SourceLimits limits;
+  bool draft = true;
+  std::uint16_t port = 0;
+  OutputFormat format = OutputFormat::kText;
+};
+
+/// Serves a page of it until somebody ends the program (SIGINT, SIGTERM, SIGHUP). Prints the address; what becomes of
+/// cooks goes to `messages`.
+tl::expected<Exit, ToolError> view_live(LiveOptions options, const Messages& messages);
 
 }  // namespace coif::cli

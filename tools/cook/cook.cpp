@@ -2,11 +2,7 @@
 
 #include "cook/pack/pack.h"
 #include "cook/rig/skeleton.h"
-#include "cook/stages/draw_hair.h"
-#include "cook/stages/find_hair.h"
-#include "cook/stages/find_strips.h"
-#include "cook/stages/make_rig.h"
-#include "cook/stages/write_hair.h"
+#include "cook/stages/stages.h"
 
 #include <algorithm>
 

@@ -1,8 +1,7 @@
-#include "gltf/instances.h"
+#include "gltf/tree.h"
 
 #include "gltf/accessors.h"
 #include "gltf/document.h"
-#include "gltf/tree.h"
 
 #include <utility>
 

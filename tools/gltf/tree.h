@@ -1,9 +1,9 @@
 #pragma once
-
 // The nodes of a glTF document: which hang on which, and where each stands in its parent.
 // Source: Khronos, "glTF 2.0 Specification", chapter 3.5; "KHR_node_visibility".
 
 #include "base/json.h"
+#include "gltf/buffers.h"
 
 #include <Eigen/Geometry>
 #include <tl/expected.hpp>
@@ -65,5 +65,14 @@ struct GltfSceneNode {
 /// roots.
 [[nodiscard]] std::vector<GltfSceneNode> gltf_scene_nodes(
     const nlohmann::json& document, const Eigen::Affine3d& model_from_file = Eigen::Affine3d::Identity());
+
+// A mesh that a node shows many times. Source: Khronos, "EXT_mesh_gpu_instancing".
+
+inline constexpr std::size_t kMostInstances = 65536;
+
+/// Where each instance of the node's mesh stands in the node; one that does nothing where the node has no instances.
+/// The error is a sentence.
+[[nodiscard]] tl::expected<std::vector<Eigen::Affine3d>, std::string> read_gltf_instances(
+    const nlohmann::json& document, GltfBuffers& buffers, const nlohmann::json& node);
 
 }  // namespace coif::gltf

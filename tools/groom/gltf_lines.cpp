@@ -1,4 +1,3 @@
-#include "groom/join_lines.h"
 #include "groom/strand_files.h"
 
 #include "gltf/accessors.h"

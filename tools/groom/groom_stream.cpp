@@ -1,4 +1,4 @@
-#include "groom/groom_stream.h"
+#include "groom/read_groom.h"
 
 #include "import/stream_parts.h"
 

@@ -1,4 +1,4 @@
-#include "groom/join_lines.h"
+#include "groom/strand_files.h"
 
 #include <array>
 #include <limits>

@@ -2,7 +2,6 @@
 
 #include "base/files.h"
 #include "base/text.h"
-#include "groom/groom_stream.h"
 #include "groom/strand_files.h"
 #include "import/reader_process.h"
 #include "platform/stop.h"

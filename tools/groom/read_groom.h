@@ -6,8 +6,12 @@
 
 #include <tl/expected.hpp>
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace coif::groom {
 
@@ -22,5 +26,26 @@ namespace coif::groom {
 /// kUnsupported (suffix). Blocks; costs a fork, so call it before starting threads where you can.
 tl::expected<Groom, ToolError> read_groom(const std::filesystem::path& path,
                                           const importer::ImportSettings& settings = {});
+
+/// As Cem Yuksel's .hair (strand_files.h), with all that the strands have; Z up, as such files mostly are, in metres.
+/// The error is a sentence without the file's name: a strand of more segments than the format counts.
+[[nodiscard]] tl::expected<std::vector<std::byte>, std::string> hair_file_of(const Groom& groom);
+
+/// As lines of a Wavefront OBJ, Y up, in metres, an object for each group. It has no place for widths and colours.
+[[nodiscard]] std::string obj_lines_of(const Groom& groom);
+
+/// Either, by the suffix of `path`, as the bytes of a file. Errors: kUsage for another suffix, kBadInput as above.
+[[nodiscard]] tl::expected<std::vector<std::byte>, ToolError> encode_strands(const Groom& groom,
+                                                                             const std::filesystem::path& path);
+
+// What the process that reads strands sends back; as import/reader_process.h has it of models.
+
+using GroomOutcome = tl::expected<Groom, ToolError>;
+
+[[nodiscard]] std::vector<std::uint8_t> encode_groom(const GroomOutcome& outcome);
+
+/// False, with `outcome` untouched, unless the bytes are exactly one outcome whose groom keeps every promise of
+/// groom.h. Allocates at most a small multiple of the bytes given.
+[[nodiscard]] bool decode_groom(std::span<const std::uint8_t> bytes, GroomOutcome& outcome);
 
 }  // namespace coif::groom

@@ -1,4 +1,3 @@
-#include "groom/little_endian.h"
 #include "groom/strand_files.h"
 
 #include <algorithm>

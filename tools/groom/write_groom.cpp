@@ -1,4 +1,4 @@
-#include "groom/write_groom.h"
+#include "groom/read_groom.h"
 
 #include "base/files.h"
 #include "base/text.h"

@@ -1,4 +1,4 @@
-#include "grow/clumps.h"
+#include "grow/strand_paths.h"
 
 #include "grow/random.h"
 

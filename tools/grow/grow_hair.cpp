@@ -5,10 +5,8 @@
 #include "grow/body_field.h"
 #include "grow/head_frame.h"
 #include "grow/random.h"
-#include "grow/scalp.h"
-#include "grow/shape_strands.h"
 #include "grow/strand_paths.h"
-#include "sample/head_shape.h"
+#include "mannequin/head_shape.h"
 
 #include <Eigen/Geometry>
 
@@ -111,7 +109,7 @@ void add_strands(const cook::HairStyle& style, const grow::HeadFrame& head, floa
 }  // namespace
 
 importer::SourceModel sample_body() {
-  const sample::SurfaceMesh bust = sample::make_bust();
+  const mannequin::SurfaceMesh bust = mannequin::make_bust();
   importer::SourceModel body;
   body.path = "the sample's bust";
   body.facing = importer::Facing::kForwards;

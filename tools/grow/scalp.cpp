@@ -1,4 +1,4 @@
-#include "grow/scalp.h"
+#include "grow/strand_paths.h"
 
 #include "base/parallel_for.h"
 #include "grow/flow.h"

@@ -1,4 +1,4 @@
-#include "grow/shape_strands.h"
+#include "grow/strand_paths.h"
 
 #include "base/geometry.h"
 #include "base/parallel_for.h"

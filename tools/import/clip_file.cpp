@@ -5,7 +5,6 @@
 #include "gltf/buffers.h"
 #include "gltf/document.h"
 #include "gltf/tree.h"
-#include "import/clip_document.h"
 #include "import/clip_track.h"
 #include "import/import.h"
 #include "import/source_warnings.h"

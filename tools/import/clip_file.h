@@ -2,12 +2,17 @@
 // Animations of model files, as what one node does.
 
 #include "base/tool_error.h"
+#include "import/clip_track.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <tl/expected.hpp>
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,5 +38,49 @@ struct ClipFile {
 /// node is read. Steps and splines are read as straight lines between their values. Errors: kFileAccess (absent,
 /// unreadable), kBadInput (damaged, no animation, no such node, more than 100,000 keys), kUnsupported (another format).
 [[nodiscard]] tl::expected<ClipFile, ToolError> read_clip(const std::filesystem::path& path, std::string_view node);
+
+// Animations of model files, as how the bones of hair turn.
+
+/// A bone to be found in a clip by its name.
+struct PosedBone {
+  std::string name;
+  int parent = -1;  ///< Among the bones, before it; -1: none.
+};
+
+/// How bones turn in the course of an animation.
+class PoseClip {
+ public:
+  /// For each bone how it is turned in its parent's frame, from rest, as Hair::set_pose() wants it: in the model's
+  /// axes, Y up. As at the nearest key outside the animation. The identity for bones that the clip lacks.
+  [[nodiscard]] std::vector<Eigen::Quaterniond> at(double seconds) const;
+
+  [[nodiscard]] std::size_t found() const;  ///< Bones that the clip has, moved or not; at least one.
+  /// What was taken otherwise than the file says, with the file's name.
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  friend class PoseReader;
+  static constexpr std::uint32_t kNoNode = 0xffffffff;
+
+  struct Node {
+    std::uint32_t parent;  ///< Among nodes_, before it; kNoNode: none.
+    ClipNode moves;
+  };
+  [[nodiscard]] std::vector<Eigen::Quaterniond> turns(double seconds) const;
+
+  std::vector<Node> nodes_;                ///< Those of bones and all that they hang on.
+  std::vector<Eigen::Quaterniond> rests_;  ///< World rotation of each at rest.
+  std::vector<std::uint32_t> of_bone_;     ///< Its node, or kNoNode.
+  std::vector<std::uint32_t> from_;        ///< The node that its parent's frame turns with, or kNoNode: the world.
+  std::vector<std::string> notes_;
+};
+
+/// Reads the rotations of those nodes of a .gltf, .glb or .vrm that have a bone's name. Rotations count from the pose
+/// that the file gives the nodes beside the animation. Of several animations the first that turns one of the bones is
+/// read; places and scales of bones are not. A bone whose parent the clip lacks turns in its node's own parent. Errors:
+/// kFileAccess (absent, unreadable), kBadInput (damaged, no node with a bone's name, none that turns), kUnsupported
+/// (another format).
+[[nodiscard]] tl::expected<std::shared_ptr<const PoseClip>, ToolError> read_pose_clip(const std::filesystem::path& path,
+                                                                                      std::span<const PosedBone> bones);
 
 }  // namespace coif::importer

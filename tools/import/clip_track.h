@@ -1,9 +1,8 @@
 #pragma once
-
-// How one property of one node changes: a sampler of a glTF animation.
-// Source: Khronos, "glTF 2.0 Specification", chapter 3.11 and appendix C.
+// A glTF that is read for its animation, whatever is taken of that.
 
 #include "base/json.h"
+#include "base/tool_error.h"
 #include "gltf/buffers.h"
 #include "gltf/document.h"
 #include "gltf/tree.h"
@@ -11,12 +10,25 @@
 #include <Eigen/Geometry>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace coif::importer {
+
+/// Of all tracks, so that one buffer named often fills no memory.
+inline constexpr std::size_t kMostClipNumbers = 16'000'000;
+inline constexpr const char* kExportAgain =
+    "export the clip again as .glb";  ///< The cure for most of what ails a clip.
+
+/// What animations need of the document. Errors: those of check_readable(), kUnsupported for another format, kBadInput.
+[[nodiscard]] tl::expected<nlohmann::json, ToolError> read_clip_document(const std::filesystem::path& path);
+
+// How one property of one node changes: a sampler of a glTF animation.
+// Source: Khronos, "glTF 2.0 Specification", chapter 3.11 and appendix C.
 
 enum class NodeProperty : std::uint8_t { kTranslation, kRotation, kScale };
 

@@ -1,6 +1,6 @@
 #include "import/fbx_objects.h"
 
-#include "import/fbx_records.h"
+#include "import/fbx_walk.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,3 @@
-#include "import/fbx_records.h"
-
 #include "import/fbx_walk.h"
 
 #include <bit>

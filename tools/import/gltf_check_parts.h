@@ -1,6 +1,6 @@
 #pragma once
 
-// What the checks of gltf_checks.h share. Private to them.
+// What the checks of gltf_checks.cpp share. Private to them.
 
 #include "base/json.h"
 #include "gltf/accessors.h"

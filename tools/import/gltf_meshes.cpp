@@ -3,7 +3,6 @@
 #include "base/text.h"
 #include "gltf/accessors.h"
 #include "gltf/document.h"
-#include "gltf/instances.h"
 #include "gltf/primitive.h"
 #include "gltf/tree.h"
 #include "import/shown_meshes.h"

@@ -2,7 +2,6 @@
 
 #include "base/text.h"
 #include "gltf/document.h"
-#include "import/gltf_checks.h"
 #include "import/shown_meshes.h"
 #include "import/vrm_springs.h"
 

@@ -3,7 +3,6 @@
 #include "base/files.h"
 #include "import/assimp_scene.h"
 #include "import/gltf_scene.h"
-#include "import/model_stream.h"
 #include "import/reader_process.h"
 #include "platform/stop.h"
 

@@ -1,11 +1,11 @@
-#include "import/pose_clip.h"
+#include "import/clip_file.h"
 
 #include "base/geometry.h"
 #include "base/text.h"
 #include "gltf/buffers.h"
 #include "gltf/document.h"
 #include "gltf/tree.h"
-#include "import/clip_document.h"
+#include "import/clip_track.h"
 #include "import/import.h"
 #include "import/source_warnings.h"
 

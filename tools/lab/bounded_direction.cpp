@@ -1,4 +1,4 @@
-#include "lab/bounded_direction.h"
+#include "lab/reference_model.h"
 
 #include <algorithm>
 #include <cmath>

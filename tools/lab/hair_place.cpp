@@ -1,4 +1,4 @@
-#include "lab/hair_place.h"
+#include "lab/placed_solid.h"
 
 #include "lab/hair_segment.h"
 

@@ -1,4 +1,4 @@
-#include "motion/clip_bytes.h"
+#include "motion/head_path.h"
 
 #include <array>
 #include <bit>

@@ -9,6 +9,7 @@
 #include <string>
 
 namespace coif::motion {
+
 namespace {
 
 HeadState state_of(const HeadMovement& moved) {
@@ -224,6 +225,42 @@ tl::expected<HairPose, ToolError> simulate_pose(const Asset& asset, const HeadPa
   auto poses = simulate_poses(asset, motion, {&seconds, 1}, step, solver, company);
   if (!poses) return tl::unexpected(poses.error());
   return std::move(poses->front());
+}
+
+HairDesc HairCompany::description(const Asset& asset, const Solver* usual) const {
+  HairDesc desc;
+  desc.solver = usual;
+  const bool in_gusts = gusts.amplitude > 0;
+  const bool is_worn = colliders || pose || in_gusts;
+  if (is_worn && usual == &kCoifSolver) desc.solver = &kCharacterSolver;
+  desc.links = links_of(asset, *desc.solver);
+  if (colliders) desc.moving_colliders = kMaxMovingColliders;
+  desc.follows_poses = bool(pose);
+  desc.feels_gusts = in_gusts;
+  return desc;
+}
+
+Status HairCompany::tell(Hair& hair, double seconds) const {
+  if (colliders) {
+    const auto now = colliders(seconds);
+    if (const Status status = hair.set_colliders(0, now); status != Status::kOk) return status;
+  }
+  if (gusts.amplitude > 0) {
+    if (const Status status = hair.set_gusts(gusts); status != Status::kOk) return status;
+  }
+  if (!pose) return Status::kOk;
+  return hair.set_pose(0, pose(seconds), {&pose_weight, 1});
+}
+
+std::span<const HeadLook> head_looks() {
+  static const HeadLook kLooks[] = {{"look-down", "looking down", Eigen::Vector3d::UnitX(), 55, 0.4},
+                                    {"look-aside", "a rapid turn", Eigen::Vector3d::UnitY(), 80, 0.25},
+                                    {"look-up", "looking up", Eigen::Vector3d::UnitX(), -50, 0.4}};
+  return kLooks;
+}
+
+std::unique_ptr<HeadPath> path_of(const HeadLook& look) {
+  return held_turn(look.axis, look.degrees * kDegree, look.seconds);
 }
 
 }  // namespace coif::motion

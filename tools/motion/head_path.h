@@ -1,7 +1,7 @@
 #pragma once
+// What a head has beside it while its hair is simulated: a character's hands, size and animation.
 
 #include "base/tool_error.h"
-#include "motion/hair_company.h"
 
 #include <coif/asset.h>
 #include <coif/hair.h>
@@ -11,6 +11,8 @@
 #include <Eigen/Geometry>
 #include <tl/expected.hpp>
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -18,6 +20,20 @@
 #include <vector>
 
 namespace coif::motion {
+
+struct HairCompany {
+  std::function<std::vector<MovingCollider>(double seconds)> colliders{};  ///< World. Empty: none.
+  /// The pose at that time, rotations of all the asset's bones as Hair::set_pose() takes them. Empty: none.
+  std::function<std::vector<Quat>(double seconds)> pose{};
+  float pose_weight = 1;  ///< 1: the pose is what pulls, 0: the hair is the pose.
+  float scale = 1;        ///< Of the head.
+  Gusts gusts{};          ///< Of amplitude 0: none.
+
+  /// Which solver it needs: `usual` where it asks for nothing more.
+  [[nodiscard]] HairDesc description(const Asset& asset, const Solver* usual) const;
+  /// Tells the hair of one head where all will be at the end of the coming step.
+  [[nodiscard]] Status tell(Hair& hair, double seconds) const;
+};
 
 /// A head's built-in movement, defined for every time; starts at rest at the origin (y = 0) at t = 0.
 enum class Motion { kStill, kNod, kTurn, kCharge, kRun, kJump, kTumble, kTeleport, kBow, kLie, kJog };
@@ -142,5 +158,24 @@ tl::expected<std::vector<HairPose>, ToolError> simulate_poses(const Asset& asset
                                                               std::span<const double> seconds, StepSettings step,
                                                               const Solver* solver = &kCoifSolver,
                                                               const HairCompany* company = nullptr);
+
+/// A turn of the head that stays where it ends, unlike the built-in motions: what the thesis's gallery of motion shows.
+struct HeadLook {
+  const char* name;     ///< As the page of `coif view` calls it.
+  const char* caption;  ///< "looking down"
+  Eigen::Vector3d axis;
+  double degrees;
+  double seconds;
+};
+
+[[nodiscard]] std::span<const HeadLook> head_looks();
+[[nodiscard]] std::unique_ptr<HeadPath> path_of(const HeadLook& look);
+
+/// A clip to be carried into another program: for each key eight doubles, little-endian, seconds, position x, y, z and
+/// rotation x, y, z, w.
+[[nodiscard]] std::vector<std::byte> clip_bytes(std::span<const ClipKey> keys);
+
+/// Of what clip_bytes() gave, bit for bit; empty for what is no clip that path_of() takes.
+[[nodiscard]] std::vector<ClipKey> clip_keys(std::span<const std::byte> bytes);
 
 }  // namespace coif::motion

@@ -2,7 +2,7 @@
 
 #include "base/collider_shapes.h"
 #include "render/picture.h"
-#include "render/sample_coverage.h"
+#include "render/stage_renderer.h"
 
 #include <coif/lod.h>
 

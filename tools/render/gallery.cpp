@@ -1,9 +1,7 @@
 #include "render/gallery.h"
-#include "render/gallery_character.h"
 
 #include "base/geometry.h"
 #include "base/srgb.h"
-#include "motion/head_looks.h"
 #include "motion/head_path.h"
 
 #include <coif/hair.h>

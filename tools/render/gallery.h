@@ -98,4 +98,39 @@ tl::expected<void, ToolError> check_tile_size(std::uint32_t width, std::uint32_t
 tl::expected<GallerySheet, ToolError> render_gallery(const Asset& asset, const GallerySettings& settings,
                                                      const std::function<void(const std::string&)>& progress);
 
+/// Adds what shows hair on a character, by kCoifSolver whatever `picture` has. The asset outlives the galleries.
+void add_character_galleries(const Asset& asset, PictureSettings picture, std::vector<Gallery>& galleries);
+
+struct LookSettings {
+  std::uint32_t width = 280;  ///< Of one picture, pixels, 64..1024.
+  std::uint32_t height = 280;
+  std::string title;  ///< Above all pictures.
+  std::vector<std::string>
+      told;  ///< What the cook had to say, a paragraph each, below them; other bytes than ASCII are replaced.
+};
+
+/// One sheet that shows whether a cook came out right: the hair from all sides, its patches and the direction of its
+/// strands, the colliders through the hair, moments of three motions, the base texture and its alpha, and what the cook
+/// said. Errors: kUsage for a size out of range; those of PictureMaker.
+tl::expected<GallerySheet, ToolError> render_look(const Asset& asset, const LookSettings& settings,
+                                                  const std::function<void(const std::string&)>& progress);
+
+/// What stands on a patch.
+struct PatchLabel {
+  std::string text;        ///< ASCII.
+  bool is_marked = false;  ///< In red.
+};
+
+struct PatchChartSettings {
+  std::uint32_t width = 800;  ///< Of one picture, pixels, 64..1024.
+  std::uint32_t height = 800;
+  std::string title;
+};
+
+/// Every patch of the finest level in a colour of its own, from six sides, with its label (one each) where it is seen
+/// and there is room for it. Errors: kUsage for a size out of range; those of PictureMaker.
+tl::expected<GallerySheet, ToolError> render_patch_chart(const Asset& asset, std::span<const PatchLabel> labels,
+                                                         const PatchChartSettings& settings,
+                                                         const std::function<void(const std::string&)>& progress);
+
 }  // namespace coif::render

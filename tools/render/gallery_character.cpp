@@ -1,9 +1,8 @@
 // The gallery of hair on a character: a hand, sizes, gusts, an animation.
 
-#include "render/gallery_character.h"
+#include "render/gallery.h"
 
 #include "base/geometry.h"
-#include "motion/hair_company.h"
 #include "motion/head_path.h"
 
 #include <coif/hair.h>

@@ -1,4 +1,4 @@
-#include "render/look.h"
+#include "render/gallery.h"
 
 #include "base/text.h"
 

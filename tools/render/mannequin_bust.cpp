@@ -1,8 +1,8 @@
-#include "render/mannequin_bust.h"
+#include "render/presentation.h"
 
 #include "base/collider_shapes.h"
-#include "sample/portrait.h"
-#include "sample/strips.h"
+#include "mannequin/portrait.h"
+#include "mannequin/solid_shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,8 +58,9 @@ class PortraitPlace {
     constexpr float kInside = 0.97f;
     const Eigen::Vector3f free = scale_ * direction(own - from_.center.cast<double>());
     const float reach = free.cwiseQuotient(to_.radii).norm();
-    const double high = sample::smooth_step(1.626, 1.684, own.y());
-    const double behind = sample::smooth_step(0.010, -0.040, own.z()) * sample::smooth_step(1.545, 1.585, own.y());
+    const double high = mannequin::smooth_step(1.626, 1.684, own.y());
+    const double behind =
+        mannequin::smooth_step(0.010, -0.040, own.z()) * mannequin::smooth_step(1.545, 1.585, own.y());
     const float excess = std::max(1 - kInside / std::max(reach, kInside), 0.0f) * float(std::max(high, behind));
     return to_.center + (1 - excess) * free;
   }
@@ -70,7 +71,7 @@ class PortraitPlace {
   float scale_ = 1;
 };
 
-SolidMesh solid_part(const sample::PortraitPart& part, const PortraitPlace& place) {
+SolidMesh solid_part(const mannequin::PortraitPart& part, const PortraitPlace& place) {
   SolidMesh mesh;
   for (std::size_t i = 0; i < part.mesh.positions.size(); ++i) {
     SolidVertex& vertex = mesh.vertices.emplace_back();
@@ -92,8 +93,8 @@ std::vector<SolidMesh> bust_meshes(std::span<const ColliderRecord> colliders, bo
   const auto head = head_among(colliders);
   std::vector<SolidMesh> meshes;
   if (!head) return meshes;
-  const sample::PortraitDetail detail{.spacing = 1.8, .texels = 384, .has_shoulders = false};
-  for (const sample::PortraitPart& part : sample::make_portrait_parts(detail)) {
+  const mannequin::PortraitDetail detail{.spacing = 1.8, .texels = 384, .has_shoulders = false};
+  for (const mannequin::PortraitPart& part : mannequin::make_portrait_parts(detail)) {
     meshes.push_back(solid_part(part, PortraitPlace(*head, faces_backwards)));
   }
   return meshes;

@@ -1,4 +1,4 @@
-#include "render/motion_frame.h"
+#include "render/picture_scene.h"
 
 #include "base/geometry.h"
 #include "render/stage_renderer.h"

@@ -1,4 +1,4 @@
-#include "render/patch_chart.h"
+#include "render/gallery.h"
 
 #include "render/camera.h"
 #include "render/picture_text.h"

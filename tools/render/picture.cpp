@@ -6,12 +6,9 @@
 #include "render/egl_context.h"
 #include "render/gallery.h"
 #include "render/ground.h"
-#include "render/mannequin_bust.h"
-#include "render/motion_frame.h"
 #include "render/picture_scene.h"
-#include "render/sample_coverage.h"
+#include "render/presentation.h"
 #include "render/stage_renderer.h"
-#include "render/tone_curve.h"
 
 #include <GLES3/gl3.h>
 

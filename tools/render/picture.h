@@ -8,7 +8,7 @@
 #include "render/debug_overlay.h"
 #include "render/ground.h"
 #include "render/kept_order.h"
-#include "render/light_rig.h"
+#include "render/presentation.h"
 
 #include <coif/asset.h>
 #include <coif/hair.h>

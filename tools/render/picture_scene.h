@@ -1,13 +1,17 @@
 #pragma once
 
+#include "motion/head_path.h"
 #include "render/egl_context.h"
 #include "render/ground.h"
 #include "render/picture.h"
 #include "render/stage_renderer.h"
 
+#include <Eigen/Core>
 #include <tl/expected.hpp>
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 namespace coif::render {
 
@@ -36,5 +40,23 @@ tl::expected<void, ToolError> draw_debug_lines(const PictureScene& scene, const 
 /// Into the picture's samples, as draw_scene() left them.
 tl::expected<void, ToolError> color_by_motion(HairRenderer& renderer, const PictureScene& scene,
                                               const PictureSettings& settings, std::span<float> radiance);
+
+/// Where a picture of a moving head looks: all that hair and head take up during the first seconds of the motion, and
+/// at the picture's own `time`, as far as the head's place (the camera follows it). So moments of one motion share one
+/// frame. World axes, metres from the head's joint, of the hair's own. Errors: those of simulate_poses().
+tl::expected<std::vector<Eigen::Vector3d>, ToolError> points_in_motion(const Asset& asset, const motion::HeadPath* path,
+                                                                       double time, const StepSettings& step,
+                                                                       const Solver* solver,
+                                                                       const motion::HairCompany* company = nullptr);
+
+/// How a picture shows light that a screen cannot: radiance (linear, 0 or more) -> 0..1. What is darker than three
+/// quarters of white stays as it is; above that the brightest channel nears white without reaching it, and the others
+/// keep their ratio to it, so that highlights keep their hue and their form.
+void apply_tone_curve(std::span<float, 3> radiance);
+
+/// Pixels of a picture from `oversampling` times as many each way: RGBA, linear, rows top to bottom, `width` * `height`
+/// blocks of them -> sRGB. Each sample gets its tone first, so that an edge before a highlight is as smooth as any.
+[[nodiscard]] std::vector<std::uint8_t> develop(std::span<const float> samples, std::uint32_t width,
+                                                std::uint32_t height, std::uint32_t oversampling);
 
 }  // namespace coif::render

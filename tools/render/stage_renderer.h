@@ -9,6 +9,7 @@
 #include <coif/character.h>
 #include <coif/math.h>
 #include <coif/renderer.h>
+#include <coif/research.h>
 #include <coif/shadow.h>
 
 #include <Eigen/Core>
@@ -176,5 +177,10 @@ class StudioShadow {
 
   std::unique_ptr<HairShadow> shadow_;
 };
+
+/// It draws some of a pixel's samples (alpha to coverage), of which there should be more than one.
+[[nodiscard]] inline bool covers_samples(const TransparencyMode& mode) {
+  return &mode == &kCoverageMode || &mode == &kProportionalMode || &mode == &kJitteredMode;
+}
 
 }  // namespace coif::render

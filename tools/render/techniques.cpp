@@ -1,5 +1,7 @@
 #include "render/picture.h"
 
+#include <coif/research.h>
+
 #include <array>
 
 namespace coif::render {

@@ -1,4 +1,4 @@
-#include "render/tone_curve.h"
+#include "render/picture_scene.h"
 
 #include "base/srgb.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cook/strands/odd_hair.h"
+#include "cook/strands/patches.h"
 #include "validate/issue_codes.h"
 
 #include <coif/asset.h>

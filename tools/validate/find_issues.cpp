@@ -6,7 +6,7 @@
 #include "cook/size/settle_size.h"
 #include "cook/strands/patches.h"
 #include "validate/asset_checks.h"
-#include "write/chunk_words.h"
+#include "write/strip_asset.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/tool_error.h"
+#include "motion/head_path.h"
 
 #include <tl/expected.hpp>
 
@@ -22,5 +23,10 @@ namespace coif::view {
 /// a file that is no such page.
 [[nodiscard]] tl::expected<std::string, ToolError> view_page(std::string_view page, std::span<const std::byte> asset,
                                                              std::string_view name, std::string_view sheet = {});
+
+/// The page of coif view, not filled in yet or filled in already, which begins with this motion: a built-in one by its
+/// name, or a clip called so by its keys. kBadInput for a page without a place for it.
+[[nodiscard]] tl::expected<std::string, ToolError> with_motion(std::string_view page, std::string_view name,
+                                                               std::span<const motion::ClipKey> keys = {});
 
 }  // namespace coif::view

@@ -1,4 +1,5 @@
-#include "gl/transparency/covered.h"
+#include "gl/crowd_draw.h"
+#include "gl/passes.h"
 
 #include <hair_shaders.h>
 
@@ -23,6 +24,15 @@ PassList plan(const MaterialRecord& material, const AlphaRange& texture) {
 }
 
 }  // namespace
+
+bool draw_covered(const ModeDraw& draw) {
+  const GlFunctions& gl = draw.renderer.gl;
+  gl.BlendFuncSeparate(GL_ONE, GL_ZERO, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  gl.Enable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  const bool is_drawn = draw.crowd.draw(draw.passes);
+  gl.Disable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  return is_drawn;
+}
 
 const TransparencyMode kCoverageMode = {"coverage", plan, draw_covered};
 

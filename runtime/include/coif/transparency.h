@@ -5,7 +5,8 @@
 namespace coif {
 
 /// A way to draw hair that lets light through. A program holds those that it names, and builds the shaders of those
-/// that it draws with. Their image errors and costs: `coif report FILE order` and `cost`.
+/// that it draws with. Their image errors and costs: `coif report FILE order` and `cost`. Ways to compare these with,
+/// exact order among them, are in coif/research.h.
 struct TransparencyMode;
 
 /// The four passes of the thesis (5.3.1): solid texels; back faces of the rest, blended; its front faces; depth.
@@ -21,51 +22,14 @@ extern COIF_API const TransparencyMode kOpaqueMode;
 /// The target's alpha stays 1 where it was 1; over less it is only right in pixels that the hair covers wholly.
 extern COIF_API const TransparencyMode kCoverageMode;
 
-/// One pass, nothing blended: alpha to coverage in proportion (thesis, 4.1.2). Of a soft texel's n samples a share is
-/// drawn that is the nearest to its alpha: n + 1 levels, off by 1 / (2 n) at most. (For four samples the thesis counts
-/// four levels, 0, 33.3, 66.6 and 100 %; the rasterizer has five.) Which samples is the driver's choice, mostly the
-/// same ones for the same share, so layers hide each other as with kBayerMode. The target's alpha as with
-/// kCoverageMode. For multisampled targets; with one sample it is a cut at half. Asks for GL_SAMPLES of the bound
-/// framebuffer.
-extern COIF_API const TransparencyMode kProportionalMode;
-
-/// kProportionalMode with the thesis's random pattern, whose jitter is in its Figure 16: the number of samples is
-/// rounded up or down at random for each pixel and triangle, so that its mean is alpha and a slow change of alpha shows
-/// no steps. With one sample texels are drawn or not at random. With OpenGL ES 3.2 it is also random which samples are
-/// drawn, so that layers do not hide each other, and the target's alpha is right; before that nobody may choose them.
-/// The pattern stays with the screen.
-extern COIF_API const TransparencyMode kJitteredMode;
-
-/// One pass, nothing blended: screen-door as published (thesis, 4.1.1). Soft texels show in every other pixel, as on a
-/// checkerboard, whatever their alpha. The pixels are the same for all surfaces, so two are seen at most: the nearest
-/// soft one and what is solid behind (its Figure 7).
-extern COIF_API const TransparencyMode kCheckerboardMode;
-
-/// One pass, nothing blended: screen-door with Bayer's ordered pattern (Bayer 1973). Of soft texels every 4 x 4 pixels
-/// show as many as their alpha asks for, the same ones on all surfaces: 17 levels, off by 1 / 32 at most. A soft layer
-/// behind another is seen only as far as its alpha is greater.
-extern COIF_API const TransparencyMode kBayerMode;
-
-/// kBayerMode with the pattern mixed anew in each square and by each triangle, which is coif's, so that layers do not
-/// hide each other. The pattern stays with the screen.
+/// One pass, nothing blended: screen-door with Bayer's ordered pattern (Bayer 1973), mixed anew in each square of 4 x 4
+/// pixels and by each triangle, which is coif's, so that layers do not hide each other. The pattern stays with the
+/// screen.
 extern COIF_API const TransparencyMode kScreenDoorMode;
 
 /// One pass, nothing blended: hashed alpha (Wyman and McGuire 2017). Soft texels are drawn at random points, which are
 /// fixed to the hair at rest, so the noise moves with the strands and stands still with them.
 extern COIF_API const TransparencyMode kHashedMode;
-
-/// The reference: kBlendMode's texels, soft ones in the order of their depth in each pixel, whatever order the asset
-/// has; of equal depths the patch stored later is in front. Takes solid texels from the opaque threshold on like all
-/// modes; for what the texture itself says draw with a material whose thresholds are 1 and 0. For targets of one
-/// sample: of several, each texel counts for its whole pixel. Not for games: waits for the GPU in each draw.
-///
-/// With OpenGL ES 3.1 lists each pixel's texels in a buffer of RendererDesc::list_bytes and sorts them; with OpenGL
-/// ES 3.0, or where the buffer is too small, peels layer after layer, each of which takes three draw calls of the
-/// crowd. Beside that, lists need 4 and peeling 24 bytes for each pixel of the viewport. All of it is made, with a look
-/// at glGetError, at the first draw, and again for a larger viewport; draw() returns kDriver where there is none.
-/// Peeling rounds each layer to the target's format, takes no polygon offset for soft texels, and asks whether any
-/// samples passed, so that no query of the host's for that may be under way.
-extern COIF_API const TransparencyMode kExactMode;
 
 /// As the command line calls it: "blend", "opaque" and so on.
 [[nodiscard]] COIF_API const char* name_of(const TransparencyMode& transparency);

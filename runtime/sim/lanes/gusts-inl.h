@@ -1,6 +1,5 @@
 // Gusts where a bone starts. Compiled once per instruction set.
 
-#include "character_row.h"
 #include "lane_math-inl.h"
 #include "row.h"
 

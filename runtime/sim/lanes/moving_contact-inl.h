@@ -4,9 +4,9 @@
 #include <new>
 #include <type_traits>
 
-#include "character_row.h"
 #include "coif_bone-inl.h"
 #include "obstacles-inl.h"
+#include "row.h"
 
 #if defined(COIF_SIM_LANES_MOVING_CONTACT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COIF_SIM_LANES_MOVING_CONTACT_INL_H_

@@ -1,9 +1,9 @@
 // What a bone on a character may touch at one moment, of its head's colliders and of those that move, and how it gets
 // clear of all. Compiled once per instruction set.
 
-#include "character_row.h"
 #include "contact-inl.h"
 #include "escape-inl.h"
+#include "row.h"
 #include "solid_box-inl.h"
 
 #if defined(COIF_SIM_LANES_OBSTACLES_INL_H_) == defined(HWY_TARGET_TOGGLE)

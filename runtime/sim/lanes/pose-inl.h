@@ -1,10 +1,10 @@
 // Hair that follows an animator's pose: what that makes of the frame that a bone hangs in. Compiled once per
 // instruction set.
 
-#include "character_row.h"
 #include "coif_bone-inl.h"
 #include "lane_math-inl.h"
 #include "quaternion-inl.h"
+#include "row.h"
 
 #if defined(COIF_SIM_LANES_POSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COIF_SIM_LANES_POSE_INL_H_

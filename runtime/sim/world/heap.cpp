@@ -1,4 +1,4 @@
-#include "heap.h"
+#include "dense_list.h"
 
 #include <new>
 

@@ -12,7 +12,6 @@
 #include "../solver.h"
 #include "../step_settings.h"
 #include "dense_list.h"
-#include "heap.h"
 
 #include <coif/hair_world.h>
 

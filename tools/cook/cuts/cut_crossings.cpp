@@ -1,4 +1,4 @@
-#include "cook/cuts/cut_crossings.h"
+#include "cook/cuts/cut_hair.h"
 
 #include <Eigen/Geometry>
 

@@ -1,6 +1,5 @@
 #include "cook/cuts/cut_hair.h"
 
-#include "cook/cuts/cut_crossings.h"
 #include "cook/cuts/seen_crossings.h"
 #include "cook/cuts/split_mesh.h"
 

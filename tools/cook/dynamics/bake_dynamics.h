@@ -1,5 +1,4 @@
 #pragma once
-
 // VRM's spring bones as this project's dynamics.
 //
 // Source: VRMC_springBone-1.0, "SpringBone Algorithm"; VRM 0.x computes the same. With h the time of a frame, x a
@@ -35,11 +34,15 @@
 // center a hair only feels where down is. Here hair is simulated in the world and feels every motion of the head.
 // Both are reported.
 
+#include "base/tool_error.h"
 #include "cook/dynamics/bone_motion.h"
 #include "cook/recipe/findings.h"
 #include "cook/recipe/hair_preset.h"
 #include "cook/rig/skeleton.h"
+#include "cook/strands/hair_strips.h"
 #include "import/source_model.h"
+
+#include <tl/expected.hpp>
 
 #include <span>
 #include <string>
@@ -86,5 +89,27 @@ struct SaidMotion {
 [[nodiscard]] SaidMotion bake_dynamics(const importer::SourceModel& source, const Skeleton& skeleton,
                                        const RigRecipe& recipe, std::span<const PatchOverride> of_chain,
                                        Findings& findings);
+
+/// For each chain of the rig, whether its hair is tied: a pony tail, a pigtail or a braid, which hangs free as one
+/// round bundle. Loose hair hangs in sheets, or beside other locks.
+///
+/// A chain is tied where it is at least 15 cm long, its hair is no wider than 0.6 of that and at least 0.45 times as
+/// thick as wide (both: two standard deviations across the bones, by area), and no other chain of at least half its
+/// length hangs nearer beside its lower half than a quarter of both their widths from surface to surface.
+[[nodiscard]] std::vector<bool> find_tied_chains(const HairStrips& hair, const HairRig& rig);
+
+/// Lets the bones of tied chains that a preset moves swing as tied hair does, where neither the recipe nor `of_chain`
+/// (empty, or one for each chain) says a friction or a damping of their own. Notes which chains are tied.
+void loosen_tied_chains(const Skeleton& skeleton, const std::vector<bool>& tied, const RigRecipe& recipe,
+                        std::span<const PatchOverride> of_chain, SaidMotion& motion, Findings& findings);
+
+/// Which directions each bone may have, one record per bone of the skeleton: as the recipe says, else as the file's
+/// springs do (VRMC_springBone_limit; not where "dynamics.source" is "curves"). Empty where no bone has a limit. The
+/// recipe's lie about the direction in which a bone was modelled, and what they turn about is at right angles to that.
+/// Error (kBadInput): the recipe names bones that are not there, or do not move.
+[[nodiscard]] tl::expected<std::vector<LimitRecord>, ToolError> bake_limits(const importer::SourceModel& source,
+                                                                            const Skeleton& skeleton,
+                                                                            const RigRecipe& recipe,
+                                                                            Findings& findings);
 
 }  // namespace coif::cook

@@ -1,4 +1,4 @@
-#include "cook/dynamics/bake_limits.h"
+#include "cook/dynamics/bake_dynamics.h"
 
 #include "base/geometry.h"
 #include "base/text.h"

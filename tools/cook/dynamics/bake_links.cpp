@@ -2,7 +2,6 @@
 
 #include "base/text.h"
 #include "cook/dynamics/chain_groups.h"
-#include "cook/dynamics/link_forest.h"
 #include "cook/recipe/rig_recipe.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,6 @@
 
 #include "base/parallel_for.h"
 #include "cook/dynamics/settle_dynamics.h"
-#include "cook/dynamics/settle_model.h"
 #include "cook/recipe/rig_recipe.h"
 #include "lab/passive_model.h"
 #include "lab/rig.h"

@@ -8,6 +8,7 @@
 #include "write/asset_writer.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace coif::cook {
@@ -46,5 +47,27 @@ struct ModelChoice {
 /// Notes say why. `contents` as settle_model() wants it.
 [[nodiscard]] ModelChoice choose_models(const RigRecipe& recipe, const SaidMotion& said, const AssetContents& contents,
                                         const platform::Threads& threads, Findings& findings);
+
+/// Leans each bone's pull, of those for which `takes` is true, against the weight that it carries, so that under an
+/// upright head hair rests exactly as modelled. Closed form, in the model of each chain. A bone too soft to carry that
+/// is made as stiff as it takes; a note says how many.
+void keep_rest_shape(const std::vector<bool>& takes, AssetContents& contents, Findings& findings);
+
+/// Stiffness and damping of hair that nobody gave numbers to, from what hair is, for the passive model: of those bones
+/// of `contents` (skeleton and dynamics) that a preset moves, says `said`.
+///
+/// Free hairs of a lock bend like one: the stiffness of hair against its weight is a length, that of hair which its own
+/// weight just bends over, (E I / (rho g))^(1/3), whatever the lock's thickness; 5 cm for human hair (Goldstein, Warren
+/// and Ball 2012, "Shape of a Ponytail and the Statistical Physics of Hair Fiber Bundles"), more where locks hold
+/// together. So a joint between bones of the mean length l has the stiffness rho g b^3 / l against bending; hair
+/// shorter than b stands and longer hair hangs, and swings as a pendulum. Each joint is damped at its share, one of
+/// said.damping_ratios, of what would keep it from swinging past.
+void bake_natural_dynamics(const SaidMotion& said, AssetContents& contents, Findings& findings);
+
+/// Completes the dynamics of `contents`, which holds a skeleton and `said.records` with hit radii, in these models, one
+/// for each chain: bones that nobody gave numbers to get those of the preset, and all but those that a spring moves
+/// keep the shape that was modelled, unless "dynamics.sags".
+void settle_model(const RigRecipe& recipe, const SaidMotion& said, std::span<const ChainModel> models,
+                  AssetContents& contents, Findings& findings);
 
 }  // namespace coif::cook

@@ -1,4 +1,4 @@
-#include "cook/dynamics/link_forest.h"
+#include "cook/dynamics/bake_links.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "cook/dynamics/shared_strips.h"
+#include "cook/dynamics/bake_links.h"
 
 #include <algorithm>
 #include <numeric>

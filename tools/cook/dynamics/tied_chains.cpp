@@ -1,4 +1,4 @@
-#include "cook/dynamics/tied_chains.h"
+#include "cook/dynamics/bake_dynamics.h"
 
 #include "base/text.h"
 #include "cook/recipe/rig_recipe.h"

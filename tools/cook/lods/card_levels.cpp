@@ -1,4 +1,4 @@
-#include "cook/lods/card_levels.h"
+#include "cook/lods/make_lods.h"
 
 #include "base/nearest_points.h"
 #include "base/parallel_for.h"

@@ -2,9 +2,7 @@
 
 #include "base/geometry.h"
 #include "cook/cuts/cut_hair.h"
-#include "cook/order/order_notes.h"
-#include "cook/order/order_poses.h"
-#include "cook/order/threshold_alpha.h"
+#include "cook/order/order_trials.h"
 #include "cook/recipe/drawn_recipe.h"
 #include "lab/rig.h"
 #include "visibility/order_search.h"

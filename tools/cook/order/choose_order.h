@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/tool_error.h"
-#include "cook/order/order_figures.h"
+#include "cook/cuts/cut_hair.h"
 #include "cook/recipe/findings.h"
 #include "cook/strands/hair_strips.h"
 #include "cook/texture/image.h"
@@ -11,10 +11,36 @@
 
 #include <tl/expected.hpp>
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace coif::cook {
+
+/// What choose_order() made; all 0 where nothing is blended or looked for.
+struct OrderFigures {
+  std::uint32_t orders = 0;     ///< The one for all directions included.
+  double psnr = 0;              ///< Expected of pictures, dB: of all pixels together,
+  double median = 0;            ///< over the views at rest,
+  double worst = 0;             ///< of the worst of these,
+  double moving = 0;            ///< and over those in motion.
+  std::uint32_t crossings = 0;  ///< Pairs of triangles of which neither is before the other all over some picture.
+  std::uint32_t cuts = 0;       ///< Lines that triangles were cut along.
+  std::uint32_t added = 0;      ///< Triangles.
+  double cut_gain = 0;          ///< Expected of the cuts, dB.
+};
+
+/// dB that each further layer of a pixel must gain that is blended instead of drawn solid: it is shaded and written
+/// once more, where a solid one hides what is behind it.
+inline constexpr double kGainPerLayer = 0.5;
+
+/// `triangles`: of the finest level before.
+void note_crossings(const Crossings& crossings, std::size_t triangles, Findings& findings);
+/// `usual_threshold`: what the material had.
+void note_orders(const visibility::FoundOrders& found, float usual_threshold, Findings& findings);
+
+[[nodiscard]] OrderFigures figures_of(const visibility::FoundOrders& found, const Crossings& crossings);
 
 struct DrawnRecipe;
 

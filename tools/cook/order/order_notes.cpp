@@ -1,4 +1,4 @@
-#include "cook/order/order_notes.h"
+#include "cook/order/choose_order.h"
 
 #include <fmt/format.h>
 

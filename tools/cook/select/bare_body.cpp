@@ -1,6 +1,5 @@
-#include "cook/select/bare_body.h"
-
 #include "cook/select/hair_evidence.h"
+
 #include "cook/select/mesh_topology.h"
 
 #include <Eigen/Geometry>

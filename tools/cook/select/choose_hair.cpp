@@ -1,10 +1,8 @@
 #include "base/text.h"
 #include "cook/recipe/hair_recipe.h"
-#include "cook/select/bare_body.h"
-#include "cook/select/hair_core.h"
 #include "cook/select/hair_evidence.h"
-#include "cook/select/scalp_cap.h"
 #include "cook/select/select_hair.h"
+#include "cook/select/under_hair.h"
 
 #include "import/source_warnings.h"
 

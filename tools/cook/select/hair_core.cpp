@@ -1,9 +1,8 @@
-#include "cook/select/hair_core.h"
+#include "cook/select/under_hair.h"
 
 #include "cook/select/hair_evidence.h"
 #include "cook/select/mesh_topology.h"
 #include "cook/select/triangle_distance.h"
-#include "cook/select/triangle_soup.h"
 
 #include <algorithm>
 #include <map>

@@ -1,7 +1,6 @@
-#include "cook/select/scalp_cap.h"
+#include "cook/select/under_hair.h"
 
 #include "cook/select/triangle_distance.h"
-#include "cook/select/triangle_soup.h"
 
 namespace coif::cook {
 namespace {

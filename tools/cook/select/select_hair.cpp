@@ -2,7 +2,6 @@
 
 #include "cook/recipe/hair_recipe.h"
 #include "cook/select/mesh_topology.h"
-#include "cook/select/stacked_meshes.h"
 
 #include <fmt/format.h>
 

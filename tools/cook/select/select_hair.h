@@ -7,6 +7,8 @@
 
 #include <tl/expected.hpp>
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace coif::cook {
@@ -35,5 +37,10 @@ tl::expected<HairChoice, ToolError> choose_hair(const importer::SourceModel& sou
 /// (kBadInput): those of choose_hair(); nothing left.
 tl::expected<HairMesh, ToolError> select_hair(const importer::SourceModel& source, const HairRecipe& recipe,
                                               Findings& findings);
+
+/// Warns (C115) of two meshes of the hair that lie on each other, one of them with clearly fewer triangles, as levels
+/// of detail of one thing do whatever they are called. `hair`: numbers of the meshes that are hair.
+void warn_of_stacked_meshes(const importer::SourceModel& source, std::span<const std::uint32_t> hair,
+                            Findings& findings);
 
 }  // namespace coif::cook

@@ -1,4 +1,4 @@
-#include "cook/select/stacked_meshes.h"
+#include "cook/select/select_hair.h"
 
 #include "base/geometry.h"
 #include "cook/select/triangle_distance.h"

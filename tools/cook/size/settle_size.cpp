@@ -2,9 +2,7 @@
 
 #include "base/text.h"
 #include "cook/recipe/hair_recipe.h"
-#include "cook/size/size_evidence.h"
-#include "cook/size/trust.h"
-#include "cook/size/up_evidence.h"
+#include "cook/size/evidence.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "cook/size/size_evidence.h"
+#include "cook/size/evidence.h"
 
 #include "cook/recipe/hair_recipe.h"
 #include "cook/select/hair_evidence.h"

@@ -1,4 +1,4 @@
-#include "cook/size/trust.h"
+#include "cook/size/evidence.h"
 
 #include "base/text.h"
 #include "cook/recipe/hair_recipe.h"

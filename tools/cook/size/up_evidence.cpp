@@ -1,4 +1,4 @@
-#include "cook/size/up_evidence.h"
+#include "cook/size/evidence.h"
 
 #include "base/geometry.h"
 #include "base/text.h"

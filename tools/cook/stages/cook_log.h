@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cook/order/order_figures.h"
+#include "cook/order/choose_order.h"
 #include "cook/recipe/cook_settings.h"
 #include "cook/recipe/findings.h"
 #include "platform/stop.h"

@@ -1,6 +1,5 @@
-#include "cook/stages/draw_hair.h"
+#include "cook/stages/stages.h"
 
-#include "cook/lods/card_levels.h"
 #include "cook/lods/make_lods.h"
 #include "cook/pack/pack.h"
 #include "cook/texture/alpha.h"

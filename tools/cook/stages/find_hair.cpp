@@ -1,9 +1,9 @@
-#include "cook/stages/find_hair.h"
+#include "cook/stages/stages.h"
 
 #include "cook/select/mesh_topology.h"
 #include "cook/select/select_hair.h"
 #include "cook/size/settle_size.h"
-#include "cook/strands/odd_hair.h"
+#include "cook/strands/patches.h"
 
 namespace coif::cook {
 

@@ -1,8 +1,8 @@
-#include "cook/stages/find_strips.h"
+#include "cook/stages/stages.h"
 
 #include "cook/select/mesh_topology.h"
-#include "cook/strands/face_hair.h"
-#include "cook/strands/odd_hair.h"
+#include "cook/strands/choose_patches.h"
+#include "cook/strands/patches.h"
 #include "cook/strands/strand_direction.h"
 #include "cook/texture/strand_lines.h"
 

@@ -1,12 +1,9 @@
-#include "cook/stages/make_rig.h"
+#include "cook/stages/stages.h"
 
 #include "cook/dynamics/bake_dynamics.h"
-#include "cook/dynamics/bake_limits.h"
 #include "cook/dynamics/bake_links.h"
 #include "cook/dynamics/choose_model.h"
 #include "cook/dynamics/settle_dynamics.h"
-#include "cook/dynamics/settle_model.h"
-#include "cook/dynamics/tied_chains.h"
 #include "cook/rig/body_colliders.h"
 #include "cook/rig/colliders.h"
 #include "cook/rig/fit_chains.h"

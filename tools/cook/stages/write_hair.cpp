@@ -1,4 +1,4 @@
-#include "cook/stages/write_hair.h"
+#include "cook/stages/stages.h"
 
 #include "cook/pack/pack.h"
 #include "lab/rig.h"

@@ -1,4 +1,4 @@
-#include "cook/strands/face_hair.h"
+#include "cook/strands/choose_patches.h"
 
 #include "base/text.h"
 #include "cook/recipe/strip_recipe.h"

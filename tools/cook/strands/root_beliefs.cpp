@@ -1,4 +1,4 @@
-#include "cook/strands/root_beliefs.h"
+#include "cook/strands/strand_evidence.h"
 
 #include "platform/stop.h"
 

@@ -1,6 +1,5 @@
 #include "cook/texture/alpha.h"
 
-#include "cook/texture/alpha_plane.h"
 #include "cook/texture/transparency.h"
 
 #include <algorithm>

@@ -1,7 +1,5 @@
 #include "cook/texture/alpha.h"
 
-#include "cook/texture/alpha_plane.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 
 #include "base/parallel_for.h"
 #include "cook/recipe/drawn_recipe.h"
+#include "cook/texture/recipe_maps.h"
 #include "cook/texture/relief.h"
 #include "cook/texture/texture_atlas.h"
-#include "cook/texture/texture_channel.h"
 #include "cook/texture/transparency.h"
 
 #include <fmt/format.h>

@@ -7,7 +7,7 @@
 #include "cook/strands/hair_strips.h"
 #include "cook/texture/base_color.h"
 #include "cook/texture/image.h"
-#include "cook/texture/stored_textures.h"
+#include "cook/texture/relief.h"
 #include "cook/texture/transparency.h"
 
 namespace coif::cook {

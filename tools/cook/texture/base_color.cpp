@@ -4,7 +4,6 @@
 #include "cook/texture/bake_textures.h"
 #include "cook/texture/recipe_maps.h"
 #include "cook/texture/source_images.h"
-#include "cook/texture/texture_wrap.h"
 #include "cook/texture/vertex_colors.h"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include "cook/recipe/findings.h"
 #include "cook/select/hair_mesh.h"
 #include "cook/texture/image.h"
-#include "cook/texture/normal_map.h"
+#include "cook/texture/relief.h"
 #include "cook/texture/source_images.h"
 #include "cook/texture/texture_atlas.h"
 
@@ -94,5 +94,16 @@ struct BaseColor {
 tl::expected<BaseColor, ToolError> find_base_color(const importer::SourceModel& source, HairMesh& hair,
                                                    const DrawnRecipe& recipe, const CookSettings& settings,
                                                    Findings& findings);
+
+/// Cooked textures repeat. Makes hair whose textures do not look the same on one that does, the cheapest way first:
+///
+/// - Where no triangle crosses a border of the image, coordinates are clamped or folded into it.
+/// - A mirrored image that is crossed is stored with its mirror image beside it.
+/// - A clamped image that is crossed becomes a tile that reaches as far as the coordinates do: `clamped` of a look
+/// stays
+///   TextureWrap::kClamp then, and it is to be drawn in an atlas. Elsewhere the looks are kRepeat afterwards.
+///
+/// Coordinates farther out than a tile can be are taken back to it, with a warning.
+void settle_wraps(SurfaceLooks& looks, HairMesh& hair, Findings& findings);
 
 }  // namespace coif::cook

@@ -1,5 +1,4 @@
 #include "base/srgb.h"
-#include "cook/texture/color_islands.h"
 #include "cook/texture/vertex_colors.h"
 
 #include <fmt/format.h>

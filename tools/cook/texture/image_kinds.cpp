@@ -1,4 +1,4 @@
-#include "cook/texture/image_kinds.h"
+#include "cook/texture/image.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "cook/texture/normal_map.h"
+#include "cook/texture/relief.h"
 
 #include <coif/asset_records.h>
 

@@ -2,7 +2,6 @@
 
 #include "cook/recipe/drawn_recipe.h"
 #include "cook/texture/bake_textures.h"
-#include "cook/texture/texture_channel.h"
 
 #include <map>
 

@@ -1,7 +1,6 @@
 #include "cook/texture/relief.h"
 
 #include "cook/recipe/drawn_recipe.h"
-#include "cook/texture/normal_map.h"
 #include "cook/texture/transparency.h"
 
 #include <fmt/format.h>

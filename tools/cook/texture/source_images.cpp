@@ -14,6 +14,7 @@
 #include <vector>
 
 namespace coif::cook {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -272,6 +273,18 @@ bool names_any(const std::string& stem, std::span<const std::string> names) {
     const std::string word = wanted.substr(0, wanted.find_last_not_of("0123456789") + 1);
     return wanted.size() > 2 && !is_one_of(word, kProgramsNames) && text.find(wanted) != std::string::npos;
   });
+}
+
+// What a material has beside its base colour: who made it should hear that it does not count.
+
+void SourceImages::tell_other_maps(const importer::SourceMaterial& material) {
+  const auto leave_out = [&](const std::string& map, const char* why) {
+    LeftOut part{fmt::format("material '{}': {}", material.name, map), why};
+    const bool is_new = std::ranges::find(findings_.left_out, part.what, &LeftOut::what) == findings_.left_out.end();
+    if (is_new) findings_.leave_out(std::move(part));
+  };
+  for (const std::string& map : material.other_textures)
+    leave_out(map, "it is not read; light is computed from the hair's form");
 }
 
 }  // namespace coif::cook

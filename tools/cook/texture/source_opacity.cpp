@@ -1,5 +1,5 @@
+#include "cook/texture/recipe_maps.h"
 #include "cook/texture/source_images.h"
-#include "cook/texture/texture_channel.h"
 
 #include <fmt/format.h>
 

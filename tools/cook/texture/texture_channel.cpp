@@ -1,4 +1,4 @@
-#include "cook/texture/texture_channel.h"
+#include "cook/texture/recipe_maps.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "cook/texture/texture_wrap.h"
+#include "cook/texture/base_color.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,6 @@
 
 #include "cook/recipe/drawn_recipe.h"
 #include "cook/select/mesh_topology.h"
-#include "cook/texture/color_islands.h"
 
 #include <fmt/format.h>
 

@@ -31,8 +31,8 @@ struct AccuracyRow {
   double rms_error_pct = kNoNumber;
   double max_error_pct = kNoNumber;
   double worst_second_pct = kNoNumber;  ///< The RMS error over the worst second.
-  /// RMS distance to where the solver itself comes with ever finer steps (own_model.h). Missing where that is no one
-  /// motion.
+  /// RMS distance to where the solver itself comes with ever finer steps (own_model_run()). Missing where that is no
+  /// one motion.
   double own_error_pct = kNoNumber;
   double model_distance_pct = kNoNumber;  ///< RMS distance of that to the converged solution: no step mends it.
   double of_motion_pct = kNoNumber;       ///< The RMS error in % of how far the tips move from their rest, RMS too.

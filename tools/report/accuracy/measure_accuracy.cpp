@@ -2,7 +2,6 @@
 
 #include "base/parallel_for.h"
 #include "lab/reference_solver.h"
-#include "report/accuracy/own_model.h"
 
 #include <coif/hair.h>
 #include <coif/instruction_set.h>

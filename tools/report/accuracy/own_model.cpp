@@ -1,4 +1,4 @@
-#include "report/accuracy/own_model.h"
+#include "report/accuracy/measure_accuracy.h"
 
 #include "base/parallel_for.h"
 
@@ -24,7 +24,7 @@ bool go_on(lab::ChainSolver& solver, const motion::HeadPath& path, double rate, 
 }
 
 struct OwnMotion {
-  const ListedSolver& listed;
+  const research::ListedSolver& listed;
   const lab::Rig& rig;
   const lab::SolverScene& scene;
   const motion::HeadPath& path;
@@ -85,7 +85,7 @@ std::optional<lab::ReferenceRun> own_model_run(const MeasuredSolver& solver, con
                                 {.sample_times = reference.times, .threads = platform::all_threads()});
   }
   if (solver.is_runtime()) return reference;
-  const auto listed = std::ranges::find(historical_solvers(), solver.name, &ListedSolver::name);
+  const auto listed = std::ranges::find(research::historical_solvers(), solver.name, &research::ListedSolver::name);
   return run_finely({*listed, rig, scene, path, reference.times});
 }
 

@@ -1,7 +1,6 @@
 #include "report/accuracy/stroke.h"
 
 #include "base/parallel_for.h"
-#include "lab/hair_place.h"
 #include "lab/placed_solid.h"
 #include "report/accuracy/measure_accuracy.h"
 

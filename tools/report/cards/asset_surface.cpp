@@ -3,8 +3,7 @@
 #include "base/geometry.h"
 #include "cards/make_cards.h"
 #include "cook/recipe/hair_recipe.h"
-#include "cook/size/trust.h"
-#include "cook/size/up_evidence.h"
+#include "cook/size/evidence.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 #include "report/cards/card_sheets.h"
 
 #include "base/encodings.h"
-#include "cards/card_picture.h"
+#include "cards/hair_picture.h"
 #include "render/gallery.h"
 
 #include <fmt/format.h>

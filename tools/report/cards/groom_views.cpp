@@ -1,7 +1,7 @@
 #include "report/cards/groom_views.h"
 
 #include "base/parallel_for.h"
-#include "cards/card_picture.h"
+#include "cards/hair_picture.h"
 #include "cards/surface_raster.h"
 
 #include <Eigen/Geometry>

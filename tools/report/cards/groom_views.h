@@ -1,9 +1,8 @@
 #pragma once
 
 #include "cards/card_surface.h"
-#include "cards/compare_hair.h"
+#include "cards/hair_picture.h"
 #include "cards/picture_frame.h"
-#include "cards/strand_picture.h"
 #include "groom/groom.h"
 #include "platform/stop.h"
 

@@ -2,8 +2,8 @@
 
 #include "base/parallel_for.h"
 #include "report/cards/asset_surface.h"
-#include "report/cards/baseline_cards.h"
 #include "report/cards/card_sheets.h"
+#include "research/cards/baseline_cards.h"
 
 #include <fmt/format.h>
 
@@ -15,6 +15,8 @@
 
 namespace coif::report {
 namespace {
+
+constexpr std::size_t kChoosingViews = 8;  // about, by which research::make_even_cards() chooses
 
 constexpr char kOwn[] = "none", kFlat[] = "kmeans", kEven[] = "even";
 
@@ -43,6 +45,12 @@ struct MadeCards {
   std::optional<double> segments = {};
 };
 
+double mean_iou(const std::vector<cards::HairLikeness>& likeness) {
+  double sum = 0;
+  for (const cards::HairLikeness& one : likeness) sum += one.coverage_iou;
+  return sum / double(likeness.size());
+}
+
 class CardsMeasurement {
  public:
   CardsMeasurement(const Asset& asset, const groom::Groom& groom, const CookedPlace& place,
@@ -68,7 +76,8 @@ class CardsMeasurement {
       const cards::CardsBudget budget{triangles, settings_.texels, settings_.rounds, settings_.strand_width,
                                       settings_.caps};
       measure(kOwn, budget, [&] { return timed([&] { return cards::make_cards(groom_, shape_, budget, kThreads); }); });
-      measure(kFlat, budget, [&] { return timed([&] { return make_flat_cards(groom_, shape_, budget, kThreads); }); });
+      measure(kFlat, budget,
+              [&] { return timed([&] { return research::make_flat_cards(groom_, shape_, budget, kThreads); }); });
       measure(kEven, budget, [&] { return even_cards(budget); });
     }
     if (report_.summary.empty()) return tl::unexpected(*refusal_);
@@ -91,7 +100,9 @@ class CardsMeasurement {
   }
 
   [[nodiscard]] Made even_cards(const cards::CardsBudget& budget) const {
-    auto even = make_even_cards(groom_, shape_, budget, *views_, kThreads);
+    const std::size_t step = std::max<std::size_t>(views_->count() / kChoosingViews, 1);
+    const auto likeness = [&](const cards::CardSurface& surface) { return mean_iou(views_->compare(surface, step)); };
+    auto even = research::make_even_cards(groom_, shape_, budget, likeness, kThreads);
     if (!even) return tl::unexpected(even.error());
     return MadeCards{std::move(even->cards), even->seconds, double(even->segments)};
   }

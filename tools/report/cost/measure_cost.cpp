@@ -1,8 +1,7 @@
 #include "report/cost/measure_cost.h"
 
-#include "lab/linked_neighbours.h"
 #include "lab/rig.h"
-#include "write/chunk_words.h"
+#include "write/strip_asset.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -123,7 +122,7 @@ class CostMeasurement {
   /// As cooked, or made of that.
   const Asset& asset_for(FeatureAsset kind) {
     if (kind == FeatureAsset::kTouchingNothing) return bald_.emplace(lab::untouched_part(asset_)).asset();
-    if (kind == FeatureAsset::kLinked) return linked_.emplace(lab::with_neighbours_linked(asset_)).asset();
+    if (kind == FeatureAsset::kLinked) return linked_.emplace(with_neighbours_linked(asset_)).asset();
     return asset_;
   }
 

@@ -3,9 +3,10 @@
 #include "base/hair_runtime.h"
 #include "base/timing.h"
 #include "base/tool_error.h"
-#include "lab/hair_place.h"
+#include "lab/placed_solid.h"
 #include "report/cost/cost_report.h"
 #include "report/page/report_heading.h"
+#include "write/asset_writer.h"
 
 #include <coif/asset.h>
 #include <coif/hair.h>
@@ -142,5 +143,9 @@ struct CostSettings {
 /// of range or an unknown solver, kUnsupported where the memory cannot be had.
 tl::expected<CostReport, ToolError> measure_cost(const Asset& asset, const CostSettings& settings,
                                                  const ReportProgress& progress);
+
+/// What Hair reads of the asset, each chain linked to the nearest of those before it, as hair would be that hangs
+/// together everywhere: what links could cost. Stretch a tenth, and half as near.
+[[nodiscard]] AssetContents with_neighbours_linked(const Asset& asset);
 
 }  // namespace coif::report

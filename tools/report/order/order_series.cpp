@@ -4,6 +4,7 @@
 #include "report/order/measure_order.h"
 
 #include <coif/lod.h>
+#include <coif/research.h>
 #include <coif/view_cells.h>
 
 #include <algorithm>

@@ -3,8 +3,10 @@
 #include "lab/rig.h"
 #include "motion/head_path.h"
 #include "render/picture.h"
-#include "render/sample_coverage.h"
+#include "render/stage_renderer.h"
 #include "visibility/hair_surface.h"
+
+#include <coif/research.h>
 
 #include <cmath>
 #include <memory>

@@ -3,6 +3,7 @@
 #include "base/tool_error.h"
 #include "lab/rig.h"
 #include "lab/runtime_solver.h"
+#include "research/solvers/historical_solvers.h"
 
 #include <coif/asset.h>
 
@@ -16,35 +17,11 @@
 
 namespace coif::report {
 
-/// A way to move hair that a report can measure.
-struct ListedSolver {
-  std::string_view name;         ///< As the command line and reports have it.
-  std::string_view description;  ///< One line.
-  std::string_view source;       ///< Paper, and section of the thesis.
-  std::string_view effort_unit;  ///< What the number `effort` counts.
-  std::span<const int> efforts;  ///< Worth measuring, ascending.
-  /// `effort` > 0. The solver has to be reset() before its first step.
-  std::unique_ptr<lab::ChainSolver> (*create)(const lab::Rig& rig, const lab::SolverScene& scene, int effort);
-  /// Ever finer steps come to one motion: that of its own model. Where a setting is a share per step or a constant pull
-  /// there is none.
-  bool has_model = false;
-};
-
-/// What came before and what others do, in the order of the thesis and then of the years. None of them knows torsion or
-/// angle limits, and their colliders push particles, not segments. `tridiagonal` takes RigBone::resistance as a weight
-/// per step and the thesis's own attempts as a constant pull; all others the model's stiffness and damping.
-[[nodiscard]] std::span<const ListedSolver> historical_solvers();
-
-/// `solver` run `count` times per step, each time for an equal share of it. The head moves as the runtime has it move
-/// between poses, on a cubic; where it jumps, `solver` is run once and sees the jump. With a count of 1 (or less) it is
-/// `solver` itself.
-[[nodiscard]] std::unique_ptr<lab::ChainSolver> in_sub_steps(std::unique_ptr<lab::ChainSolver> solver, int count);
-
-/// A solver that reports measure: one of the runtime's, or one of historical_solvers().
+/// A solver that reports measure: one of the runtime's, or one of research::historical_solvers().
 struct MeasuredSolver {
   std::string_view name;
   std::span<const int> efforts;  ///< Worth measuring: sub-steps or iterations of a frame, ascending.
-  /// Ships in games: single precision, bone matrices included in its time. Null: one of historical_solvers().
+  /// Ships in games: single precision, bone matrices included in its time. Null: one of research::historical_solvers().
   const Solver* runtime = nullptr;
   std::optional<ChainModel> model{};  ///< Moves all chains by this, whatever they are meant for.
   bool has_model = true;              ///< As ListedSolver has it; false for Algorithm 1.

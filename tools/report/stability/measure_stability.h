@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/hair_place.h"
+#include "lab/placed_solid.h"
 #include "lab/rig.h"
 #include "lab/runtime_solver.h"
 #include "motion/head_path.h"

@@ -1,5 +1,4 @@
 #pragma once
-
 // How an asset's hair moves, as recipes say it, and what becomes of it when somebody says something else: what the cook
 // would make of the same recipe, as far as the asset tells, by the cook's own formulas.
 
@@ -10,7 +9,9 @@
 
 #include <coif/asset.h>
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -93,5 +94,11 @@ class AssetMotion {
   float air_lag_ = 0;
   bool has_springs_ = false;  ///< As far as can be told.
 };
+
+/// A curve from 0 to 1 of few points through many `values`, in any order: bones of one place count by their mean. Up to
+/// `most` points, 2 or more, fewer where those are as near as nobody sees, where values are seen by their `power`.
+/// Values are >= 0. Empty for none.
+[[nodiscard]] std::vector<cook::CurvePoint> reduced_curve(std::span<const cook::CurvePoint> values, double power,
+                                                          std::size_t most);
 
 }  // namespace coif::view

@@ -1,7 +1,6 @@
 // What the page offers to set, row by row. Numbers of a recipe have its ranges, or those that look like hair.
 
 #include "base/hair_runtime.h"
-#include "view/page/view_motions.h"
 #include "view/page/view_settings.h"
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "view/page/crowd_cost.h"
+#include "view/page/motion_figures.h"
 
 #include "base/hair_runtime.h"
 #include "motion/head_path.h"

@@ -1,4 +1,4 @@
-#include "view/page/gl_loader.h"
+#include "view/page/view_scene.h"
 
 #include <GLES3/gl3.h>
 

@@ -1,7 +1,6 @@
 // What asset_motion.h says in words of recipes and of the page.
 
 #include "view/page/asset_motion.h"
-#include "view/page/reduced_curve.h"
 
 #include <algorithm>
 #include <cmath>

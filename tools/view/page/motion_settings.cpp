@@ -1,4 +1,4 @@
-#include "view/page/motion_settings.h"
+#include "view/page/tunable_motion.h"
 
 #include <cstddef>
 #include <optional>

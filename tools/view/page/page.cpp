@@ -1,7 +1,7 @@
 // What the page's scripts call. One asset, one canvas, one view of it or several. Functions that may fail return null
 // or a sentence that lives until the next call.
 
-#include "motion/clip_bytes.h"
+#include "motion/head_path.h"
 #include "view/page/hair_views.h"
 #include "view/page/view_session.h"
 

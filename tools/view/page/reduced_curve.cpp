@@ -1,4 +1,4 @@
-#include "view/page/reduced_curve.h"
+#include "view/page/asset_motion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "view/page/tip_error.h"
+#include "view/page/motion_figures.h"
 
 #include <utility>
 

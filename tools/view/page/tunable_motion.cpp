@@ -1,7 +1,5 @@
 #include "view/page/tunable_motion.h"
 
-#include "view/page/motion_settings.h"
-
 #include <algorithm>
 #include <span>
 #include <utility>

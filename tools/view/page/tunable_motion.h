@@ -54,4 +54,10 @@ class TunableMotion {
   MotionTuning written_;  ///< In the asset's memory.
 };
 
+/// The settings with what the asset itself says of how hair moves.
+[[nodiscard]] ViewSettings with_motion(ViewSettings settings, const AssetMotion& motion);
+
+/// What `settings` say of how hair moves that `before` do not.
+[[nodiscard]] MotionTuning tuning_between(const ViewSettings& before, const ViewSettings& settings);
+
 }  // namespace coif::view

@@ -1,4 +1,4 @@
-#include "view/page/view_painter.h"
+#include "view/page/view_scene.h"
 
 #include <GLES3/gl3.h>
 

@@ -1,7 +1,6 @@
 #include "view/page/view_scene.h"
 
-#include "render/sample_coverage.h"
-#include "view/page/gl_loader.h"
+#include "render/stage_renderer.h"
 
 #include <coif/webgl.h>
 

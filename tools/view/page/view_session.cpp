@@ -2,10 +2,9 @@
 
 #include "base/asset_refusal.h"
 #include "base/geometry.h"
-#include "view/page/crowd_cost.h"
-#include "view/page/motion_settings.h"
-#include "view/page/tip_error.h"
-#include "view/page/view_motions.h"
+#include "view/page/motion_figures.h"
+#include "view/page/tunable_motion.h"
+#include "view/page/view_settings.h"
 
 #include <algorithm>
 #include <array>

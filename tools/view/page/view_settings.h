@@ -1,5 +1,7 @@
 #pragma once
 
+#include "motion/head_path.h"
+
 #include <coif/asset.h>
 #include <coif/asset_records.h>
 #include <coif/drawing.h>
@@ -8,6 +10,7 @@
 #include <coif/transparency.h>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 namespace coif::view {
@@ -70,5 +73,15 @@ void set_look(const MaterialRecord& material, ViewSettings& settings);
 /// "choice" | "switch" | "color", "at", "count", "low", "high", "step", "words", "recipe", "recipe_words"}]. `at`: of
 /// the array, in floats. `has_clip`: "clip" is the last of the motions.
 [[nodiscard]] std::string controls_json(const Asset& asset, bool has_clip = false);
+
+/// The page's choice of a motion: the built-in ones by their numbers, those of head_looks(), and "clip" where the page
+/// has one. Separated by '|'.
+[[nodiscard]] std::string motion_words(bool has_clip);
+
+/// Whether the choice's number is that of the clip.
+[[nodiscard]] bool is_clip(float choice);
+
+/// Of the choice's number; the last one for any that is larger. Never null.
+[[nodiscard]] std::unique_ptr<motion::HeadPath> chosen_path(float choice);
 
 }  // namespace coif::view

@@ -3,11 +3,10 @@
 #include "base/json.h"
 #include "base/tool_error.h"
 #include "cook/cook.h"
+#include "cook/recipe/recipe.h"
 #include "import/import.h"
 #include "platform/job.h"
 #include "platform/stop.h"
-#include "view/server/file_watch.h"
-#include "view/server/live_recipe.h"
 #include "view/server/live_state.h"
 
 #include <tl/expected.hpp>
@@ -15,14 +14,60 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace coif::view {
+
+/// Tells which of some files were written, appeared or went, by asking for their times. For one thread.
+class FileWatch {
+ public:
+  using Time = std::filesystem::file_time_type;
+
+  /// From now on these and no others. A file that was watched keeps what is known of it; a new one counts as changed
+  /// where it was written after `since`, when somebody began to read it.
+  void watch(std::span<const std::filesystem::path> files, Time since);
+
+  /// Those that differ from what they were at the last call.
+  [[nodiscard]] std::vector<std::filesystem::path> changed();
+
+ private:
+  struct Stamp {
+    Time written;
+    std::uintmax_t bytes = 0;
+    bool operator==(const Stamp&) const = default;
+  };
+  /// None for a file that is not there.
+  static std::optional<Stamp> stamp_of(const std::filesystem::path& file);
+
+  struct Watched {
+    std::optional<Stamp> stamp;
+    bool is_new = false;  ///< Changed before it was watched.
+  };
+  std::map<std::filesystem::path, Watched> files_;
+};
+
+/// A recipe's file and what somebody changed of it on the page.
+struct LiveRecipe {
+  cook::Recipe recipe;  ///< The file's, with the changes.
+  nlohmann::json file;  ///< The file alone; an empty object without one.
+};
+
+/// What the page sent: recipe keys and their values, null for "not as the file says". Errors (kBadInput): no JSON
+/// object, or it names a file, which a recipe on the disk alone may. That the keys are some, and their values in range,
+/// live_recipe() finds.
+[[nodiscard]] tl::expected<nlohmann::json, ToolError> read_changes(std::string_view text);
+
+/// Reads the file, none where its path is empty, merges the changes into it (RFC 7396) and judges the result as a
+/// recipe's file is. Errors: those of read_recipe() for the file; of parse_recipe() for the changes.
+[[nodiscard]] tl::expected<LiveRecipe, ToolError> live_recipe(const std::filesystem::path& file,
+                                                              const nlohmann::json& changes);
 
 /// What `coif view` wants to have cooked.
 struct LiveOrder {

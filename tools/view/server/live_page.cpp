@@ -1,4 +1,4 @@
-#include "view/server/live_page.h"
+#include "view/server/request_guard.h"
 
 #include "view/view_page.h"
 

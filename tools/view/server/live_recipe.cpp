@@ -1,4 +1,4 @@
-#include "view/server/live_recipe.h"
+#include "view/server/live_cook.h"
 
 #include "cook/recipe/recipe_keys.h"
 

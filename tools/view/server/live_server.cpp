@@ -4,7 +4,6 @@
 #include "cook/recipe/recipe_keys_json.h"
 #include "import/import.h"
 #include "platform/program.h"
-#include "view/server/live_page.h"
 #include "view/server/request_guard.h"
 
 #include <fmt/format.h>

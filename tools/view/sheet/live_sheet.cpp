@@ -2,9 +2,9 @@
 
 #include "base/geometry.h"
 #include "base/text.h"
-#include "motion/hair_company.h"
+#include "motion/head_path.h"
 #include "render/camera.h"
-#include "view/page/view_motions.h"
+#include "view/page/view_settings.h"
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>

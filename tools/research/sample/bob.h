@@ -1,0 +1,40 @@
+#pragma once
+
+#include "mannequin/head_shape.h"
+#include "research/sample/gltf_document.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace coif::research {
+
+/// How finely the sample is made; the sample itself has the defaults. Others are for measuring how costs grow.
+struct BobDensity {
+  double quads = 1;  ///< Rows and columns of each strip, as a share of the sample's.
+  int copies = 1;    ///< Strips in place of each, slightly apart.
+};
+
+/// The hair: five broad panels under twenty strips in two layers and a fringe. 2870 triangles in 25 connected groups
+/// that share no vertex, or with another density accordingly more or fewer.
+[[nodiscard]] mannequin::SurfaceMesh make_bob_hair(const BobDensity& density = {});
+
+/// root > neck > Head > scalp_{left,back,right} > hair_*_1 > _2 > _3 > _3_end. Parents first.
+[[nodiscard]] std::vector<Joint> make_bob_skeleton();
+
+/// Weights of a point of the hair: roots on the scalp joints, lengths on the one or two chains nearest around the head
+/// and the two bones nearest in height.
+[[nodiscard]] mannequin::SkinInfluences hair_influences(const Eigen::Vector3d& point);
+
+/// Weights of a point of the bust: head, neck and body.
+[[nodiscard]] mannequin::SkinInfluences bust_influences(const Eigen::Vector3d& point);
+
+/// The bytes of sample_assets/bob/bob.glb, with the density's defaults: the same on every run.
+[[nodiscard]] std::vector<std::byte> make_bob(const BobDensity& density = {});
+
+/// A head and shoulders with a face on root > neck > Head, as the bytes of sample_assets/portrait/portrait.glb: the
+/// same on every run.
+[[nodiscard]] std::vector<std::byte> make_portrait();
+
+}  // namespace coif::research
