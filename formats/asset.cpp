@@ -6,7 +6,8 @@
 namespace coif {
 namespace {
 
-constexpr std::size_t kFileAlignment = 16;  ///< Of the memory that the file lies in, whatever its chunks.
+/// The file's memory starts at a multiple of this, whichever chunks it has.
+constexpr std::size_t kFileAlignment = 16;
 
 bool is_aligned(const void* address, std::size_t alignment) {
   return reinterpret_cast<std::uintptr_t>(address) % alignment == 0;

@@ -51,7 +51,7 @@ LoadStatus check_material(const Asset& asset) {
 
 namespace {
 
-/// One of the two chunks of records, with the texels that its records are of.
+/// One of the two chunks of texture records, and how many bytes of texels it has.
 struct TextureChunk {
   std::uint32_t id;
   std::span<const TextureRecord> records;

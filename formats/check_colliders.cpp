@@ -3,7 +3,7 @@
 namespace coif {
 namespace {
 
-constexpr float kShortest = 1.0e-6f;  ///< Metres: below it a radius or an axis has no direction to push along.
+constexpr float kShortest = 1.0e-6f;  ///< Metres. A shorter radius or axis gives no direction to push along.
 
 bool reserved_is_zero(const ColliderRecord& c) {
   // -0.0 passes as zero, NaN does not.
@@ -15,7 +15,7 @@ bool flags_fit(const ColliderRecord& c) {
   return (c.flags & ~(round ? kColliderKeepsInside : 0u)) == 0;
 }
 
-/// A ball inside the other would leave no hull to speak of: that is a sphere.
+/// A tapered capsule with one ball inside the other is refused: it would be a sphere.
 bool tapered_radii_fit(const ColliderRecord& c) {
   const bool good = in_range(c.radii[0], kShortest, kMaxCoordinate) && in_range(c.radii[1], kShortest, kMaxCoordinate);
   const float difference = c.radii[0] - c.radii[1];
@@ -37,7 +37,7 @@ bool axis_fits(const ColliderRecord& c) {
   return all_finite(c.axis) && square >= kShortest * kShortest;
 }
 
-/// `is_carrier` says of a collider's bone whether it may carry one.
+/// `is_carrier` tells whether a bone may carry a collider.
 template <typename IsCarrier>
 LoadStatus check_shapes(std::span<const ColliderRecord> colliders, std::uint32_t id, const IsCarrier& is_carrier) {
   for (std::size_t i = 0; i < colliders.size(); ++i) {
@@ -55,7 +55,7 @@ LoadStatus check_shapes(std::span<const ColliderRecord> colliders, std::uint32_t
 /// One bit for each of `count` colliders, at most 32.
 std::uint32_t all_of(std::size_t count) { return count == 32 ? ~0u : (1u << count) - 1; }
 
-/// A set names only colliders that exist, and only a bone that moves has one: `set_of(i)` is bone i's.
+/// A set names only colliders that exist, and only a simulated bone has one. `set_of(i)` is the set of bone i.
 template <typename SetOf>
 LoadStatus check_sets(const Asset& asset, std::uint32_t id, std::size_t count, const SetOf& set_of) {
   for (std::size_t i = 0; i < asset.bones().size(); ++i) {
@@ -90,7 +90,7 @@ LoadStatus check_colliders(const Asset& asset) {
   return check_sets(asset, chunk::kBones, colliders.size(), [&](std::size_t i) { return bones[i].colliders; });
 }
 
-/// After check_needs(): all three chunks are there, or none.
+/// Runs after check_needs(), so all three chunks are there, or none.
 LoadStatus check_body(const Asset& asset) {
   const auto colliders = asset.body_colliders();
   if (colliders.empty()) return {};

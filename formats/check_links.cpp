@@ -3,7 +3,7 @@
 namespace coif {
 namespace {
 
-/// Bones that some link has named.
+/// The bones that links have named so far.
 class NamedBones {
  public:
   [[nodiscard]] bool has(std::uint32_t bone) const { return ((words_[bone / 64] >> bone % 64) & 1u) != 0; }
@@ -13,7 +13,7 @@ class NamedBones {
   std::uint64_t words_[kMaxBones / 64] = {};
 };
 
-/// Simulated bones above it.
+/// How many simulated bones are above this one.
 std::uint32_t depth_of(std::span<const BoneRecord> bones, std::uint32_t bone) {
   std::uint32_t depth = 0;
   for (std::uint32_t up = bones[bone].parent; !is_rigid(bones[up]); up = bones[up].parent) ++depth;

@@ -7,8 +7,8 @@ LoadStatus lod_error(LoadCode code, std::size_t level, std::uint64_t expected = 
   return {code, chunk::kLods, level, expected, found};
 }
 
-/// Whatever is simulated is so in the finest level and in no level where its parent has become rigid to its own. Names
-/// the first bone that is not so, with the largest number it may have.
+/// Every simulated bone must move in the finest level, and in no level where its parent is rigid. Reports the first
+/// bone that breaks this rule, with the largest count that it may have.
 LoadStatus check_lod_bones(const Asset& asset) {
   const auto counts = asset.lod_bones();
   const auto bones = asset.bones();
@@ -25,7 +25,7 @@ LoadStatus check_lod_bones(const Asset& asset) {
   return {};
 }
 
-/// Screen sizes fall to 0, errors start at 0 and grow: what lets a game pick a level by one comparison each.
+/// Screen sizes fall to 0, errors start at 0 and grow. So a game can pick a level by one comparison each.
 bool measures_fit(const LodRecord& lod, const LodRecord* finer, bool is_last) {
   if (!in_range(lod.screen_size, 0.0f, kMaxCoordinate) || !in_range(lod.error, 0.0f, kMaxCoordinate)) return false;
   if (is_last != (lod.screen_size == 0.0f)) return false;
@@ -57,10 +57,10 @@ LoadStatus check_lods(const Asset& asset) {
 
 namespace {
 
-// Meshes have thousands of records, and nearly always all are good. So each record's faults are one word without a
-// branch, all words together are looked at once, and only a mesh that has a fault is searched for its place.
+// Meshes have thousands of records, and nearly always all are good. So each record gives one word of faults without a
+// branch, the words are joined and tested once, and only a mesh with a fault is searched for its place.
 
-/// Unit within 5 %: rounding to 16 bits is far below, a zero or garbage vector far above.
+/// Within 5 % of unit length: rounding to 16 bits is far below that, a zero or garbage vector far above.
 bool is_unit_snorm(const std::int16_t (&v)[4]) {
   constexpr std::uint32_t kOne = 32767u * 32767u, kLow = kOne / 100 * 90, kHigh = kOne / 100 * 110;
   const int x = v[0], y = v[1], z = v[2];
@@ -173,9 +173,9 @@ std::uint64_t scatter(std::uint64_t x) {
   return x ^ x >> 31;
 }
 
-/// One level's triangles `first` to `first + count` in all further orders. There is no memory for a mark per triangle:
-/// that each occurs once is shown by a sum, certain against accidents. A forged list that passes draws wrong triangles,
-/// as many as it should, all of them the level's.
+/// Checks triangles `first` to `first + count` of one level in all further orders. There is no memory for a mark per
+/// triangle, so a sum shows that each occurs once; that is certain against accidents. A forged list that passes draws
+/// wrong triangles, but no more than the level has, and all of them the level's own.
 LoadStatus check_level(const Asset& asset, std::size_t first, std::size_t count) {
   std::uint64_t expected = 0;
   for (std::size_t t = first; t < first + count; ++t) expected += scatter(t + 1);

@@ -3,7 +3,7 @@
 namespace coif {
 namespace {
 
-constexpr float kMostFriction = 1.0e6f;  ///< Per second; of damping too.
+constexpr float kMostFriction = 1.0e6f;  ///< Per second; the bound of damping too.
 
 LoadStatus check_asked(const Asset& asset) {
   const auto asked = asset.asked();
@@ -19,7 +19,7 @@ LoadStatus check_asked(const Asset& asset) {
   return {};
 }
 
-/// Angles that belong to the kind and no others.
+/// Only the angles that the kind uses are set.
 bool angles_fit(const LimitRecord& limit) {
   const float most_first = limit.kind == LimitKind::kUnlimited ? 0.0f : kNoAngleLimit;
   const float most_second = limit.kind == LimitKind::kSpherical ? kMostYaw : 0.0f;
@@ -68,7 +68,7 @@ LoadStatus check_dynamics(const Asset& asset) {
 namespace {
 
 constexpr float kMostRate = 1.0e5f;   ///< Per second.
-constexpr float kMostError = 1.0e3f;  ///< Chain lengths: something that is no longer hair.
+constexpr float kMostError = 1.0e3f;  ///< Chain lengths. Something with a larger error is no longer hair.
 constexpr float kMostCost = 1.0e12f;  ///< Nanoseconds.
 constexpr std::uint32_t kMostSubsteps = 1024;
 
@@ -86,7 +86,7 @@ bool fits(const QualityRecord& q) {
          in_range(q.cost, 0.0f, kMostCost);
 }
 
-/// A word of at least one byte, and zeros to the end of the record.
+/// At least one byte of text, then zeros to the end of the record.
 bool is_name(const MotionNameRecord& motion) {
   bool has_ended = false;
   for (const char c : motion.name) {
@@ -96,8 +96,8 @@ bool is_name(const MotionNameRecord& motion) {
   return has_ended && motion.name[0] != 0;
 }
 
-/// Each name, and that every row's motion has one. Assets without names are older: their rows' numbers are not indices
-/// of ours.
+/// Checks every name, and that each row's motion has one. Older assets have no names; their rows' numbers are not
+/// indices.
 LoadStatus check_motion_names(const Asset& asset) {
   const auto names = asset.motion_names();
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -32,9 +32,10 @@ LoadStatus check_bone_shape(const BoneRecord& bone, std::size_t i) {
   return segment ? LoadStatus{} : bone_error(LoadCode::kNotFinite, i);
 }
 
-/// The runtime hangs a bone on its simulated parent's particle; skinning is right only if it starts there at rest.
+/// The runtime hangs a bone on its simulated parent's particle, so skinning is right only if the bone starts there at
+/// rest.
 bool starts_at_parent(const BoneRecord& bone, const BoneRecord& parent) {
-  constexpr float kTolerance = 1.0e-4f;  // of the coordinates' size; joints are rounded to float one by one
+  constexpr float kTolerance = 1.0e-4f;  // Share of the coordinates' size: joints are rounded to float one by one.
   for (int k = 0; k < 3; ++k) {
     const float end = parent.joint[k] + parent.rest_direction[k] * parent.length;
     const float size = 1.0f + parent.length + (end < 0 ? -end : end);
@@ -60,10 +61,11 @@ LoadStatus check_chain(const Asset& asset, std::size_t c, std::uint32_t expected
   return {};
 }
 
-/// The bones that are open at one place of a chain, walked from its end: there a bone opens at its last child.
+/// The bones that are open at one place of a chain. The walk starts at the chain's end, where a bone opens at its last
+/// child.
 class OpenBones {
  public:
-  /// False where there is no room; nothing changes for a bone that is open already.
+  /// Returns false where there is no room. A bone that is open already changes nothing.
   bool open(std::uint32_t bone) {
     for (std::uint32_t i = 0; i < count_; ++i) {
       if (bones_[i] == bone) return true;
@@ -84,7 +86,7 @@ class OpenBones {
   std::uint32_t count_ = 0;
 };
 
-/// After check_chain(), which proves that parents are the root or inside.
+/// Runs after check_chain(), which proves that every parent is the root or inside the chain.
 LoadStatus check_open_bones(const Asset& asset, std::size_t c) {
   const ChainRecord& chain = asset.chains()[c];
   OpenBones open;

@@ -13,7 +13,7 @@ namespace coif {
 /// `entry` is known to lie inside the file.
 LoadStatus check_hash(std::span<const std::byte> file, const ChunkEntry& entry);
 
-/// Chunks that no asset is without.
+/// Chunks that every asset must have.
 LoadStatus check_needed_chunks(const Asset& asset);
 LoadStatus check_names(const Asset& asset);
 LoadStatus check_skeleton(const Asset& asset);
@@ -21,7 +21,7 @@ LoadStatus check_dynamics(const Asset& asset);
 LoadStatus check_links(const Asset& asset);
 LoadStatus check_colliders(const Asset& asset);
 LoadStatus check_body(const Asset& asset);
-/// Chunks that others are refused without: of what is drawn.
+/// Chunks without which other chunks (those that are drawn) are refused.
 LoadStatus check_needs(const Asset& asset);
 LoadStatus check_lods(const Asset& asset);
 LoadStatus check_mesh(const Asset& asset);
@@ -33,7 +33,7 @@ LoadStatus check_provenance(const Asset& asset);
 
 using ContentCheck = LoadStatus (*)(const Asset&);
 
-/// One after the other: each relies on those before it.
+/// They run in this order: each relies on those before it.
 inline constexpr ContentCheck kContentChecks[] = {check_needed_chunks, check_names,     check_skeleton,  check_dynamics,
                                                   check_links,         check_colliders, check_needs,     check_body,
                                                   check_lods,          check_mesh,      check_orders,    check_material,
@@ -43,12 +43,13 @@ inline bool is_rigid(const BoneRecord& bone) { return bone.kind != BoneKind::kSi
 
 // Comparisons that are false for NaN, so that one test covers range and finiteness.
 
-inline constexpr float kMaxCoordinate = 1.0e5f;  ///< Metres, texture repeats, colours: larger is a broken file.
+/// Metres, texture repeats, colours. A larger value means a broken file.
+inline constexpr float kMaxCoordinate = 1.0e5f;
 
 inline bool in_range(float value, float low, float high) { return value >= low && value <= high; }
 
-/// The top bit is set where `value` is NaN, infinite or larger than kMaxCoordinate: floats without their sign are
-/// ordered as their bits are. For many numbers at once, whose words are joined and looked at once.
+/// The top bit is set where `value` is NaN, infinite or larger than kMaxCoordinate: without their signs, floats are
+/// ordered as their bits are. Suits many numbers at once: join their words with OR and test one bit.
 inline std::uint32_t beyond_limit(float value) {
   return bit_cast<std::uint32_t>(kMaxCoordinate) - (bit_cast<std::uint32_t>(value) & 0x7FFFFFFFu);
 }

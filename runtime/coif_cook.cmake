@@ -1,14 +1,14 @@
 # coif_cook(TARGET name SOURCES file... [RECIPE r.json] [OUTPUT_DIRECTORY folder] [CACHE folder] [ROOTS folder...])
 # A target, part of ALL, that cooks each source into OUTPUT_DIRECTORY/STEM.coif (default: the current binary directory), with
-# the cook's report beside it as STEM.report.json. Where no RECIPE is given each source takes the STEM.recipe.json beside it,
-# if there is one. Files that a source names may lie in ROOTS, too, as where links lead (coif cook --root). An asset is cooked
+# the cook's report beside it as STEM.report.json. Without RECIPE each source takes the STEM.recipe.json beside it,
+# if there is one. Files that a source names may also lie in ROOTS, for example as targets of links (coif cook --root). An asset is cooked
 # again when its source, its recipe, a file that either of them reads (textures, buffers, material libraries) or the program
-# changes. An image that appears where none was found before is noticed by the cache alone, which is asked whenever something
+# changes. Only the cache notices a new image where none was found before, and only when something
 # else changes. The target's property COIF_ASSETS lists the assets' paths.
 # COIF_PROGRAM: the program, if it shall not be this build's, the installed one or that in PATH.
 cmake_policy(VERSION 3.20)  # also what depfiles of the functions below mean
 
-# Sets `result` to what a command calls the program.
+# Sets `result` to the program as a command names it.
 function(coif_find_program result)
   if(NOT COIF_PROGRAM AND TARGET coif_cli)
     set(${result} coif_cli PARENT_SCOPE)
@@ -34,9 +34,9 @@ function(coif_find_recipe source result)
   set(${result} "${recipe}" PARENT_SCOPE)
 endfunction()
 
-# Sets `result` to the rest of a command that repairs a depfile for what CMake does to it. For Ninja CMake (3.20 and all later
-# ones so far) reads the file and writes it anew without doubling dollar signs, so that Ninja finds no such file as "a$b.obj"
-# and cooks it in every build. Doubled once more beforehand they survive.
+# Sets `result` to the rest of a command that works around a fault of CMake with depfiles. For Ninja, CMake (3.20 and all later
+# versions so far) rewrites the file without doubling dollar signs. Then Ninja does not find a file such as "a$b.obj"
+# and cooks it in every build. Dollar signs that are doubled once more beforehand survive.
 function(coif_depfile_repair depfile result)
   set(${result} "" PARENT_SCOPE)
   if(CMAKE_GENERATOR MATCHES "Ninja")

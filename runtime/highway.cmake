@@ -1,20 +1,20 @@
-# Highway, in whose vectors the simulation is written, and which instruction sets a build has. It never shows in a public header.
+# Highway, the simulation's SIMD library, and the instruction sets of a build. No public header includes it.
 #   COIF_SIMD=dispatch                         all that the compiler knows, chosen at run time; links libhwy
 #   COIF_SIMD=static                           the one that the compiler's flags allow; needs Highway's headers only
 #   COIF_SIMD=scalar|sse4|avx2|avx512|neon|wasm    as static; where the flags do not allow it, configuring fails
 
-# Highway asks for the whole of Haswell before it calls it AVX2 (AES and PCLMUL, which x86-64-v3 does not have, FMA, F16C),
-# and for ARM's crypto extensions. The simulation uses none of them. That it does without FMA is a promise: no instruction
-# set may round once where another rounds twice. SSSE3 adds nothing to what the portable code and SSE4 cover, and AVX3_DL nothing
-# to AVX3 but an error with -march=native; vectors without a fixed size cannot be members. On ARM, NEON is all that is left, so
-# that there is nothing to choose at run time.
+# Highway requires all of Haswell for AVX2 (FMA, F16C, and AES and PCLMUL, which x86-64-v3 does not have),
+# and ARM's crypto extensions for NEON. The simulation uses none of them. It never uses FMA, since no instruction
+# set may round once where another rounds twice. SSSE3 adds nothing to the portable code and SSE4, and AVX3_DL adds only
+# an error with -march=native to AVX3. Vectors without a fixed size cannot be members. So ARM has only NEON, and
+# there is no choice at run time.
 set(COIF_HIGHWAY_DEFINITIONS HWY_DISABLE_PCLMUL_AES HWY_DISABLE_BMI2_FMA HWY_DISABLE_F16C TOOLCHAIN_MISS_SYS_AUXV_H
   "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_AVX3_DL|HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_RVV)")
 if(NOT COIF_SIMD STREQUAL "dispatch")
   list(APPEND COIF_HIGHWAY_DEFINITIONS HWY_COMPILE_ONLY_STATIC)
 endif()
 
-# coif_find_highway(): sets COIF_HIGHWAY_HEADERS to the folder of its headers, or to nothing where the compiler finds them.
+# coif_find_highway(): sets COIF_HIGHWAY_HEADERS to the folder of its headers, or to nothing if the compiler finds them.
 function(coif_find_highway)
   find_package(hwy QUIET GLOBAL)  # whoever links the library in the same build links this with it
   if(hwy_FOUND)
@@ -32,7 +32,7 @@ function(coif_find_highway)
     endif()
     set(folders ${COIF_HIGHWAY_FOLDER})
     if(EMSCRIPTEN)
-      # Beside them may lie this machine's own headers, which are for no other system.
+      # The folder may also have this machine's own headers, which are wrong for other systems.
       set(folders ${PROJECT_BINARY_DIR}/highway)
       file(MAKE_DIRECTORY ${folders})
       file(CREATE_LINK ${COIF_HIGHWAY_FOLDER}/hwy ${folders}/hwy SYMBOLIC)
@@ -76,7 +76,7 @@ int main() { return set[0]; }
   set(${result} ${found} PARENT_SCOPE)
 endfunction()
 
-# Says which instruction set a build for one has; a build that was asked for another ends here.
+# Prints the instruction set of a build for a single one; fails if another was requested.
 function(coif_check_static_set)
   coif_static_set(found)
   set(cure "on x86-64 -DCMAKE_CXX_FLAGS=-march=x86-64-v2 gives sse4, x86-64-v3 avx2, x86-64-v4 avx512")
@@ -90,7 +90,7 @@ function(coif_check_static_set)
   endif()
 endfunction()
 
-# coif_use_highway(TARGET): for a library that computes in vectors, or has one of those in it.
+# coif_use_highway(TARGET): for a library that computes with vectors, or contains such a library.
 function(coif_use_highway name)
   target_compile_definitions(${name} PRIVATE ${COIF_HIGHWAY_DEFINITIONS})
   if(COIF_SIMD STREQUAL "dispatch")

@@ -1,4 +1,4 @@
-# What a game takes with it: shipped libraries, public headers, the CMake package; and the coif program for its build.
+# Installs the files for games: shipped libraries, public headers, the CMake package; and the coif program for their builds.
 include(CMakePackageConfigHelpers)
 set(shipped coif_formats coif_sim coif_skinning coif_drawing coif_c coif_shared)
 if(COIF_GL)
@@ -16,7 +16,7 @@ install(FILES ${PROJECT_BINARY_DIR}/coif-config.cmake ${PROJECT_BINARY_DIR}/coif
   ${CMAKE_CURRENT_LIST_DIR}/coif_cook.cmake
   DESTINATION ${package_folder})
 
-# What the headers point to, in the folders that they name, with what an engine of another renderer compiles.
+# Documents that the headers refer to, in the folders that they name, and shaders for other renderers.
 foreach(page LICENSE CHANGELOG.md formats/SPECIFICATION.md runtime/README.md runtime/docs/LANES.md runtime/docs/MODEL.md)
   cmake_path(GET page PARENT_PATH folder)
   install(FILES ${PROJECT_SOURCE_DIR}/${page} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder})
@@ -26,7 +26,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/examples DESTINATION ${CMAKE_INS
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN embed.cmake EXCLUDE)
 
 # Files for pkg-config, for games that are not built by CMake: one per library, and `coif` for the C interface's libcoif.so.
-# They find the installed tree from where they lie, wherever it is moved to.
+# They find the installed tree relative to themselves, so it may be moved.
 file(RELATIVE_PATH coif_pc_up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" coif_pc_up "${coif_pc_up}")
 
@@ -38,7 +38,7 @@ includedir=${prefix}/@CMAKE_INSTALL_INCLUDEDIR@
 
 Name: @file@
 Description: @description@
-# A C++ compiler has to be told -std=c++20 or later.
+# A C++ compiler needs -std=c++20 or later.
 Version: @PROJECT_VERSION@
 Requires: @requires@
 Cflags: -I${includedir}
@@ -47,8 +47,8 @@ Libs: -L${libdir} -l@library@
   install(FILES ${PROJECT_BINARY_DIR}/pkgconfig/${file}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 
-# Archives say what they need themselves. The simulation needs Highway where it chooses its instruction set at run time; as
-# a shared library it finds it alone.
+# Archives name their own dependencies. The simulation needs Highway if it chooses its instruction set at run time; a shared
+# library finds it by itself.
 set(coif_pc_simd "")
 if(COIF_SIMD STREQUAL "dispatch" AND NOT BUILD_SHARED_LIBS)
   set(coif_pc_simd ", libhwy")

@@ -32,7 +32,7 @@ int list_of_pixel() {
 //// list_output.glsl
 // Puts a texel into its pixel's list instead of the framebuffer. After fragment_lists.glsl.
 
-// What is behind the host's own things or solid hair must not get into a list.
+// Texels behind the host's own things or solid hair must not get into a list.
 layout(early_fragment_tests) in;
 
 flat in int corner;
@@ -58,7 +58,7 @@ void main() {
 out vec4 fragment;
 
 // Whether a is blended before b. Nodes lie in a list as they arrived, which differs from run to run; so the last word
-// have colours, and what is equal in everything may go in any order.
+// have colours, and nodes that are equal in everything may go in any order.
 bool is_behind(Node a, Node b) {
   if (a.depth != b.depth) return a.depth > b.depth;
   if (a.corner != b.corner) return a.corner < b.corner;
@@ -125,7 +125,7 @@ void main() {
 }
 
 //// peel_key.frag
-// Of the texels at the depth that was found, finds the one that comes first: the depth buffer keeps the lowest corner.
+// Finds the first of the texels at the depth that was found: the depth buffer keeps the lowest corner.
 // After peel_place.glsl.
 uniform highp usampler2D found_layer;
 in vec2 uv;

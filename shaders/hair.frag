@@ -21,10 +21,10 @@ float light_reaching(int i) {
 #endif
 
 #ifdef COIF_STRAND_TERMS
-const float kDarkRoot = 0.4;  // how far from the root a strand gets its whole colour, of its length
+const float kDarkRoot = 0.4;  // share of its length from which on a strand has its whole colour
 
-// What a strand's colour is here: darker at the root, and with a lightness of its own, which the texture's shift tells
-// it from its neighbours by.
+// The strand's colour here: darker at the root, and with a lightness of its own. The texture's shift distinguishes
+// neighbouring strands.
 vec3 own_color(vec3 color, float shift) {
   float root = 1.0 - strands.y * (1.0 - smoothstep(0.0, kDarkRoot, place));
   return color * root * (1.0 + 2.0 * strands.z * shift);

@@ -1,9 +1,9 @@
-// What all shaders of hair have in common, in pieces: README.md says which shader is made of which.
+// Code that all shaders of hair share, in pieces; README.md lists the pieces of each shader.
 
 //// draw_block.glsl
 // Values of one draw. The same layout as DrawBlock in coif/drawing.h. Everything is in view space, which has the
-// world's axes and its origin at the eye: the host's world may be kilometres wide, so 32-bit floats are kept for what
-// is near enough to be seen well.
+// world's axes and its origin at the eye. The host's world may be kilometres wide, so the precision of 32-bit floats is
+// kept for things near the eye.
 layout(std140) uniform DrawBlock {
   mat4 clip_from_view;
   vec4 base_color;         // linear, times the base texture
@@ -45,7 +45,7 @@ void main() {
 }
 
 //// hair_encode.glsl
-// What a colour becomes on its way into the framebuffer.
+// Encodes a colour for the framebuffer.
 vec3 encode_srgb(vec3 linear) {
   vec3 c = clamp(linear, 0.0, 1.0);
   return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, vec3(lessThanEqual(c, vec3(0.0031308))));
@@ -64,7 +64,7 @@ void write_fragment(vec3 linear, float coverage) {
 }
 
 //// hair_surface.glsl
-// What a shader that writes colour knows of its point on the hair.
+// The point on the hair, for shaders that write colour.
 in vec3 position;
 in vec3 normal;
 in vec3 tangent;
@@ -72,8 +72,8 @@ in vec2 uv;
 in float place;
 in float openness;
 
-// A card is a sheet of strands without thickness. Seen from behind, what we see is its back, so light and highlight
-// belong to the side that faces us.
+// A card is a sheet of strands without thickness. From behind we see its back, so light and highlight belong to the side
+// that faces us.
 vec3 seen_normal() {
   return normalize(gl_FrontFacing ? normal : -normal);
 }

@@ -1,4 +1,4 @@
-// Which way strands run, for the eye: green at the root, red at the tip, and dark arrowheads that point to the tip.
+// Shows the strands' direction: green at the root, red at the tip, and dark arrowheads that point to the tip.
 
 const float kArrows = 10.0;       // from root to tip
 const float kArrowWidth = 0.012;  // metres across the strip, within a factor of the square root of 2

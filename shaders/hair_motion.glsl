@@ -1,9 +1,9 @@
 // How far hair has moved in the picture since the last frame, for temporal anti-aliasing and motion blur.
 
 //// hair_motion.vert
-// Comes after hair.vert, with COIF_MOTION: where the vertex is in clip space, and where it was in the last frame. A
-// head's rows in PaletteBlock are twice as many, this frame's first; of bones in a texture the last frame's are in its
-// second half.
+// Comes after hair.vert, with COIF_MOTION: the vertex's place in clip space, in this frame and in the last one. A
+// head has twice as many rows in PaletteBlock, this frame's first. If bones are in a texture, the last frame's are in
+// its second half.
 out vec4 place_now;
 out vec4 place_before;
 
@@ -41,8 +41,8 @@ void send_motion() {
 }
 
 //// hair_motion.frag
-// The way in the picture from where the hair was in the last frame to where it is: in parts of the viewport, to the
-// right and upwards. Of the texels that the pass keeps.
+// The hair's way in the picture since the last frame, in shares of the viewport, to the right and upwards, for the
+// texels that the pass keeps.
 in vec2 uv;
 in vec4 place_now;
 in vec4 place_before;
@@ -50,7 +50,7 @@ layout(location = 0) out vec2 motion;
 
 void main() {
   keep(base_at(uv).a);
-  // What was behind the eye came from nowhere in the last picture.
+  // Hair that was behind the eye has no place in the last picture.
   const vec2 kFromOutside = vec2(2.0);
   bool was_in_front = place_before.w > 0.0;
   vec2 before = place_before.xy / (was_in_front ? place_before.w : 1.0);

@@ -43,7 +43,7 @@ void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2
 // behind all of it. After a line that defines COIF_SHADOW_PEELS, 2..6.
 uniform vec4 shadow_depth;
 uniform vec4 shadow_map;
-uniform vec4 peeled_corner;  // xy: of the peeled part, in the map
+uniform vec4 peeled_corner;  // xy: the peeled part's corner in the map
 uniform highp sampler2D hair_peeled_depth[COIF_SHADOW_PEELS];
 uniform highp sampler2D hair_peeled_alpha[COIF_SHADOW_PEELS];
 uniform highp sampler2D hair_unpeeled;
@@ -55,7 +55,7 @@ const float kReach = 2.0;         // texels behind the last of the hair, where n
 const float kBehindWeight = 2.0;  // of heads and bodies behind all of the hair, where errors are seen best; solid hair has 1
 const float kUnpeeledWeight = 0.5;
 const float kOpacityUnit = 4.0;
-const float kLeastGain = 1e-6;    // for which a second step is worth it
+const float kLeastGain = 1e-6;    // from which a second step is worth it
 
 // Per layer: light before it, how much of it there is to see, where it lies, metres.
 float light[kMostLayers + 1], weight[kMostLayers + 1], place[kMostLayers + 1];
@@ -90,7 +90,7 @@ void take_all(ivec2 here, float solid) {
 #endif
 }
 
-// What was not peeled lies as far behind the last layer as those are apart.
+// Unpeeled hair is assumed as far behind the last layer as the layers are apart.
 void take_unpeeled(ivec2 here) {
   float opacity = texelFetch(hair_unpeeled, here, 0).r * kOpacityUnit;
   if (count < COIF_SHADOW_PEELS || opacity <= 0.0) return;
@@ -137,7 +137,7 @@ float map_depth(float metres) {
   return clamp((metres - shadow_depth.x) / (shadow_depth.y - metres * shadow_depth.z), 0.0, 1.0);
 }
 
-// Of the step behind layer `before` - 1, as the map has it, 0..1.
+// Depth of the step behind layer `before` - 1, in the map's units, 0..1.
 float place_of_step(int before) {
   float last = place[before - 1], reach = kReach * shadow_map.w;
   float metres = last + (before < count ? min(0.5 * (place[before] - last), reach) : reach);

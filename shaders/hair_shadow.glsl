@@ -1,14 +1,14 @@
-// Shadows on hair, and on whatever a host draws. What fills the deep shadow map is in hair_peel.glsl.
+// Shadows on hair and on things that a host draws. hair_peel.glsl has the shaders that make deep shadow maps.
 
 //// hair_shadow_solid.glsl
-// What shadow maps of both kinds have in common: a map of depths, which alone is a plain shadow map. For a host's own
-// fragment shader too: HairShadow::code() is this and what comes after it, uniforms() gives the arguments.
+// Shared by all shadow maps: a map of depths, which alone is a plain shadow map. A host's own fragment shader may use
+// it, too: HairShadow::code() is this piece and those after it, uniforms() gives the arguments.
 //
 //   place  map_from_origin * vec4(point, 1.0)
 //   slope  hair_slope(place)
 //   depth  x, y, z: metres from the light are (x + y * z01) / (1 + z * z01) where the map holds z01; w: bias, metres
 //   map    x: texels each way; y: thickness of the first layer, metres; z: opacity of 1.0 in a texel; w: a texel's
-// width, metres
+//          width, metres
 
 uniform highp sampler2D hair_shadow_solid;  // where the light first meets something
 
@@ -29,8 +29,9 @@ vec2 hair_slope(vec4 place) {
   return clamp(slope / area, -kSteepest, kSteepest);
 }
 
-// What solid things let pass, by percentage-closer filtering (Reeves et al. 1987) over a box two texels wide. Compared
-// by hand: the hardware has one depth for all the texels it filters, but the surface has another at each.
+// Light that solid things let pass, by percentage-closer filtering (Reeves et al. 1987) over a box two texels wide. The
+// shader compares by hand: the hardware has one depth for all the texels it filters, but the surface has another at
+// each.
 float hair_solid_pass(vec3 p, vec2 slope, vec4 depth, vec4 map) {
   vec2 place = p.xy * map.x;
   ivec2 middle = ivec2(floor(place)), last = ivec2(map.x) - 1;
@@ -60,9 +61,9 @@ float hair_light(vec4 place, vec2 slope, vec4 depth, vec4 map) {
 }
 
 //// hair_shadow_layered.glsl after hair_shadow_solid.glsl
-// What maps have in common that tell how light fades on its way into the hair. Solid things are in a map of their own.
+// What the maps share that store how light fades on its way into the hair. Solid things are in a map of their own.
 
-// Of the light that comes down on one texel of the map; `z`: of the surface there, as the map has it.
+// Share of the light on one texel of the map that passes; `z`: the surface's depth there, in the map's units.
 float hair_texel_pass(ivec2 texel, float z, vec4 depth, vec4 map);
 
 // The share that passes the hair, filtered by hand: each texel has depths of its own.

@@ -1,14 +1,14 @@
-// How the surface and its strands lie where maps say it: COIF_NORMAL_MAP, COIF_STRAND_MAP. Without either the piece is
+// Normals and strand directions from maps: COIF_NORMAL_MAP, COIF_STRAND_MAP. Without both the piece is
 // left out. Ridges of strands are ridges from both sides: a card is a sheet of strands without thickness.
 
 #ifdef COIF_NORMAL_MAP
 uniform sampler2D normal_texture;  // red, green: the unit normal along u and v below
 #endif
 #ifdef COIF_STRAND_MAP
-uniform sampler2D strand_texture;  // red, green: cosine and sine of twice the strand's angle from u to v, times how sure it is
+uniform sampler2D strand_texture;  // red, green: cosine and sine of twice the strand's angle from u to v, times the certainty
 #endif
 
-const float kSteepest = 0.1;  // cosine: nearer to the surface than this no normal comes, or a strand would have no direction
+const float kSteepest = 0.1;  // cosine: a normal stays this far from the surface, or a strand would have no direction
 
 // Eight bits have no 0 between -1 and 1: 128 of 255 stands for it.
 vec2 two_sided(vec2 channels) { return (channels * 255.0 - 128.0) / 127.0; }

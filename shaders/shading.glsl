@@ -1,14 +1,13 @@
-// The shading models, and what they have in common.
+// The shading models, and the code that they share.
 
 //// shading.glsl
-// What every shading model is given and gives back. A model is one file shading_<name>.glsl with two functions:
+// Input and output of every shading model. A model is one file shading_<name>.glsl with two functions:
 //
 //   void add_light(inout Reflected sum, Strand strand, vec3 towards, vec3 color)
-//       Adds what one light gives. `towards`: unit, to the light. `color`: linear, as much as a white matte surface
-// that
-//       faces the light sends out; of a distant light that is its irradiance over pi.
+//       Adds the light of one source. `towards`: unit, to the light. `color`: linear, the radiance of a white matte
+//       surface that faces the light; for a distant light, its irradiance over pi.
 //   vec3 tint(Strand strand)
-//       What the finished sums are multiplied with.
+//       The factor of the finished sums.
 //
 // All vectors are in view space. shaders/SHADING.md has all models side by side.
 
@@ -21,7 +20,7 @@ struct Strand {
   float mask;    // of the secondary highlight, 0..1, from the texture
 };
 
-// In the parts that a picture may show apart (Component in coif/renderer.h).
+// Sums of the parts that a picture may show separately (Component in coif/renderer.h).
 struct Reflected {
   vec3 diffuse;
   vec3 primary;
@@ -40,8 +39,7 @@ float pow2(float x) { return x * x; }
 //
 //   diffuse    saturate(mix(0.5, 1, N.L))
 //   highlight  smoothstep(-1, 0, T.H) (1 - (T.H)^2)^(exponent / 2) color, H = normalize(V + L), T the tangent moved
-// along
-//              the normal by the material's shift and the texture's; the secondary one is masked by the texture
+//              along the normal by the material's shift and the texture's; the texture masks the secondary one
 //
 // Reads primary and secondary (rgb, exponent) and shift.xy of the block. Sums are multiplied with the strand's colour.
 
@@ -74,8 +72,7 @@ void add_light(inout Reflected sum, Strand strand, vec3 towards, vec3 color) {
 //
 //   diffuse    sin(T, L): a matte cylinder too thin to see, whose lit half is seen as a whole
 //   highlight  max(sin(T, L) sin(T, V) - cos(T, L) cos(T, V), 0)^exponent color: the cosine of the angle between V and
-// the
-//              cone of mirrored light, whose axis is the strand
+//              the cone of mirrored light, whose axis is the strand
 //
 // Reads primary (rgb, exponent) of the block. As published there is one highlight, and every strand of a sheet has it
 // at the same place; here the texture's shift moves it, or cards would shine like foil. Sums are multiplied with the
@@ -133,7 +130,7 @@ float gaussian(float x, float width) {
   return exp(-0.5 * pow2(x / width)) * inversesqrt(2.0 * kPi) / width;
 }
 
-// Where light and eye are, seen from the fibre.
+// Angles of light and eye at the fibre.
 struct Angles {
   float sine_sum;      // sin(theta_l) + sin(theta_v)
   float cos_d;         // of half the difference of both thetas

@@ -1,4 +1,4 @@
-# Run by cpack on what it is about to pack: Debian wants manual pages compressed, and without the time.
+# cpack runs this on the files to pack: Debian wants manual pages compressed, without a time stamp.
 file(GLOB_RECURSE pages ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/*.1)
 list(FILTER pages INCLUDE REGEX "/man/man1/")
 foreach(page IN LISTS pages)

@@ -1,4 +1,4 @@
-# `cpack` in the build folder makes coif_VERSION_ARCHITECTURE.deb of what is installed: program, libraries, headers, packages
+# `cpack` in the build folder makes coif_VERSION_ARCHITECTURE.deb from the installed files: program, libraries, headers, packages
 # for CMake and pkg-config, and the manual page. dpkg-shlibdeps finds out which packages the program and libraries need.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME coif)
@@ -19,6 +19,6 @@ if(BUILD_SHARED_LIBS)  # the program's, which the package itself brings
     list(APPEND CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${folder})
   endforeach()
 endif()
-# What a game that links the archives has to have.
+# Packages that a game needs to link the archives.
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libhwy-dev")
 include(CPack)

@@ -1,4 +1,4 @@
-# What of others is in coif's libraries and program. Above each library of the group [program], tools/packages.txt says it as
+# Third-party code in coif's libraries and program. tools/packages.txt names it above each library of the group [program] as
 #   #= NAME | LICENCE, an SPDX expression | library or program
 # Writes third_party/ in the build folder: THIRD_PARTY_NOTICES.txt, each package's licence as Debian has it, coif.spdx.json, the same as
 # SPDX 2.3, and, for `coif --licenses`, third_party_notices.cpp.
@@ -31,7 +31,7 @@ function(coif_add_notice name licence package)
     PARENT_SCOPE)
 endfunction()
 
-# coif_read_notices(WITH_PROGRAM): sets the same three from the list; what only the program has, where WITH_PROGRAM.
+# coif_read_notices(WITH_PROGRAM): sets the same three from the list; with WITH_PROGRAM also for code that only the program has.
 function(coif_read_notices with_program)
   set(notices "coif ${PROJECT_VERSION} has its own licence, MIT. It is built with these works of others.\n")
   file(STRINGS ${PROJECT_SOURCE_DIR}/tools/packages.txt lines)

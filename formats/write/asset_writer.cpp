@@ -17,7 +17,7 @@ std::span<const std::byte> bytes_of(const std::vector<Record>& records) {
 
 std::span<const std::byte> bytes_of(const SkeletonRecord& skeleton) { return std::as_bytes(std::span(&skeleton, 1)); }
 
-/// Adds names[i] to `packed`; its offset there, kNone without a name.
+/// Adds names[i] to `packed`. Returns its offset there, kNone without a name.
 std::uint32_t pack_name(const std::vector<std::string>& names, std::size_t i, std::vector<char>& packed) {
   if (i >= names.size() || names[i].empty()) return kNone;
   const auto offset = std::uint32_t(packed.size());
@@ -62,7 +62,7 @@ std::uint64_t clear(std::vector<Record>& records) {
   return bytes;
 }
 
-std::uint64_t clear(SkeletonRecord&) { return 0; }  // nothing is without it
+std::uint64_t clear(SkeletonRecord&) { return 0; }  // Every asset has a skeleton.
 
 }  // namespace
 

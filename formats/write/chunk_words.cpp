@@ -4,7 +4,7 @@ namespace coif {
 namespace {
 
 struct ChunkWords {
-  const char* groups;  ///< With blanks between them.
+  const char* groups;  ///< Separated by blanks.
   const char* contents;
 };
 

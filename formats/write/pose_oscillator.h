@@ -12,10 +12,9 @@ struct PoseOscillator {
 };
 
 /// The oscillator that decays and sags as Algorithm 1 does, for a resistance of 0..1 per step at `rate` steps per
-/// second
-/// (> 0): without friction a step is y[n+1] = (1 - r)(2 y[n] - y[n-1]), whose roots are exp((-damping/2 +- i w) / rate)
-/// with damping = -rate ln(1 - r), and whose sag under a constant load is that of stiffness = rate^2 r / (1 - r). Its
-/// frequency is w for small r and higher by about r/5 of it for others. Resistances above 1 - 1e-6 are taken as that: a
+/// second (> 0). Without friction a step is y[n+1] = (1 - r)(2 y[n] - y[n-1]). Its roots are exp((-damping/2 +- i w) /
+/// rate) with damping = -rate ln(1 - r); its sag under a constant load is that of stiffness = rate^2 r / (1 - r). Its
+/// frequency is w for small r, and about r/5 higher for others. Resistances above 1 - 1e-6 count as 1 - 1e-6, so that a
 /// bone that never leaves its pose still has finite numbers.
 [[nodiscard]] inline PoseOscillator oscillator_of(double resistance, double rate) {
   const double r = std::clamp(resistance, 0.0, 1.0 - 1.0e-6);

@@ -11,7 +11,7 @@ namespace {
 
 bool contains(std::span<const std::uint32_t> ids, std::uint32_t id) { return std::ranges::find(ids, id) != ids.end(); }
 
-/// A bone as it is rigid with its parent: what SPECIFICATION.md asks of one.
+/// The bone as a rigid bone, in the form that SPECIFICATION.md demands.
 void make_rigid(BoneRecord& bone) {
   if (bone.kind != BoneKind::kSimulated) return;
   bone.kind = BoneKind::kScalp;
@@ -27,7 +27,7 @@ class Stripper {
       : asset_(asset), file_(file), gone_(with_dependents(chunks)) {}
 
   StrippedAsset strip() && {
-    bytes_.reserve(asset_.chunks().size());  // the chunks on their way look into it
+    bytes_.reserve(asset_.chunks().size());  // Pending chunks point into it, so it must not move.
     for (const ChunkEntry& entry : asset_.chunks()) {
       if (loses(entry.id)) {
         result_.removed.push_back({entry.id, entry.bytes});
@@ -57,13 +57,13 @@ class Stripper {
     kept_.push_back({entry.id, entry.flags, bytes, alignment_of(entry)});
   }
 
-  /// A chunk that is not known here may want the alignment that it has.
+  /// A chunk that this version does not know may need the alignment that it has.
   static std::size_t alignment_of(const ChunkEntry& entry) {
     const bool known = chunk_row(entry.id) < kChunkKinds;
     return !known && entry.offset % 64 == 0 ? 64 : chunk_alignment(entry.id);
   }
 
-  /// A chunk's bytes with nothing in them that refers to a chunk that goes.
+  /// A chunk's bytes without any reference to a removed chunk.
   [[nodiscard]] std::vector<std::byte> without_gone(std::uint32_t id, std::span<const std::byte> bytes) const {
     std::vector<std::byte> out(bytes.begin(), bytes.end());
     switch (id) {
@@ -87,8 +87,8 @@ class Stripper {
     return out;
   }
 
-  /// How many there are up to the last that the level draws: a cook puts those that only coarser levels draw behind
-  /// them.
+  /// How many records there are up to the last one that the level draws. A cook puts those that only coarser levels
+  /// draw behind them.
   [[nodiscard]] std::size_t finest_vertices() const {
     const auto indices = asset_.lod_indices(0);
     return indices.empty() ? asset_.vertices().size() : std::size_t(std::ranges::max(indices)) + 1;

@@ -1,4 +1,4 @@
-// Air, blows and sets of dynamics in C.
+// Air, impulses and sets of dynamics in C.
 #include "asset_view.h"
 
 #include <coif/air.h>

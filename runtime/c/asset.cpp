@@ -73,7 +73,7 @@ COIF_SAME(coif_texture, bytes, coif::TextureRecord, bytes);
 static_assert(COIF_STRAND_MAP == int(coif::TextureRole::kStrandAxis));
 static_assert(COIF_RG11_EAC == int(coif::TexelFormat::kRg11Eac));
 
-/// Whether it is one of these, not only like one.
+/// Whether `texture` points into this list; an equal record elsewhere does not count.
 bool is_in(std::span<const coif::TextureRecord> textures, const coif::TextureRecord* texture) {
   for (const coif::TextureRecord& own : textures) {
     if (&own == texture) return true;
@@ -81,7 +81,7 @@ bool is_in(std::span<const coif::TextureRecord> textures, const coif::TextureRec
   return false;
 }
 
-/// Whether it is good; else why not.
+/// Returns whether the asset is good; writes the reason to `why` where it is not.
 bool tell(const coif::LoadStatus& status, char* why, std::size_t capacity) {
   if (!status && why != nullptr && capacity > 0) coif::describe(status, why, capacity);
   return bool(status);

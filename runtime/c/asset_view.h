@@ -14,7 +14,7 @@
 #include <span>
 #include <type_traits>
 
-// In the first bytes of the caller's memory; what coif::Hair needs follows.
+// Lies at the start of the caller's memory; the memory of coif::Hair follows.
 struct coif_hair {
   coif::Asset asset;
   coif::Hair hair;
@@ -28,13 +28,13 @@ static_assert(int(COIF_NOT_ASKED) == int(coif::Status::kNotAsked));
 
 inline coif_status code(coif::Status status) { return static_cast<coif_status>(status); }
 
-/// For null one that is not open.
+/// The asset behind coif_asset; one that is not open for null.
 inline const coif::Asset& view_of(const coif_asset* asset) {
   static constexpr coif::Asset kNone;
   return asset == nullptr ? kNone : *reinterpret_cast<const coif::Asset*>(asset->inside);
 }
 
-/// Of no bytes for null.
+/// Empty for null.
 inline std::span<const std::byte> bytes_of(const void* data, std::size_t bytes) {
   return {static_cast<const std::byte*>(data), data == nullptr ? 0 : bytes};
 }
@@ -47,14 +47,14 @@ const InC* list(std::span<const Record> records, std::uint32_t* count) {
   return records.empty() ? nullptr : reinterpret_cast<const InC*>(records.data());
 }
 
-/// A list of C's type, which has the same layout; empty for null.
+/// A list in C's type of the same layout; empty for null.
 template <typename T, typename InC>
 std::span<const T> span_of(const InC* list, std::uint32_t count) {
   static_assert(sizeof(InC) == sizeof(T) && alignof(InC) == alignof(T));
   return {reinterpret_cast<const T*>(list), list == nullptr ? 0 : count};
 }
 
-/// The same bytes in the other language's type.
+/// Copies the bytes into the other language's type of the same layout.
 template <typename To, typename From>
 To copied(const From& from) {
   static_assert(sizeof(To) == sizeof(From));

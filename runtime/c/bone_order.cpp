@@ -5,7 +5,7 @@
 
 #include <new>
 
-// In the first bytes of the caller's memory; what coif::BoneOrder needs follows.
+// Lies at the start of the caller's memory; the memory of coif::BoneOrder follows.
 struct coif_bone_order {
   coif::BoneOrder order;
 };

@@ -49,7 +49,7 @@ bool read(const coif_hair_desc* from, coif::HairDesc& desc) {
   desc.has_own_air = from->has_own_air != 0;
   desc.feels_gusts = from->feels_gusts != 0;
   desc.dynamics_sets = from->dynamics_sets;
-#ifdef COIF_C_CROWDS_ALONE  // what a build that leaves out characters, links and Algorithm 1 does not know, it refuses
+#ifdef COIF_C_CROWDS_ALONE  // A build without characters, links and Algorithm 1 refuses them.
   return from->keeps_links == 0;
 #else
   const bool is_worn = from->solver == COIF_SOLVER_CHARACTER;

@@ -1,4 +1,4 @@
-// What any renderer computes, in C.
+// The parts of drawing that any renderer needs, in C.
 #include "drawing_types.h"
 
 namespace {
@@ -49,7 +49,7 @@ static_assert(sizeof(coif_draw_block) == sizeof(coif::DrawBlock));
 
 coif::Light light_of(const coif_light& from) {
   coif::Light light;
-  // Of more kinds than a byte has the last is refused as any that is not known.
+  // Kinds that do not fit into a byte become the last value, which is refused as unknown.
   light.kind = static_cast<coif::Light::Kind>(from.kind < 255 ? from.kind : 255);
   light.from = vector_of(from.from);
   light.color = vector_of(from.color);
@@ -182,7 +182,7 @@ coif_status coif_write_head(const coif_drawn_hair* hair, const coif_matrix_layou
   const coif::HairInstance instance{pose_of(*head), matrices, 0};
   const coif::Status status = coif::check_instance(hair_of(*hair), instance);
   if (status != coif::Status::kOk) return code(status);
-  // Either the head's own matrix alone, or with those of all its bones.
+  // The layout has either the head's own matrix alone, or also those of all its bones.
   const bool has_bones = layout->rows_of_head > coif::MatrixLayout::kMatrixRows;
   const size_t need = sizeof(coif::Mat34) * (has_bones ? 1 + matrices.size() : 1);
   const bool is_right = bytes == need && size_t{layout->rows_of_head} * coif::MatrixLayout::kRowBytes == need;

@@ -1,5 +1,5 @@
 #pragma once
-// What is drawn, from C's types to C++'s.
+// Conversions of drawing's types from C to C++.
 
 #include "asset_view.h"
 
@@ -11,7 +11,7 @@ namespace coif::c {
 
 static_assert(sizeof(coif_mat34) == sizeof(coif::Mat34));
 
-/// What culling, orders and matrices take of it; not its levels' ranges, alpha and material.
+/// The members that culling, orders and matrices use; without the levels' ranges, alpha and material.
 inline coif::DrawnHair hair_of(const coif_drawn_hair& from) {
   coif::DrawnHair hair;
   hair.lod_count = from.lod_count;
@@ -25,7 +25,7 @@ inline coif::DrawnHair hair_of(const coif_drawn_hair& from) {
   return hair;
 }
 
-/// Of no matrices for null.
+/// Empty for null.
 inline std::span<const coif::Mat34> matrices_of(const coif_mat34* palette, std::uint32_t count) {
   return {reinterpret_cast<const coif::Mat34*>(palette), palette == nullptr ? 0 : count};
 }

@@ -1,4 +1,4 @@
-// Bounds, bones against their parents, the last frame's matrices and lines of what the simulation knows, in C.
+// Bounds, bones relative to their parents, the last frame's matrices and debug lines, in C.
 #include "asset_view.h"
 #include "drawing_types.h"
 
@@ -29,7 +29,7 @@ std::span<T> room_of(InC* list, std::size_t count) {
   return {reinterpret_cast<T*>(list), list == nullptr ? 0 : count};
 }
 
-/// Where the host's function is called.
+/// The host's function and its argument.
 struct Drawer {
   coif_draw_line draw;
   void* user;

@@ -1,4 +1,4 @@
-// Skinning on the processor in C. Apart from what is drawn elsewhere, so that only who skins here links it.
+// Skinning on the processor in C. A file of its own, so that only programs that skin here link it.
 #include "asset_view.h"
 
 #include <coif/skinning.h>

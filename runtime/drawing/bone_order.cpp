@@ -13,7 +13,7 @@ std::size_t aligned(std::size_t bytes) {
   return (bytes + BoneOrder::kAlignment - 1) / BoneOrder::kAlignment * BoneOrder::kAlignment;
 }
 
-/// Of indices as they are on the GPU, as DrawnHair::index_bytes.
+/// Bytes per index on the GPU, as DrawnHair::index_bytes.
 std::uint32_t bytes_of_index(const Asset& asset) { return asset.vertices().size() <= 0xFFFF ? 2 : 4; }
 
 bool has_skinned_mesh(const Asset& asset) {
@@ -28,7 +28,7 @@ std::size_t most_groups(const Asset& asset) {
   return most;
 }
 
-/// The bone that moves a triangle's three corners most; of several the one met first.
+/// The bone that moves a triangle's three corners most; among equals the one met first.
 std::uint32_t leading_bone(std::span<const SkinRecord> skin, const std::uint32_t* corners) {
   std::uint32_t leading = 0;
   int most = -1;
@@ -49,10 +49,10 @@ Vec3 moved(const Mat34& matrix, const Vec3& p) {
   return {row(matrix.m[0]), row(matrix.m[1]), row(matrix.m[2])};
 }
 
-/// World to head space. Double on its way, because a head's place in a large world is.
+/// From the world to head space. Computed in double, because a head may be far from the world's origin.
 Vec3 in_head_space(const HeadPose& head, const Vec3& eye) {
   const double v[3] = {eye.x - head.position[0], eye.y - head.position[1], eye.z - head.position[2]};
-  // By the conjugate: v + 2 w (v x q) + 2 q x (q x v), of a quaternion that is unit nearly.
+  // Rotation by the conjugate: v + 2 w (v x q) + 2 q x (q x v), for a quaternion that is nearly unit.
   const double q[3] = {head.rotation.x, head.rotation.y, head.rotation.z}, w = head.rotation.w;
   const double c[3] = {v[1] * q[2] - v[2] * q[1], v[2] * q[0] - v[0] * q[2], v[0] * q[1] - v[1] * q[0]};
   const double d[3] = {c[1] * q[2] - c[2] * q[1], c[2] * q[0] - c[0] * q[2], c[0] * q[1] - c[1] * q[0]};
@@ -63,16 +63,17 @@ Vec3 in_head_space(const HeadPose& head, const Vec3& eye) {
 float square_distance(const Vec3& a, const Vec3& b) {
   const float x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
   const float square = x * x + y * y + z * z;
-  return square >= 0 ? square : 0;  // a palette with a NaN draws nonsense, but can be sorted
+  return square >= 0 ? square : 0;  // A palette with a NaN draws nonsense, but can be sorted.
 }
 
 }  // namespace
 
-/// Takes an asset apart into bones' triangles.
+/// Divides an asset's triangles among its bones.
 struct BoneOrder::Builder {
   const Asset& asset;
   BoneOrder& order;
-  std::uint32_t* counts;  ///< One for each bone: indices of its triangles, then where its next one goes.
+  /// One for each bone: first the number of its triangles' indices, then the place of its next triangle.
+  std::uint32_t* counts;
 
   void add_level(std::uint32_t lod, std::uint32_t first_group) {
     const std::size_t first_index = asset.lod_patches(lod).front().first_index;
@@ -91,7 +92,8 @@ struct BoneOrder::Builder {
     for (Group& group : std::span(order.groups_ + level.first, level.count)) group.middle = middle_of(group);
   }
 
-  /// The level's triangles, which have the places from `begin` to `end` in each of the asset's orders, bone by bone.
+  /// Adds the level's triangles, bone by bone. They have the places from `begin` to `end` in each of the asset's
+  /// orders.
   void add_order(const Level& level, std::uint32_t number, std::size_t begin, std::size_t end) {
     const std::size_t triangles = asset.indices().size() / kCorners;
     const std::size_t copy = number * asset.indices().size();
@@ -115,7 +117,7 @@ struct BoneOrder::Builder {
   }
 
   [[nodiscard]] std::uint32_t get(std::uint32_t place) const {
-    std::uint32_t index = 0;  // little-endian, as assets are
+    std::uint32_t index = 0;  // Assets are little-endian.
     std::memcpy(&index, order.indices_ + std::size_t{place} * order.index_bytes_, order.index_bytes_);
     return index;
   }

@@ -9,7 +9,7 @@
 namespace coif {
 namespace {
 
-// Of the numbers that add up to a coordinate: renderers sum them in other orders, and with other precision.
+// Share of the numbers that add up to a coordinate: renderers sum them in other orders and with other precision.
 constexpr float kBoundRounding = 1e-6f;
 
 /// A box that grows, by axis.
@@ -23,7 +23,7 @@ struct Extent {
   }
 };
 
-// Half of the box is what the box may hold while it is filled: its lowest and highest place.
+// While boxes are filled, `center` and `half` hold the lowest and highest place.
 void grow(BoneBox& box, const float (&p)[3]) {
   float* const low = &box.center.x;
   float* const high = &box.half.x;
@@ -99,7 +99,7 @@ WorldBounds bounds_in_world(const HairBounds& bounds, const HeadPose& head) {
   const HeadTurn turn = turn_of(head);
   const float low[3] = {bounds.lowest.x, bounds.lowest.y, bounds.lowest.z};
   const float high[3] = {bounds.highest.x, bounds.highest.y, bounds.highest.z};
-  constexpr double kLarger = 1 + double(kBoundRounding);  // what becomes of the halves as floats
+  constexpr double kLarger = 1 + double(kBoundRounding);  // Covers the rounding of the halves to float.
   WorldBounds world;
   double half[3] = {}, square = 0;
   for (int k = 0; k < 3; ++k) {

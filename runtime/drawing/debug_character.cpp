@@ -10,7 +10,7 @@ Quat product(const Quat& a, const Quat& b) {
           a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
 }
 
-/// From the world into a head's own space. Double on its way, because a head's place in a large world is.
+/// From the world to a head's own space. Computed in double, because a head may be far from the world's origin.
 Vec3 in_head(const double (&place)[3], const HeadPose& head) {
   const HeadTurn turn = turn_of(head);
   const double square = double(head.scale) * double(head.scale);

@@ -9,7 +9,7 @@ using Kind = DebugLine::Kind;
 
 constexpr float kPlaneHalf = 0.3f, kPlaneNormal = 0.1f;  // metres
 
-/// One collider with its number, to be drawn.
+/// A collider to draw, and its number.
 struct Outline {
   const debug::Pen& pen;
   const DebugCollider& of;

@@ -9,7 +9,7 @@ using debug::plus;
 using debug::times;
 using Kind = DebugLine::Kind;
 
-/// From a point to a collider's surface, the way hair is kept from it.
+/// The gap between a point and a collider's surface, towards the side that hair is kept on.
 struct Gap {
   float metres;  ///< Negative on the wrong side.
   Vec3 normal;   ///< Unit, to where hair may be.
@@ -31,7 +31,7 @@ Gap gap_to_ellipsoid(const Vec3& p, const Vec3& radii) {
   return {(distance - 1.0f) * distance / steepness, times(gradient, 1.0f / steepness)};
 }
 
-// The ball of a capsule that comes nearest is not beside the point but where the cone's normal through it starts.
+// The ball of a capsule that comes nearest lies where the cone's normal through the point starts, not beside the point.
 Gap gap_to_capsule(const Vec3& p, const Vec3& axis, float first, float last) {
   const float square = dot(axis, axis), taper = first - last;
   float share = square > 0.0f ? dot(p, axis) / square : 0.0f;
@@ -77,8 +77,8 @@ Vec3 along(const debug::PosedBone& bone, float share) {
   return plus(bone.start, times(minus(bone.end, bone.start), share));
 }
 
-/// Where on the bone the gap is smallest, share of its length: solids are convex, so there is one such place. Of a bone
-/// that starts inside, and of one that is kept inside, only the end counts.
+/// Where on the bone the gap is smallest, share of its length. Colliders are convex, so there is one such place. For a
+/// bone that starts inside, or that is kept inside, only its end counts.
 float nearest_share(const DebugCollider& c, const debug::PosedBone& bone, float radius) {
   if (c.keeps_inside || gap_to(c, bone.start).metres < radius) return 1;
   float low = 0, high = 1;
@@ -128,7 +128,7 @@ Status check(const Asset& asset, const HairInstance& instance, const DebugLines&
 Status draw_contact_lines(const Asset& asset, const HairInstance& instance, const DebugLines& lines,
                           std::span<const DebugCollider> more, float tolerance) {
   if (const Status status = check(asset, instance, lines, more, tolerance); status != Status::kOk) return status;
-  if (asset.dynamics().empty()) return Status::kOk;  // nothing moves
+  if (asset.dynamics().empty()) return Status::kOk;  // Nothing moves.
   const debug::Pen pen(instance.head, lines);
   for (std::uint32_t b = 1; b < asset.bones().size(); ++b) {
     const BoneRecord& bone = asset.bones()[b];

@@ -37,7 +37,7 @@ struct LimitOutline {
     }
   }
 
-  // The border of what pitch and yaw may be.
+  // The border of the allowed range of pitch and yaw.
   void draw_spherical(const LimitAxes& axes, float pitch, float yaw) const {
     for (const float sign : {-1.0f, 1.0f}) {
       const Vec3 tilted = plus(times(axes.y, std::cos(pitch)), times(axes.z, sign * std::sin(pitch)));
@@ -61,7 +61,7 @@ struct LimitOutline {
   }
 };
 
-/// About the direction in which the bone was modelled.
+/// Axes about the direction in which the bone was modelled.
 LimitAxes rest_axes(const BoneRecord& bone, const Mat34& parent) {
   const Vec3 rest{bone.rest_direction[0], bone.rest_direction[1], bone.rest_direction[2]};
   const Vec3 axis = debug::unit(debug::turned(parent, rest));
@@ -73,7 +73,7 @@ LimitAxes rest_axes(const BoneRecord& bone, const Mat34& parent) {
 
 Status draw_limit_lines(const Asset& asset, const HairInstance& instance, const DebugLines& lines) {
   if (const Status status = debug::check(asset, instance, lines); status != Status::kOk) return status;
-  if (asset.dynamics().empty()) return Status::kOk;  // nothing moves
+  if (asset.dynamics().empty()) return Status::kOk;  // Nothing moves.
   const debug::Pen pen(instance.head, lines);
   for (std::uint32_t b = 1; b < asset.bones().size(); ++b) {
     const BoneRecord& bone = asset.bones()[b];

@@ -1,5 +1,5 @@
 #pragma once
-// What the lines of coif/debug_lines.h have in common: arithmetic in head space, and the way from there to the host.
+// Shared by the functions of coif/debug_lines.h: arithmetic in head space, and the way from there to the host.
 
 #include "drawing/head_pose.h"
 
@@ -20,7 +20,7 @@ inline Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 inline float length(const Vec3& v) { return std::sqrt(dot(v, v)); }
-/// Of no length: upwards.
+/// The unit vector; upwards for a vector of no length.
 inline Vec3 unit(const Vec3& v) {
   const float size = length(v);
   return size > 0.0f ? times(v, 1.0f / size) : Vec3{0, 1, 0};
@@ -55,10 +55,10 @@ inline PosedBone posed(const BoneRecord& bone, const Mat34& matrix) {
   return {moved(matrix, joint), moved(matrix, plus(joint, times(rest, bone.length)))};
 }
 
-/// Draws from head space.
+/// Draws lines that are given in head space.
 class Pen {
  public:
-  /// `head` is valid.
+  /// `head` must be valid.
   Pen(const HeadPose& head, const DebugLines& lines) : head_(head), turn_(turn_of(head)), lines_(lines) {}
 
   void line(DebugLine::Kind kind, std::uint32_t index, const Vec3& from, const Vec3& to) const {
@@ -71,7 +71,7 @@ class Pen {
   /// Part of an ellipse, from `center + a` towards `center + b`, radians.
   void arc(DebugLine::Kind kind, std::uint32_t index, const Vec3& center, const Vec3& a, const Vec3& b, float from = 0,
            float to = kTurn) const {
-    constexpr int kPieces = 32;  // of a whole one
+    constexpr int kPieces = 32;  // Pieces of a whole ellipse.
     const int pieces = 1 + int(float(kPieces - 1) * (to - from) / kTurn + 0.5f);
     const auto at = [&](int i) {
       const float angle = from + (to - from) * float(i) / float(pieces);
@@ -93,7 +93,7 @@ class Pen {
   const DebugLines& lines_;
 };
 
-/// What all lines of hair ask for.
+/// The checks that all functions for a HairInstance share.
 inline Status check(const Asset& asset, const HairInstance& instance, const DebugLines& lines) {
   if (!asset.is_open()) return Status::kAssetLacksData;
   if (lines.draw == nullptr) return Status::kBadArgument;
@@ -110,7 +110,7 @@ inline bool is_box(const DebugCollider& c) { return c.shape == ColliderShape::kB
 inline bool is_capsule(const DebugCollider& c) {
   return c.shape == ColliderShape::kCapsule || c.shape == ColliderShape::kTaperedCapsule;
 }
-/// Of a capsule's other end.
+/// The radius at a capsule's other end.
 inline float end_radius(const DebugCollider& c) {
   return c.shape == ColliderShape::kTaperedCapsule ? c.radii.y : c.radii.x;
 }

@@ -26,7 +26,7 @@ void fill_clip_from_view(const float (&clip)[16], const Vec3& eye, float (&out)[
   }
 }
 
-/// Unit; false for no direction.
+/// Writes the unit vector; false for a vector without direction.
 bool fill_direction(const Vec3& v, float* out) {
   const double length = std::sqrt(double(v.x) * v.x + double(v.y) * v.y + double(v.z) * v.z);
   if (!(length > 0.0)) return false;
@@ -36,7 +36,7 @@ bool fill_direction(const Vec3& v, float* out) {
   return true;
 }
 
-/// A light that is no spot gets a cone that everything is in.
+/// A light that is not a spot gets a cone that contains everything.
 bool fill_cone(const Light& light, float* spot, float& sharpness) {
   spot[3] = -2.0f;
   sharpness = 1.0f;
@@ -83,7 +83,7 @@ void fill_component(Component component, float lights, float (&out)[4]) {
 
 }  // namespace
 
-// Negated so that NaN fails; an exponent of zero would ask the shader for pow(0, 0).
+// Negated so that NaN fails. An exponent of zero would make the shader compute pow(0, 0).
 bool is_valid(const MaterialRecord& m) {
   return is_finite(m.base_color) && is_finite(m.ambient) && is_finite(m.primary_color) &&
          is_finite(m.secondary_color) && std::isfinite(m.primary_shift) && std::isfinite(m.secondary_shift) &&

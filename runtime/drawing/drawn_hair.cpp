@@ -125,7 +125,7 @@ AlphaRange alpha_range_of(const Asset& asset) {
   for (std::uint32_t mip = 0; mip < record->mip_count; ++mip) {
     std::span<const std::byte> left = asset.texels(*record, mip);
     while (!left.empty()) {
-      constexpr std::size_t kSome = 4096;  // bytes between two looks at whether there is more to find
+      constexpr std::size_t kSome = 4096;  // Bytes between two looks at whether there is more to find.
       const std::size_t some = left.size() < kSome ? left.size() : kSome;
       widen(range, left.first(some));
       if (range.is_everything()) return {0, 1};

@@ -7,12 +7,12 @@
 
 namespace coif {
 
-/// World from head space but for the head's place: its rotation times its scale.
+/// World from head space without the translation: rotation times scale.
 struct HeadTurn {
   double rows[3][3];
 };
 
-/// Of a valid pose.
+/// The pose must be valid.
 inline HeadTurn turn_of(const HeadPose& pose) {
   const double x = pose.rotation.x, y = pose.rotation.y, z = pose.rotation.z, w = pose.rotation.w;
   const double s = 2.0 / (x * x + y * y + z * z + w * w), scale = pose.scale;
@@ -21,10 +21,10 @@ inline HeadTurn turn_of(const HeadPose& pose) {
            {scale * (s * (x * z - w * y)), scale * (s * (y * z + w * x)), scale * (1 - s * (x * x + y * y))}}};
 }
 
-/// kBadPose for a number that is not finite or a rotation that is no unit quaternion, kBadScale for a scale out of its
-/// range.
+/// kBadPose for a number that is not finite or a rotation that is not a unit quaternion, kBadScale for a scale out of
+/// its range.
 inline Status check_pose(const HeadPose& pose) {
-  constexpr double kUnitTolerance = 2e-3;  // of the squared length; Hair::set_head() takes the same
+  constexpr double kUnitTolerance = 2e-3;  // On the squared length, as in Hair::set_head().
   const double x = pose.rotation.x, y = pose.rotation.y, z = pose.rotation.z, w = pose.rotation.w;
   const double square = x * x + y * y + z * z + w * w;
   const bool is_finite =

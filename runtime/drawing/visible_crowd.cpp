@@ -13,7 +13,7 @@ struct HeadMatrix {
   float rows[3][4];
 };
 
-/// Of a valid pose. Double on its way, because a head's place in a large world is.
+/// The pose must be valid. Computed in double, because a head may be far from the world's origin.
 HeadMatrix head_matrix(const HeadPose& pose, const Vec3& eye) {
   const HeadTurn turn = turn_of(pose);
   const double from_eye[3] = {pose.position[0] - eye.x, pose.position[1] - eye.y, pose.position[2] - eye.z};
@@ -56,7 +56,7 @@ void write_head(const MatrixLayout& layout, const HairInstance& instance, const 
   }
 }
 
-// A point is in view where -w <= x, y, z <= w: six sums and differences of the matrix's rows.
+// A point is in view where -w <= x, y, z <= w. So the six planes are sums and differences of the matrix's rows.
 VisibleCrowd::VisibleCrowd(const DrawnHair& hair, std::span<const HairInstance> instances, const Vec3& eye,
                            const float (&clip)[16])
     : hair_(hair), instances_(instances), eye_(eye) {
@@ -76,7 +76,7 @@ VisibleCrowd::VisibleCrowd(const DrawnHair& hair, std::span<const HairInstance> 
   }
 }
 
-/// False only where nothing of the ball that the hair stays in is in view.
+/// False only where the whole ball that the hair stays in is out of view.
 bool VisibleCrowd::is_seen(const HairInstance& instance) const {
   const HeadMatrix head = head_matrix(instance.head, eye_);
   float center[3];

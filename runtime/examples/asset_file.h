@@ -1,4 +1,4 @@
-/* A file in memory that begins at a multiple of 64, as the asset and the hair want it: what the examples in C share. */
+/* Memory aligned to 64 bytes, as assets and hair want it, and a file read into it. Shared by the examples in C. */
 #ifndef ASSET_FILE_H
 #define ASSET_FILE_H
 
@@ -13,7 +13,7 @@ typedef struct block {
   size_t size;
 } block;
 
-/* Null bytes where there is no memory; aligned_alloc() is not everywhere. */
+/* `bytes` is null if there is no memory. Not every platform has aligned_alloc(). */
 static inline block allocate(size_t size) {
   block made = {NULL, NULL, size};
   made.from_malloc = malloc(size + 63);
@@ -21,7 +21,7 @@ static inline block allocate(size_t size) {
   return made;
 }
 
-/* The whole file; of no bytes where it cannot be read. */
+/* The whole file; `size` is 0 if it cannot be read. */
 static inline block read_file(const char* path) {
   block content = {NULL, NULL, 0};
   FILE* file = fopen(path, "rb");

@@ -1,9 +1,9 @@
-// Hair in the middle of an engine's own frame: the engine's framebuffer, with colour and depth textures of its own; its
-// solid things before the hair, what is seen through after it.
+// Draws hair in the middle of an engine's own frame, into the engine's framebuffer with its own colour and depth
+// textures: after the engine's solid things, before its transparent ones.
 //
 //   draw_in_host_frame bob.coif
 //
-// host_context.* and host_frame.* stand for the engine. All that has to do with coif is here.
+// host_frame.* stands for the engine. Everything that concerns coif is here.
 
 #include "host_frame.h"
 
@@ -17,7 +17,7 @@
 
 namespace {
 
-/// A game has its own allocator for memory that begins at a multiple of 64.
+/// coif wants memory aligned to 64 bytes; a game has its own allocator for that.
 struct alignas(64) CacheLine {
   std::byte bytes[64];
 };
@@ -29,7 +29,7 @@ std::span<std::byte> use(Memory& memory, std::size_t bytes) {
   return std::as_writable_bytes(std::span(memory)).first(bytes);
 }
 
-/// Empty where the file cannot be read.
+/// The whole file; empty if it cannot be read.
 std::span<std::byte> read_file(const char* path, Memory& memory) {
   std::FILE* const file = std::fopen(path, "rb");
   if (file == nullptr) return {};
@@ -55,7 +55,7 @@ coif::HeadPose head_pose() {
   return pose;
 }
 
-/// The hair of one head after a second of hanging.
+/// Creates the hair of one head and lets it hang for a second.
 coif::Status settle(const coif::Asset& asset, Memory& memory, coif::Hair& hair) {
   const coif::MemoryNeed need = coif::Hair::memory_need(asset, {});
   memory = allocate(need.bytes);
@@ -90,25 +90,25 @@ coif::Status draw_frame(const host::Frame& frame, coif::HairRenderer& renderer, 
   const host::Camera camera;
   const coif::Light sun{.from = {0.3f, 1.0f, 0.6f}};
   frame.begin();
-  frame.draw(camera, kPost);  // what is solid comes first: its depth hides the hair behind it
+  frame.draw(camera, kPost);  // solid things come first: their depth hides the hair behind them
   stages.solid = frame.read();
 
-  // Leaves the state that its header names at OpenGL's initial values, and nothing else changed: an engine that keeps a
-  // copy of the state to spare calls forgets that part of it here.
+  // draw() resets the state that its header names to OpenGL's initial values and changes nothing else. An engine that
+  // caches the state has to forget that part of it here.
   const coif::HairInstance head{head_pose(), hair.palette(0)};
   const coif::Status status = renderer.draw(model, {&head, 1}, description(camera, {&sun, 1}));
   stages.is_undisturbed = frame.is_as_begun();
   stages.hair = frame.read();
 
-  frame.draw(camera, kPane);  // what is seen through comes last: the hair has written its depth and stays before it
+  frame.draw(camera, kPane);  // transparent things come last: the hair has written its depth and stays in front
   stages.pane = frame.read();
   return status;
 }
 
 struct Counts {
-  int hair = 0;         ///< Pixels that the hair changed,
-  int over_post = 0;    ///< that lie on the post, which is nearer: none,
-  int before_pane = 0;  ///< that the pane behind left as they were: solid hair.
+  int hair = 0;         ///< Pixels that the hair changed.
+  int over_post = 0;    ///< Those on the post; there must be none, since the post is nearer.
+  int before_pane = 0;  ///< Those that the pane left unchanged: solid hair before it.
   int tinted = 0;       ///< Pixels that the pane changed.
 };
 

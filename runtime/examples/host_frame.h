@@ -1,6 +1,6 @@
 #pragma once
-// Stands for the engine: its OpenGL ES context, and its renderer with a framebuffer of its own, a camera, and things
-// that it draws itself. Nothing here is about hair.
+// Stands for the engine: its OpenGL ES context, and its renderer with a framebuffer, a camera and things that it draws.
+// Nothing here is about hair.
 
 #include <coif/renderer.h>
 
@@ -20,10 +20,10 @@ class Context {
   Context& operator=(const Context&) = delete;
   ~Context();
 
-  /// False where there is no driver for it.
+  /// False if no driver offers one.
   bool open();
 
-  /// How coif finds OpenGL's functions: by the host's own means, whatever they are.
+  /// Lets coif find OpenGL's functions by the host's own means.
   static coif::GlLoader loader();
 
  private:
@@ -38,7 +38,7 @@ using Pixels = std::vector<std::uint32_t>;  ///< RGBA bytes, rows from the botto
 /// A flat thing that faces the camera; world, metres.
 struct Rectangle {
   float left, bottom, right, top, z;
-  std::array<float, 4> color;  ///< Linear; alpha below 1: seen through.
+  std::array<float, 4> color;  ///< Linear; transparent if alpha is below 1.
 };
 
 /// Looks along -Z.
@@ -49,15 +49,15 @@ struct Camera {
 
 class Frame {
  public:
-  /// Textures for colour (sRGB) and depth, and a program. False where the driver refuses.
+  /// Creates textures for colour (sRGB) and depth, and a program. False if the driver refuses.
   bool create();
 
   void begin() const;
-  /// Sets all the state that it needs, and believes nothing about what was set before.
+  /// Sets all the state that it needs and relies on nothing that was set before.
   void draw(const Camera& camera, const Rectangle& rectangle) const;
   [[nodiscard]] Pixels read() const;
 
-  /// Whether it is still the target, with the viewport and the scissor of begin().
+  /// Whether this is still the target, with the viewport and the scissor of begin().
   [[nodiscard]] bool is_as_begun() const;
 
  private:

@@ -2,7 +2,7 @@
 //
 //   simulate_one_head bob.coif
 //
-// Everything a game does is here: read, open, give memory, then each frame move the head, step, use the matrices.
+// Shows everything that a game does: read, open, give memory, then in each frame move the head, step, use the matrices.
 
 #include <coif/hair.h>
 
@@ -22,12 +22,12 @@ using Memory = std::vector<CacheLine>;
 
 Memory allocate(std::size_t bytes) { return Memory((bytes + sizeof(CacheLine) - 1) / sizeof(CacheLine)); }
 
-/// The first `bytes` of it.
+/// The first `bytes` of the memory.
 std::span<std::byte> use(Memory& memory, std::size_t bytes) {
   return std::as_writable_bytes(std::span(memory)).first(bytes);
 }
 
-/// The whole file; empty where it cannot be read.
+/// The whole file; empty if it cannot be read.
 std::span<std::byte> read_file(const char* path, Memory& memory) {
   std::FILE* const file = std::fopen(path, "rb");
   if (file == nullptr) return {};
@@ -65,9 +65,9 @@ float largest_swing(const coif::Hair& hair, std::span<const coif::Vec3> rest) {
   return largest;
 }
 
-/// The game's main loop: each frame the head's new pose, then a step that takes it there.
+/// The game's main loop: each frame sets the head's new pose and steps to it.
 coif::Status play(coif::Hair& hair, float& largest) {
-  // Where the head appears, with its hair at rest: every pose from now on is movement.
+  // Puts the head where it appears, with its hair at rest: every pose from now on is movement.
   if (const coif::Status status = hair.reset(0, head_at(0)); status != coif::Status::kOk) return status;
   std::vector<coif::Vec3> rest(hair.bone_count());
   if (const coif::Status status = hair.bone_ends(0, rest); status != coif::Status::kOk) return status;
@@ -103,7 +103,7 @@ int main(int argument_count, char** arguments) {
     return fail(arguments[1], text);
   }
 
-  // Memory for one head, told before. After create() nothing is ever allocated.
+  // memory_need() says how much memory one head takes. After create() nothing is ever allocated.
   const coif::HairDesc desc{.instances = 1};
   const coif::MemoryNeed need = coif::Hair::memory_need(asset, desc);
   Memory memory = allocate(need.bytes);

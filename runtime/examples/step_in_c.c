@@ -1,5 +1,5 @@
-/* The simulation's C interface from one end to the other: three heads, one asset, two seconds of nodding. Prints a hash
- * of all matrices of all frames, which is the same in every language (step_in_csharp.cs) and on every processor.
+/* Uses the whole C interface of the simulation: three heads, one asset, two seconds of nodding. Prints a hash of all
+ * matrices of all frames, which is the same in every language (step_in_csharp.cs) and on every processor.
  *
  *   step_in_c bob.coif
  */
@@ -19,7 +19,8 @@ static int fail(const char* what, const char* why) {
   return EXIT_FAILURE;
 }
 
-/* Nods, each head a little later than the one before. Without sine and cosine, whose last bit is each library's own. */
+/* Nods, each head a little later than the one before. Does without sine and cosine, whose last bit differs between
+ * libraries. */
 static coif_head_pose head_at(int frame, int head) {
   double seconds = frame / 60.0 - 0.1 * head, part = seconds - floor(seconds);
   double tangent = 3.2 * part * (1 - part) * (0.5 - part), cosine = 1 / sqrt(1 + tangent * tangent);

@@ -1,5 +1,5 @@
-// The C interface from C#, on libcoif.so by P/Invoke: what step_in_c.c does, with the same bits. Three heads, one asset, two
-// seconds of nodding, and a hash of all matrices of all frames.
+// Calls the C interface from C#, by P/Invoke on libcoif.so. Does what step_in_c.c does, with the same bits: three heads,
+// one asset, two seconds of nodding, and a hash of all matrices of all frames.
 //
 //   mcs step_in_csharp.cs && LD_LIBRARY_PATH=FOLDER_OF_LIBCOIF mono step_in_csharp.exe bob.coif
 using System;
@@ -65,7 +65,7 @@ static class Coif
     }
 }
 
-// Memory that begins at a multiple of 64 and that the garbage collector leaves where it is.
+// Memory aligned to 64 bytes, which the garbage collector does not move.
 sealed class Block : IDisposable
 {
     readonly IntPtr allocated;

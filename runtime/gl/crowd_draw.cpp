@@ -56,13 +56,13 @@ std::uint64_t bytes_of_ordered_head(const RendererState& renderer, const ModelSt
          std::uint64_t{model.hair.indices_of_order} * model.hair.index_bytes;
 }
 
-// A head whose order is its own is drawn alone.
+// A head with its own order is drawn alone.
 std::uint32_t CrowdDraw::most_heads() const {
   if (order_ != nullptr || layout_.bones_in_texture) return 1;
   return (stream_.most() - block_bytes_) / batch_bytes_ * layout_.heads_of_batch;
 }
 
-/// Of all frames.
+/// Bytes of the bone texture, over all frames.
 std::uint32_t CrowdDraw::texture_bytes() const {
   return layout_.bones_in_texture ? layout_.frames * model_.hair.bone_count * std::uint32_t(sizeof(Mat34)) : 0;
 }
@@ -91,8 +91,9 @@ void CrowdDraw::send_texture(std::uint32_t offset) {
   }
 }
 
-// Values of the draw first, then the matrices batch by batch, each where a block may begin; or, of one head whose bones
-// are too many for a block, its own matrix and then those of the texture. Last the indices of an order of its own.
+// Sends the values of the draw first, then the matrices batch by batch, each at the alignment of a block. For one head
+// with more bones than a block holds: its own matrix, then the matrices of the texture. Last come the indices of the
+// head's own order.
 bool CrowdDraw::send_chunk(const Group& group, std::size_t first, Chunk& chunk) {
   const std::uint32_t batch = layout_.heads_of_batch;
   chunk.heads = visible_.count(group, first, most_heads());

@@ -62,7 +62,7 @@
   X(VertexAttribIPointer)    \
   X(VertexAttribPointer)
 
-/// Apart, because WebGL 2 has no memory to map.
+/// A list of its own, because WebGL 2 cannot map memory.
 #define COIF_GL_MAPPING_FUNCTIONS(X) \
   X(ClientWaitSync)                  \
   X(DeleteSync)                      \
@@ -70,8 +70,8 @@
   X(MapBufferRange)                  \
   X(UnmapBuffer)
 
-/// Defines a struct of the functions in LIST, each with its exact type, and load(): fills it, and returns the name of
-/// the first function that the host does not find, null when all are there.
+/// Defines a struct of the functions in LIST, each with its exact type, and load(), which fills it. load() returns the
+/// name of the first function that the host does not find, null when it finds all.
 #define COIF_GL_TABLE(Table, LIST)             \
   struct Table {                               \
     LIST(COIF_GL_MEMBER)                       \
@@ -91,7 +91,7 @@ COIF_GL_TABLE(GlCoreFunctions, COIF_GL_FUNCTIONS);
 COIF_GL_TABLE(GlMappingFunctions, COIF_GL_MAPPING_FUNCTIONS);
 
 struct GlFunctions : GlCoreFunctions, GlMappingFunctions {
-  /// Null where all that is asked for is there.
+  /// Loads what is needed. Returns the name of the first function that is missing, else null.
   const char* load(const GlLoader& loader, bool maps) {
     const char* const missing = GlCoreFunctions::load(loader);
     return missing != nullptr || !maps ? missing : GlMappingFunctions::load(loader);

@@ -33,9 +33,9 @@ void describe_skin(const GlFunctions& gl, std::size_t skin_begin) {
   for (GLuint attribute : {kBones, kWeights}) gl.EnableVertexAttribArray(attribute);
 }
 
-/// What programs must do for this asset, whatever its material.
+/// The variant bits that programs need for this asset, whatever its material.
 std::uint32_t needs_of(const Asset& asset, const DrawnHair& hair, const MatrixLayout& layout) {
-  constexpr std::uint32_t kBones[] = {0, variant::kOneBone, variant::kFourBones};  // in the order of Skinning
+  constexpr std::uint32_t kBones[] = {0, variant::kOneBone, variant::kFourBones};  // In the order of Skinning.
   return kBones[static_cast<std::size_t>(hair.skinning)] | (layout.bones_in_texture ? variant::kBonesInTexture : 0) |
          (asset.texture(TextureRole::kBaseColor) != nullptr ? variant::kBaseTexture : 0) |
          (asset.texture(TextureRole::kShiftMask) != nullptr ? variant::kShiftMask : 0) |

@@ -8,8 +8,9 @@ namespace {
 
 constexpr std::uint32_t kLeastStream = 1u << 20, kMostStream = 256u << 20;
 constexpr std::uint32_t kLeastLists = 64u << 10, kMostLists = 1u << 30;
-constexpr std::uint32_t kLeastBlock = 16u << 10, kMostBlock = 64u << 10;  // the least: what OpenGL ES 3.0 promises
-// A part of the smallest stream holds what is sent at once: a full block, or the matrices of the most bones.
+constexpr std::uint32_t kLeastBlock = 16u << 10, kMostBlock = 64u << 10;  // OpenGL ES 3.0 promises the smaller one.
+// A part of the smallest stream must hold everything that is sent at once: a full block, or the matrices of the most
+// bones.
 static_assert(kLeastStream / StreamBuffer::kParts >= sizeof(DrawBlock) + kMostBlock + 512);
 static_assert(kLeastStream / StreamBuffer::kParts >= sizeof(DrawBlock) + 512 + (kMaxBones + 1) * sizeof(Mat34));
 
@@ -19,7 +20,8 @@ bool is_valid(const RendererDesc& desc) {
          desc.block_bytes <= kMostBlock && desc.list_bytes >= kLeastLists && desc.list_bytes <= kMostLists;
 }
 
-/// Of fragment shaders. OpenGL ES 3.1 has the kind, but may offer none to them.
+/// How many storage blocks fragment shaders may have. OpenGL ES 3.1 has storage blocks, but fragment shaders may get
+/// none.
 std::uint32_t storage_blocks_of(const GlFunctions& gl, GLint major, GLint minor) {
   constexpr GLenum kMaxFragmentStorageBlocks = 0x90DA;  // OpenGL ES 3.1
   GLint blocks = 0;
@@ -30,7 +32,7 @@ std::uint32_t storage_blocks_of(const GlFunctions& gl, GLint major, GLint minor)
 }  // namespace
 
 void clear_errors(const GlFunctions& gl) {
-  // A lost context may report an error for ever; there are fewer kinds than this.
+  // A lost context may report an error for ever. There are fewer than 16 kinds of error.
   for (int i = 0; i < 16 && gl.GetError() != GL_NO_ERROR; ++i) {
   }
 }

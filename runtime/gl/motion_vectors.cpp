@@ -37,7 +37,7 @@ DrawView view_of_frame(const float (&clip_from_world)[16], const Vec3& eye) {
   return view;
 }
 
-/// One call: what it is asked for, and what follows from that.
+/// One call: its arguments, and the values derived from them.
 struct MotionDraw {
   RendererState& renderer;
   const ModelState& model;

@@ -5,9 +5,10 @@
 namespace coif {
 namespace {
 
-// Of everything that is hidden by hair and drawn later, a texel of alpha a should show 1 - a. Writing depth shows 0 of
-// it, not writing shows 1, so half is where one error becomes smaller than the other. Lower, the faint borders of cards
-// would punch holes into smoke or glass behind them; higher, it would shine through hair that is nearly solid.
+// Things that are hidden by hair and drawn later should show 1 - a through a texel of alpha a. With depth written they
+// show 0 of it, without they show 1, so at a half one error becomes smaller than the other. With a lower value the
+// faint borders of cards would punch holes into smoke or glass behind them; with a higher one these would shine through
+// hair that is nearly solid.
 constexpr float kDepthAlpha = 0.5f;
 
 void set_enabled(const GlFunctions& gl, GLenum capability, bool enabled) {
@@ -86,7 +87,7 @@ void set_draw_state(const GlFunctions& gl) {
   gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // premultiplied
   gl.FrontFace(GL_CCW);
   gl.Enable(GL_DEPTH_TEST);
-  gl.DepthFunc(GL_LEQUAL);  // of cards in one place the later, outer one wins
+  gl.DepthFunc(GL_LEQUAL);  // Among cards in one place the later, outer one wins.
 }
 
 void set_pass_state(const GlFunctions& gl, const Pass& pass) {

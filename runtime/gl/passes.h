@@ -19,26 +19,26 @@ class CrowdDraw;
 struct RendererState;
 struct ShadowLookup;
 
-/// The parts of a fragment shader in which ways to draw differ, as GLSL. A way's own live in its own file, so that a
-/// program which does not name it does not hold them.
+/// The parts of a fragment shader in which the ways to draw differ, as GLSL. Each way has its own in its own file, so
+/// that a program that does not name the way does not link them.
 struct FragmentCode {
-  std::uint32_t id;    ///< Of the programs built from it, below kMaxFragmentCodes; no two codes share one.
-  const char* keep;    ///< `float keep(float alpha)`: discards, or tells how solid the texel is, 0..1.
+  std::uint32_t id;    ///< Marks the programs built from this code; below kMaxFragmentCodes, no two codes share one.
+  const char* keep;    ///< `float keep(float alpha)`: discards the texel or returns how solid it is, 0..1.
   const char* output;  ///< `void write_fragment(vec3 linear, float coverage)` and what it writes to.
-  /// Instead of shading and its output, where not null: a whole `main()` that writes something else than colour.
+  /// If not null, replaces shading and output: a whole `main()` that writes something other than colour.
   const char* other = nullptr;
   const char* shared = "";  ///< Comes before all of these: what they have in common.
-  /// Lines before the vertex shader: which of its outputs `keep` reads, COIF_REST_PLACE or COIF_CORNER.
+  /// Lines in front of the vertex shader that enable the outputs that `keep` reads: COIF_REST_PLACE or COIF_CORNER.
   const char* vertex = "";
   const char* vertex_end = "";  ///< Comes after the vertex shader: functions that it calls.
-  /// Further textures that the shader reads. Null: none.
+  /// A further texture that the shader reads. Null: none.
   struct Sampler {
     const char* name = nullptr;
     std::int32_t unit = 0;
   } samplers[2] = {};
-  std::uint32_t storage_blocks = 0;  ///< Buffers that it writes to. Above 0 the program needs OpenGL ES 3.1.
-  /// Whether it says which samples are drawn, for which the program needs OpenGL ES 3.2, or takes the place of one that
-  /// does.
+  std::uint32_t storage_blocks = 0;  ///< Number of buffers that it writes to. Above 0 the program needs OpenGL ES 3.1.
+  /// kWritten: chooses the samples itself, for which the program needs OpenGL ES 3.2. kMissing: replaces such a program
+  /// on older versions.
   enum class SampleMask : std::uint8_t { kNotUsed, kWritten, kMissing } sample_mask = SampleMask::kNotUsed;
   bool thins = false;  ///< Drops some of the texels between Pass::alpha_min and solid_from.
 };
@@ -52,16 +52,16 @@ inline constexpr float kNoAlphaLimit = FLT_MAX;
 
 /// One draw call over a level of detail.
 struct Pass {
-  bool shaded;  ///< Colour is written; otherwise depth only.
+  bool shaded;  ///< Writes colour; otherwise depth only.
   bool blended;
   bool writes_depth;
   GLenum culled;    ///< GL_NONE: both faces are drawn.
   float alpha_min;  ///< Drawn: alpha_min <= alpha < alpha_max.
   float alpha_max;
-  float solid_from = 0;     ///< Texels of at least this alpha cover all that is behind them.
+  float solid_from = 0;     ///< Texels of at least this alpha hide everything behind them.
   bool tests_alpha = true;  ///< False: every texel is in that range and none is thinned.
   const FragmentCode* code = &kRangeCode;
-  const ShadowLookup* shadow = nullptr;  ///< Looked up where light is summed, or by `code`.
+  const ShadowLookup* shadow = nullptr;  ///< Used where light is summed, or by `code`.
 
   [[nodiscard]] bool writes_color() const { return code->storage_blocks == 0 && (shaded || code->other != nullptr); }
 };
@@ -71,11 +71,11 @@ class PassList {
  public:
   static constexpr std::size_t kMost = 6;
 
-  /// Leaves the pass out if no texel of these alphas is in its range, and the test if all are.
+  /// Leaves the pass out if no texel of these alphas is in its range, and turns off its test if all are.
   COIF_API void add_for(const AlphaRange& alpha, Pass pass);
-  /// At most kMost.
+  /// At most kMost passes.
   void add(const Pass& pass) { passes_[count_++] = pass; }
-  /// Where light is summed, one of the lights has this shadow.
+  /// Lets one of the lights have this shadow in passes that sum light.
   void add_shadow(const ShadowLookup& shadow);
   [[nodiscard]] std::span<const Pass> passes() const { return std::span(passes_).first(count_); }
 
@@ -84,25 +84,25 @@ class PassList {
   std::size_t count_ = 0;
 };
 
-/// Of the texture times the material's own alpha.
+/// The range of the texture's alpha times the material's own alpha.
 [[nodiscard]] COIF_API AlphaRange drawn_alpha(const MaterialRecord& material, const AlphaRange& texture);
 
-/// What is culled where both faces are wanted: back faces of one-sided hair.
+/// The faces to cull where both are wanted: back faces for one-sided hair, else none.
 [[nodiscard]] GLenum unseen_faces(const MaterialRecord& material);
 
-/// Texels from the opaque threshold on, as solid, sorted by the depth buffer.
+/// Texels from the opaque threshold on, drawn as solid, sorted by the depth buffer.
 [[nodiscard]] COIF_API Pass solid_pass(const MaterialRecord& material);
 
 /// Texels between the thresholds, blended over what is there.
 [[nodiscard]] COIF_API Pass soft_pass(const MaterialRecord& material);
 
-/// Depth of those soft texels that hide most of what is behind them. For what is drawn after the hair.
+/// Depth of those soft texels that hide most of what is behind them, for things that are drawn after the hair.
 [[nodiscard]] COIF_API Pass soft_depth_pass(const MaterialRecord& material);
 
-/// Texels from the discard threshold on, those below the opaque one thinned by `code`, all sorted by the depth buffer.
+/// Texels from the discard threshold on, all sorted by the depth buffer. `code` thins those below the opaque threshold.
 [[nodiscard]] COIF_API Pass thinned_pass(const MaterialRecord& material, const FragmentCode& code);
 
-/// The passes of those modes that take one and do not blend.
+/// The passes of the modes that have one pass and do not blend.
 template <const FragmentCode& code>
 PassList plan_thinned(const MaterialRecord& material, const AlphaRange& texture) {
   PassList drawn;
@@ -110,17 +110,17 @@ PassList plan_thinned(const MaterialRecord& material, const AlphaRange& texture)
   return drawn;
 }
 
-/// What passes share: premultiplied blending, depth test, winding.
+/// Sets the state that passes share: premultiplied blending, depth test, winding.
 COIF_API void set_draw_state(const GlFunctions& gl);
 
-/// What this pass wants beside.
+/// Sets the state of this pass.
 void set_pass_state(const GlFunctions& gl, const Pass& pass);
 
-/// Everything that the two above set, at OpenGL's initial values.
+/// Resets everything that the two functions above set to OpenGL's initial values.
 void leave_draw_state(const GlFunctions& gl);
 
-/// One call of HairRenderer::draw(): everything is checked, built and bound. The renderer is there for modes with
-/// objects of their own.
+/// The arguments of one call of HairRenderer::draw(), after everything was checked, built and bound. Modes with objects
+/// of their own need the renderer.
 struct ModeDraw {
   RendererState& renderer;
   CrowdDraw& crowd;
@@ -136,7 +136,8 @@ struct TransparencyMode {
   const char* name;
   /// The passes that draw something of an asset whose texture's alpha lies in this range.
   PassList (*plan_passes)(const MaterialRecord& material, const AlphaRange& texture);
-  /// Null: all passes, once. Leaves what it sets at OpenGL's initial values. False where the driver refuses.
+  /// Null: all passes are drawn once. Else draws them, and leaves the state that it sets at OpenGL's initial values.
+  /// False where the driver refuses.
   bool (*draw)(const ModeDraw& draw) = nullptr;
 };
 

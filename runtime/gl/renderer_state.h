@@ -1,5 +1,5 @@
 #pragma once
-// What HairRenderer and HairModel keep in the room that their public header gives them.
+// The state of HairRenderer and HairModel, in the room that their public header reserves.
 
 #include "gl/gl_functions.h"
 #include "gl/passes.h"
@@ -12,10 +12,10 @@
 
 namespace coif {
 
-/// Objects of the way to draw that needs some, kExactMode, from its first draw on.
+/// The objects of kExactMode, the only way to draw that has some; made at its first draw.
 struct ModeMemory {
   alignas(void*) std::byte bytes[512] = {};
-  void (*release)(const GlFunctions& gl, ModeMemory& memory) = nullptr;  ///< Null: there is nothing.
+  void (*release)(const GlFunctions& gl, ModeMemory& memory) = nullptr;  ///< Null: there is nothing to release.
 };
 
 struct RendererState {
@@ -31,10 +31,9 @@ struct RendererState {
   [[nodiscard]] static RendererState* of(const HairRenderer& renderer) { return renderer.state_; }
 
   [[nodiscard]] const Program* find_program(std::uint32_t variant) const;
-  /// Whether a program of this code can be built here, and is the one to draw with. Where it is not, its mode has
-  /// another way.
+  /// Whether a program of this code can be built here and should be used. Where not, its mode has another way.
   [[nodiscard]] COIF_API bool takes(const FragmentCode& code) const;
-  /// Builds those of the passes' programs that there are not yet. kDriver where one is refused; see failure.
+  /// Builds the programs of the passes that are missing. kDriver where the driver refuses one; see `failure`.
   Status build_missing(const PassList& passes, std::uint32_t needs, const MaterialRecord& material,
                        Component component);
 
@@ -42,12 +41,12 @@ struct RendererState {
   GlLoader loader;
   StreamBuffer stream;
   ModeMemory mode_memory;
-  std::uint32_t storage_blocks = 0;  ///< That fragment shaders may write to.
-  bool has_sample_masks = false;     ///< Fragment shaders may say which samples are drawn.
+  std::uint32_t storage_blocks = 0;  ///< How many storage blocks fragment shaders may write to.
+  bool has_sample_masks = false;     ///< Fragment shaders may choose which samples are drawn.
   std::uint32_t list_bytes = 0;
-  std::uint32_t block_bytes = 0;  ///< Of the matrices' uniform block.
+  std::uint32_t block_bytes = 0;  ///< Size of the matrices' uniform block.
   const WebGlCode* webgl = nullptr;
-  std::span<std::byte> scratch;  ///< With `webgl`.
+  std::span<std::byte> scratch;  ///< Used with `webgl`.
   bool is_created = false;
   char failure[512] = {};
   std::uint32_t program_count = 0;
@@ -65,7 +64,7 @@ struct ModelState {
   RendererState* renderer = nullptr;
   DrawnHair hair;
   MatrixLayout layout;
-  std::uint32_t needs = 0;  ///< What programs must do for this asset, whatever its material: bits of `variant`.
+  std::uint32_t needs = 0;  ///< Bits of `variant` that programs need for this asset, whatever its material.
   GLuint vertex_array = 0;
   GLuint vertex_buffer = 0;
   GLuint index_buffer = 0;
@@ -74,11 +73,12 @@ struct ModelState {
   GLuint normal_texture = 0;
   GLuint strand_texture = 0;
   GLuint palette_texture = 0;  ///< 0: matrices fit into a block.
-  /// Two frames' matrices that do not fit into a block, from the first vectors of motion on.
+  /// For two frames' matrices that do not fit into a block; made at the first motion vectors.
   mutable GLuint motion_texture = 0;
 };
 
-/// Binds what draw calls of this model take, and sets what its passes share; and leaves all of it empty.
+/// Binds what draw calls of this model need and sets the state that its passes share; unbinds and resets all of it at
+/// the end.
 void bind_model(const GlFunctions& gl, const ModelState& model);
 void unbind_model(const GlFunctions& gl, const ModelState& model);
 

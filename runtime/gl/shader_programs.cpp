@@ -12,7 +12,7 @@
 namespace coif {
 namespace {
 
-// highp everywhere: exponents of some thousands leave nothing of a mediump highlight.
+// highp everywhere: with mediump, exponents of some thousands leave no highlight.
 constexpr char kPrecision[] = "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
 
 GLuint compile(const GlFunctions& gl, GLenum stage, const char* version, std::span<const char* const> pieces,
@@ -130,7 +130,7 @@ void bind_shadow_textures(const GlFunctions& gl, GLuint program, const ShadowLoo
 }
 
 void bind_textures_and_blocks(const GlFunctions& gl, GLuint program, const Pass& pass) {
-  gl.UseProgram(program);  // Of a texture that the program lacks the location is -1, which is ignored.
+  gl.UseProgram(program);  // A texture that the program does not use has location -1, which is ignored.
   gl.Uniform1i(gl.GetUniformLocation(program, "base_texture"), kBaseUnit);
   gl.Uniform1i(gl.GetUniformLocation(program, "shift_mask_texture"), kShiftMaskUnit);
   gl.Uniform1i(gl.GetUniformLocation(program, "normal_texture"), kNormalUnit);
@@ -159,11 +159,11 @@ std::uint32_t canonical(std::uint32_t bits, bool writes_other) {
   if ((bits & (kPrimary | kSecondary | kStrandTerms)) == 0) bits &= ~kShiftMask;
   if ((bits & kShaded) == 0 && !writes_other) bits &= ~kShadow;
   if ((bits & (kShaded | kDirection | kAlphaTest)) == 0 && !writes_other)
-    bits &= ~kBaseTexture;  // depth of whole triangles
+    bits &= ~kBaseTexture;  // Depth of whole triangles needs no texture.
   return bits;
 }
 
-/// The model and the highlights that it has with this material.
+/// The bits of the model, and of the highlights that it has with this material.
 std::uint32_t shading_bits(const MaterialRecord& material) {
   const auto model = static_cast<std::uint32_t>(material.shading);
   const ShadingTraits& traits = kShadingModels[model];
@@ -181,7 +181,7 @@ GLuint build_program(const GlFunctions& gl, const char* version, std::span<const
   if (vertex_shader == 0) return 0;
   const GLuint fragment_shader = compile(gl, GL_FRAGMENT_SHADER, version, fragment, log);
   const GLuint program = fragment_shader == 0 ? 0 : link(gl, vertex_shader, fragment_shader, log);
-  // Deleting marks them only; a linked program keeps what it needs.
+  // Deleting only marks shaders; a linked program keeps what it needs.
   gl.DeleteShader(vertex_shader);
   gl.DeleteShader(fragment_shader);
   return program;

@@ -28,7 +28,7 @@ void StreamBuffer::destroy(const GlFunctions& gl) {
 void StreamBuffer::wait_for(const GlFunctions& gl, std::uint32_t part) {
   GLsync& fence = fences_[part];
   if (fence == nullptr) return;
-  constexpr GLuint64 kSecond = 1'000'000'000;  // A GPU that takes longer is lost, and what it shows with it.
+  constexpr GLuint64 kSecond = 1'000'000'000;  // Nanoseconds. A GPU that takes longer is lost, and so is its picture.
   gl.ClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, kSecond);
   gl.DeleteSync(fence);
   fence = nullptr;
@@ -66,7 +66,7 @@ void StreamBuffer::leave(const GlFunctions& gl, std::uint32_t first, std::uint32
 }
 
 void StreamBuffer::retire(const GlFunctions& gl) {
-  // The part that the cursor stays in gets its fence when it is left.
+  // A part gets its fence when the cursor leaves it.
   const bool is_full = end_ >= bytes_;
   leave(gl, part_of(offset_), is_full ? kParts : part_of(end_));
   cursor_ = is_full ? 0 : end_;

@@ -33,7 +33,7 @@ GLsizei mip_size(std::uint32_t size, std::uint32_t mip) {
 /// Artists tile strand textures along long strips. Where nothing tiles, repeating would only blend the roots' row of
 /// texels into the tips.
 GLint wrap_of(const Asset& asset) {
-  constexpr float kSlack = 1e-3f;  // rounding in exporters
+  constexpr float kSlack = 1e-3f;  // Exporters round.
   for (const VertexRecord& vertex : asset.vertices()) {
     for (const float place : vertex.uv) {
       if (place < -kSlack || place > 1.0f + kSlack) return GL_REPEAT;
@@ -85,7 +85,7 @@ const void* place_in_buffer(std::size_t offset) { return reinterpret_cast<const 
 void bind_texture(const GlFunctions& gl, GLint unit, GLuint texture) {
   if (texture == 0) return;
   const auto place = static_cast<GLuint>(unit);
-  gl.BindSampler(place, 0);  // one of the host's would override the texture's own filters
+  gl.BindSampler(place, 0);  // A sampler of the host would override the texture's own filters.
   gl.ActiveTexture(GL_TEXTURE0 + place);
   gl.BindTexture(GL_TEXTURE_2D, texture);
 }

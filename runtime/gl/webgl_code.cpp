@@ -3,12 +3,12 @@
 namespace coif {
 namespace {
 
-constexpr std::uint32_t kSide = 4;  // texels of a block, each way
+constexpr std::uint32_t kSide = 4;  // Texels of a block, each way.
 constexpr std::size_t kChannels = 2, kChannelBytes = 8;
 constexpr int kMaxValue = 2047;
 
-/// Khronos Data Format Specification 1.3, table 115: how far texels lie from their block's base. The second four of a
-/// row are the first four's mirror, less one.
+/// Khronos Data Format Specification 1.3, table 115: distance of texels from their block's base. The second four of a
+/// row are the mirror of the first four, less one.
 constexpr std::int8_t kModifiers[16][4] = {{-3, -6, -9, -15}, {-3, -7, -10, -13}, {-2, -5, -8, -13}, {-2, -4, -6, -13},
                                            {-3, -6, -8, -12}, {-3, -7, -9, -11},  {-4, -7, -8, -11}, {-3, -5, -8, -11},
                                            {-2, -6, -8, -10}, {-2, -5, -8, -10},  {-2, -4, -8, -10}, {-2, -5, -7, -10},
@@ -19,7 +19,7 @@ int modifier_of(unsigned table, unsigned index) {
   return index < 4 ? far : -far - 1;
 }
 
-/// A block's channel: what its eight indices stand for, in bytes.
+/// One channel of a block: the bytes that its eight indices stand for.
 class Channel {
  public:
   explicit Channel(const std::byte* code) {
@@ -35,7 +35,7 @@ class Channel {
   }
 
   [[nodiscard]] std::byte at(std::uint32_t column, std::uint32_t row) const {
-    const std::uint32_t texel = column * kSide + row;  // column by column, from the highest bits
+    const std::uint32_t texel = column * kSide + row;  // Column by column, from the highest bits.
     return values_[indices_ >> (3 * (kSide * kSide - 1 - texel)) & 7];
   }
 
@@ -58,7 +58,7 @@ void send_eac(const GlFunctions& gl, const Asset& asset, const TextureRecord& re
   }
 }
 
-/// Index number `place` of all orders, one after the other.
+/// Index number `place` over all orders, one after the other.
 std::uint32_t index_at(const Asset& asset, std::size_t place) {
   const std::size_t first_order = asset.indices().size();
   if (place < first_order) return asset.indices()[place];

@@ -1,5 +1,5 @@
 #pragma once
-// What kWebGl does in place of what WebGL 2 lacks.
+// kWebGl's replacements for what WebGL 2 lacks.
 
 #include "gl/gl_functions.h"
 
@@ -13,17 +13,17 @@
 
 namespace coif {
 
-/// `scratch`: what is written before it is sent, RendererDesc::scratch.
+/// `scratch` is RendererDesc::scratch, memory for data before it is sent.
 struct WebGlCode {
-  /// write_draw_orders() into the bound index buffer, which has its storage.
+  /// Sends write_draw_orders() to the bound index buffer, which has its storage.
   void (*send_indices)(const GlFunctions& gl, const Asset& asset, const DrawnHair& hair, std::span<std::byte> scratch);
-  /// One mip of an EAC texture to the bound one of GL_RG8; GL_UNPACK_ALIGNMENT is 1.
+  /// Sends one mip of an EAC texture to the bound one of GL_RG8; GL_UNPACK_ALIGNMENT must be 1.
   void (*send_eac)(const GlFunctions& gl, const Asset& asset, const TextureRecord& record, std::uint32_t mip,
                    std::span<std::byte> scratch);
 };
 
-/// A row of blocks of RG11 EAC, four rows of `width` texels as two bytes each, the nearest to what a sampler would
-/// return. `blocks` has 16 bytes for each four texels begun; `out` 8 * width.
+/// Decodes a row of RG11 EAC blocks to four rows of `width` texels of two bytes each, the nearest to what a sampler
+/// would return. `blocks` has 16 bytes for each four texels begun; `out` 8 * width.
 void decode_eac_rows(std::span<const std::byte> blocks, std::uint32_t width, std::span<std::byte> out);
 
 }  // namespace coif

@@ -33,7 +33,7 @@ constexpr FragmentCode kMaskedCode = {.id = 12,
 template <const FragmentCode& code>
 PassList plan_counted(const MaterialRecord& material, const AlphaRange& texture) {
   Pass pass = thinned_pass(material, code);
-  pass.blended = true;  // for the target's alpha
+  pass.blended = true;  // Blends for the target's alpha.
   PassList drawn;
   drawn.add_for(drawn_alpha(material, texture), pass);
   return drawn;

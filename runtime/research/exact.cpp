@@ -16,8 +16,8 @@ void release_all(const GlFunctions& gl, ModeMemory& memory) {
   release(gl, exact.functions, exact.peel);
 }
 
-/// With all functions but those of OpenGL ES 3.1. Null, with the reason in the renderer's failure, where the host lacks
-/// one.
+/// Loads all functions except those of OpenGL ES 3.1. Null where the host lacks one, with the reason in the renderer's
+/// failure.
 ExactMemory* exact_memory(RendererState& renderer) {
   static_assert(sizeof(ExactMemory) <= sizeof(ModeMemory::bytes));
   if (renderer.mode_memory.release != nullptr) return &memory_in(renderer.mode_memory);
@@ -47,7 +47,7 @@ Pass soft_pass_with(const MaterialRecord& material, const FragmentCode& code) {
   return pass;
 }
 
-/// Of both ways to draw soft texels; split_passes() takes them apart.
+/// The passes of both ways to draw soft texels; split_passes() separates them.
 PassList plan(const MaterialRecord& material, const AlphaRange& texture) {
   const AlphaRange alpha = drawn_alpha(material, texture);
   PassList drawn;
@@ -95,7 +95,7 @@ bool draw_soft(const ModeDraw& draw, const ExactPasses& passes, const PixelArea&
   return draw_peeled(draw, passes.peeled, memory);
 }
 
-// Solid texels first: soft ones behind them get into no list and need no layer.
+// Solid texels come first, so that soft ones behind them get into no list and need no layer.
 bool draw_exactly(const ModeDraw& draw) {
   const ExactPasses passes = split_passes(draw.passes);
   if (passes.listed.passes().empty()) return draw.crowd.draw(passes.solid);

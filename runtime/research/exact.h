@@ -1,5 +1,5 @@
 #pragma once
-// kExactMode: lists of soft texels, or layers that are peeled.
+// kExactMode: lists of soft texels, or peeling by layers.
 
 #include "gl/crowd_draw.h"
 
@@ -30,22 +30,22 @@ namespace coif {
 
 COIF_GL_TABLE(ExactFunctions, COIF_EXACT_FUNCTIONS);
 
-/// Where the host draws, in pixels of its framebuffer.
+/// The host's viewport, in pixels of its framebuffer.
 struct PixelArea {
   GLint left, bottom, width, height;
 };
 
 struct ListMemory {
   GLuint program = 0;  ///< Blends the lists into the framebuffer.
-  GLuint heads = 0;    ///< Buffers.
+  GLuint heads = 0;    ///< Buffer objects.
   GLuint nodes = 0;
   std::uint32_t pixels = 0;
-  std::uint32_t capacity = 0;  ///< Nodes.
+  std::uint32_t capacity = 0;  ///< Number of nodes.
 };
 
 struct PeelMemory {
   enum Texture : std::uint8_t { kDepth, kFoundDepth, kEvenLayer, kOddLayer, kTextures };
-  /// Each draws into the texture of its number + 1, with kDepth for depth.
+  /// Each draws into the texture of its number + 1; kDepth is the depth buffer.
   enum Framebuffer : std::uint8_t { kFindDepth, kFindEven, kFindOdd, kFramebuffers };
 
   GLuint textures[kTextures] = {};
@@ -55,7 +55,7 @@ struct PeelMemory {
   GLsizei height = 0;
 };
 
-/// What kExactMode keeps in a renderer's ModeMemory.
+/// The contents of a renderer's ModeMemory with kExactMode.
 struct ExactMemory {
   ExactFunctions functions;
   decltype(&glMemoryBarrier) memory_barrier = nullptr;  ///< OpenGL ES 3.1; null where the host does not find it.
@@ -66,10 +66,10 @@ struct ExactMemory {
 void release(const GlFunctions& gl, ListMemory& lists);
 void release(const GlFunctions& gl, const ExactFunctions& functions, PeelMemory& peel);
 
-/// Of soft texels, which it stores with their depths instead of drawing them.
+/// Stores soft texels with their depths instead of drawing them.
 extern const FragmentCode kListCode;
 
-/// Whether the driver can do it at all. With OpenGL ES 3.0 alone it cannot.
+/// Whether the driver supports lists. OpenGL ES 3.0 alone does not.
 [[nodiscard]] bool has_lists(const ModeDraw& draw, const ExactMemory& memory);
 
 /// Makes what is missing for this area. False where the driver refuses, with the reason in the renderer's failure.
@@ -77,15 +77,15 @@ extern const FragmentCode kListCode;
 
 enum class Listed : std::uint8_t { kDrawn, kOverflow, kDriver };
 
-/// Draws the crowd's soft texels through lists, over what is in the framebuffer. Draws nothing after an overflow. Waits
-/// for the GPU. Leaves depth test and colour mask as it likes, and no storage buffer bound.
+/// Draws the crowd's soft texels through lists, over the contents of the framebuffer. Draws nothing after an overflow.
+/// Waits for the GPU. Leaves depth test and colour mask undefined, and no storage buffer bound.
 [[nodiscard]] Listed draw_lists(const ModeDraw& draw, const PassList& listed, const PixelArea& area,
                                 ExactMemory& memory);
 
-/// Find, in each pixel, the furthest soft texel that is not yet drawn: first its depth, then which one it is.
+/// These two find in each pixel the furthest soft texel that is not yet drawn: first its depth, then its number.
 extern const FragmentCode kPeelDepthCode;
 extern const FragmentCode kPeelKeyCode;
-/// Draws the one that was found.
+/// Draws the texel that was found.
 extern const FragmentCode kPeeledCode;
 
 /// Makes what is missing for this area. False where the driver refuses, with the reason in the renderer's failure.
@@ -98,9 +98,9 @@ struct PeelPasses {
   PassList draw_found;
 };
 
-/// Draws the crowd's soft texels layer by layer, from the furthest on, over what is in the framebuffer. Waits for the
-/// GPU after each. False where the driver refuses. Restores the host's framebuffer and polygon offset; leaves the depth
-/// function as it likes, and no texture bound.
+/// Draws the crowd's soft texels layer by layer, the furthest first, over the contents of the framebuffer. Waits for
+/// the GPU after each layer. False where the driver refuses. Restores the host's framebuffer and polygon offset; leaves
+/// the depth function undefined, and no texture bound.
 [[nodiscard]] bool draw_peeled(const ModeDraw& draw, const PeelPasses& passes, ExactMemory& memory);
 
 }  // namespace coif

@@ -42,7 +42,7 @@ bool build_resolve(const ModeDraw& draw, ListMemory& lists) {
   return lists.program != 0;
 }
 
-/// All lists empty.
+/// Empties all lists.
 bool clear(const GlFunctions& gl, const PixelArea& area, const ListMemory& lists) {
   gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, lists.heads);
   const GLsizeiptr bytes = head_bytes(static_cast<std::uint32_t>(area.width * area.height));
@@ -67,7 +67,7 @@ bool read_count(const GlFunctions& gl, const ListMemory& lists, std::uint32_t& c
 }
 
 void resolve(const GlFunctions& gl, const ExactMemory& memory) {
-  gl.Enable(GL_BLEND);  // as set_draw_state() has it: what the lists hold is premultiplied
+  gl.Enable(GL_BLEND);  // As in set_draw_state(): the lists hold premultiplied colours.
   gl.Disable(GL_DEPTH_TEST);
   gl.Disable(GL_CULL_FACE);
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

@@ -10,9 +10,9 @@
 namespace coif {
 namespace {
 
-constexpr GLuint kBehindAll[4] = {0xFFFFFFFF, 0xFFFFFFFF, 0, 0};  // All texels are left to be peeled,
-constexpr GLuint kBeforeAll[4] = {0, 0xFFFFFFFF, 0, 0};           // or none is.
-constexpr int kMostLayers = 4096;  // More than there ever are: a driver that always finds one more is stopped.
+constexpr GLuint kBehindAll[4] = {0xFFFFFFFF, 0xFFFFFFFF, 0, 0};  // All texels are left to be peeled.
+constexpr GLuint kBeforeAll[4] = {0, 0xFFFFFFFF, 0, 0};           // No texel is left.
+constexpr int kMostLayers = 4096;  // More than there ever are. Stops a driver that always finds one more.
 
 GLuint host_framebuffer(const GlFunctions& gl) {
   GLint name = 0;
@@ -154,7 +154,7 @@ const FragmentCode kPeeledCode = {.id = 7,
 
 bool make_peel_targets(const ModeDraw& draw, const PixelArea& area, ExactMemory& memory) {
   PeelMemory& peel = memory.peel;
-  // Texels keep their places of the host's framebuffer.
+  // Texels keep their places in the host's framebuffer.
   const GLsizei width = area.left + area.width, height = area.bottom + area.height;
   if (peel.query != 0 && width <= peel.width && height <= peel.height) return true;
   release(draw.renderer.gl, memory.functions, peel);
@@ -171,8 +171,8 @@ bool make_peel_targets(const ModeDraw& draw, const PixelArea& area, ExactMemory&
   return false;
 }
 
-// Where a texel was found, its depth must be the same to the bit when it is drawn, whichever format the host's depth
-// buffer has; polygon offset depends on the format.
+// The depth of a texel must be the same to the bit when it is found and when it is drawn, for every format of the
+// host's depth buffer. Polygon offset depends on the format.
 bool draw_peeled(const ModeDraw& draw, const PeelPasses& passes, ExactMemory& memory) {
   const bool has_offset = memory.functions.IsEnabled(GL_POLYGON_OFFSET_FILL) != GL_FALSE;
   if (has_offset) draw.renderer.gl.Disable(GL_POLYGON_OFFSET_FILL);

@@ -23,14 +23,15 @@ void take_up_intervals(CrowdState& crowd) {
   }
 }
 
-/// The last frames together.
+/// The last `count` frames as one span.
 FrameSpan last_frames(const CrowdState& crowd, std::uint32_t count) {
   FrameSpan span;
   for (std::uint32_t i = 0; i < count; ++i) add_frame(span, crowd.last_dts[i]);
   return span;
 }
 
-/// One bone of a row, all lanes. Neighbours often move alike, and then are computed once.
+/// Sets the coefficients of one bone of a row in all lanes. Neighbouring lanes often have equal values, which are
+/// computed once.
 void set_bone_coefficients(CrowdState& crowd, const Row& row, std::uint32_t i, const StepTerms& terms,
                            std::byte* coefficients) {
   CoefficientLanes to{coefficients, 0, 0};
@@ -47,7 +48,7 @@ void set_bone_coefficients(CrowdState& crowd, const Row& row, std::uint32_t i, c
   }
 }
 
-/// True where bone `i` of both rows, which one solver moves, moves alike in every lane.
+/// True where bone `i` of both rows, which the same solver moves, has equal coefficients in every lane.
 bool alike(const Asset& asset, const Row& a, const Row& b, std::uint32_t i) {
   for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
     if (!move_alike(*a.solver, asset, bone_in_lane(asset, a, i, lane), bone_in_lane(asset, b, i, lane))) return false;
@@ -55,7 +56,7 @@ bool alike(const Asset& asset, const Row& a, const Row& b, std::uint32_t i) {
   return true;
 }
 
-/// Whole rows of chains often move alike too.
+/// Sets the coefficients of a row. Whole rows of chains are often equal too.
 void set_row_coefficients(CrowdState& crowd, std::size_t index, const StepTerms& terms, std::byte* all) {
   const Row& row = crowd.rows[index];
   const Row& last = crowd.rows[index == 0 ? 0 : index - 1];
@@ -71,7 +72,7 @@ void set_row_coefficients(CrowdState& crowd, std::size_t index, const StepTerms&
   }
 }
 
-/// Nothing where they are those of the interval's last step.
+/// Computes nothing where the terms are those of the interval's last step.
 void renew_coefficients(CrowdState& crowd, std::uint32_t interval_power, std::uint32_t set,
                         const DynamicsScale& scale) {
   const float dt = crowd.intervals[interval_power].parts.part_dt();
@@ -83,7 +84,7 @@ void renew_coefficients(CrowdState& crowd, std::uint32_t interval_power, std::ui
   for (std::size_t row = 0; row < crowd.rows.size(); ++row) set_row_coefficients(crowd, row, terms, all);
 }
 
-/// What a set of dynamics and the step multiply by.
+/// The factors of a set of dynamics times those of the step.
 DynamicsScale scale_of(const CrowdState& crowd, std::uint32_t set, const DynamicsScale& all) {
   const DynamicsScale& own = crowd.dynamics_sets[set].scale;
   return {smaller(own.stiffness * all.stiffness, kMostScale), smaller(own.damping * all.damping, kMostScale),
@@ -101,7 +102,7 @@ void renew_interval(CrowdState& crowd, std::uint32_t power, const StepSettings& 
   }
 }
 
-/// In no time nothing moves: a head with another pose than before was put there.
+/// With dt = 0 nothing moves, so a head with a new pose was put there.
 void put_moved_heads(CrowdState& crowd) {
   for (std::uint32_t index = 0; index < crowd.blocks.size(); ++index) {
     if (crowd.treatments[index] == kIdle) continue;
@@ -141,7 +142,7 @@ void begin_step(CrowdState& crowd, const StepSettings& settings) {
 void finish_step(CrowdState& crowd) {
   for (std::uint32_t job = 0; job < crowd.job_count; ++job) {
     Block& block = crowd.blocks[crowd.jobs[job]];
-    // The lane of whoever leaves may be taken by another that falls asleep too.
+    // A lane that an instance leaves may be taken by another one that falls asleep too.
     while (block.may_sleep != 0) {
       const auto lane = std::uint32_t(std::countr_zero(block.may_sleep));
       const std::uint32_t instance = block.instance[lane];

@@ -1,4 +1,4 @@
-// Where bones end: apart from hair.cpp, since games that draw by matrices never ask.
+// The ends of bones. A file of its own, since games that draw by matrices never ask for them.
 
 #include <coif/hair.h>
 

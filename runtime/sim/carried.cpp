@@ -4,13 +4,13 @@
 namespace coif {
 namespace {
 
-/// What hangs from a bone's start, at rest, for bones of a kilogram a metre, each at its end: mass, and its moments
-/// about that place.
+/// Everything that hangs from a bone's start, at rest: its mass (bones weigh a kilogram per metre, with the mass at
+/// their ends), and its moments about that place.
 struct Hanging {
   double mass = 0, first[3] = {}, second = 0;
 
-  /// Adds what has these moments about the start `to` to those about `from`. Steps from bone to bone: nothing cancels,
-  /// however far hair is from the origin.
+  /// Adds `other`, whose moments are about `to`, to these, which are about `from`. Goes from bone to bone, so nothing
+  /// cancels, however far hair is from the origin.
   void add(const Hanging& other, const Vec3& to, const Vec3& from) {
     const double way[3] = {double(to.x) - double(from.x), double(to.y) - double(from.y), double(to.z) - double(from.z)};
     for (int k = 0; k < 3; ++k) {
@@ -24,7 +24,7 @@ struct Hanging {
 
 }  // namespace
 
-/// From the tips upwards. On the way no more sums are open than bones are on the way down.
+/// Goes from the tips upwards. The number of open sums is never larger than the number of open bones on the way down.
 void find_carried(std::span<const RowBone> bones, std::uint32_t lane, BoneLanes* constants) {
   Hanging from_start[kMaxOpenBones];
   for (std::size_t i = bones.size(); i-- > 0;) {

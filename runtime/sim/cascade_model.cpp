@@ -7,11 +7,10 @@ namespace {
 
 CoifState* state_of(const ChainLane& chain) { return static_cast<CoifState*>(chain.state); }
 
-/// `step` in the terms of the target's velocities at both ends of the step, u0 and u1, its way w, the bone's own
-/// velocity v0, gravity g and air a instead of load and bend (MODEL.md, "The step"), where with friction c and the step
-/// h
-///     load = g s + c (a - (u0 + u1) / 2) - (u1 - u0) / h,   bend = (u0 + u1) h / 2 - w + c h^2 / 12 (u1 - u0).
-/// In double precision: the terms cancel.
+/// Rewrites `step` in terms of the target's velocities u0 and u1 at both ends of the step, its way w, the bone's own
+/// velocity v0, gravity g and air a, in place of load and bend (MODEL.md, "The step"). With friction c and the step h:
+/// load = g s + c (a - (u0 + u1) / 2) - (u1 - u0) / h, bend = (u0 + u1) h / 2 - w + c h^2 / 12 (u1 - u0).
+/// Computed in double precision, because the terms cancel.
 struct Terms {
   double velocity, target_before, target_velocity, way, gravity, air;
 };

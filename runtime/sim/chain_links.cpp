@@ -1,4 +1,4 @@
-// Which bones of a crowd's rows links are about: laid out once, when a crowd is created.
+// Finds the bones of a crowd's rows that have links, once, when a crowd is created.
 
 #include "chain_links.h"
 
@@ -43,12 +43,12 @@ void carve(MemoryCarver& carver, const Asset& asset, std::uint32_t rows, std::ui
 void number_row(CrowdState& crowd, std::uint32_t r) {
   const Row& row = crowd.rows[r];
   crowd.links.row_places[r] = crowd.links.row_count++;
-  if (row.solver->complete_lane != nullptr) return;  // which has done it
+  if (row.solver->complete_lane != nullptr) return;  // complete_lane has done it.
   const auto bones = crowd.row_bones.subspan(row.first_bone, row.bone_count);
   for (std::uint32_t lane = 0; lane < kLanes; ++lane) find_carried(bones, lane, &crowd.constants[row.first_bone]);
 }
 
-/// Rows and chains in the order of the rows.
+/// Places rows and chains in the order of the rows.
 void place_chains(CrowdState& crowd) {
   LinkState& links = crowd.links;
   std::uint32_t chain_count = 0, bone_count = 0;
@@ -67,13 +67,13 @@ void place_chains(CrowdState& crowd) {
   }
 }
 
-/// One by the mass of everything that hangs from the bone's start, as it were at its particle.
+/// One by the mass of everything that hangs from the bone's start, treated as a point mass at its particle.
 float mobility_of(const BoneLanes& constants, std::uint32_t lane) {
   const float length = constants.length.v[lane];
   return length * length / constants.carried.v[lane];
 }
 
-/// Calls visit(row of the crowd, lane, its linked chain's number) for each, in the order of the rows.
+/// Calls visit(row of the crowd, lane, number of the linked chain) for each linked chain, in the order of the rows.
 template <typename Visit>
 void for_each_linked(const CrowdState& crowd, const Visit& visit) {
   for (const Row& row : crowd.rows) {
@@ -84,7 +84,7 @@ void for_each_linked(const CrowdState& crowd, const Visit& visit) {
   }
 }
 
-/// How many bones each level has. Until they have their places, those in LinkState::places are the bones' depths.
+/// Counts the bones of each level. Until bones have their places, LinkState::places holds their depths.
 void count_levels(CrowdState& crowd) {
   LinkState& links = crowd.links;
   for_each_linked(crowd, [&](const Row& row, std::uint32_t, std::uint32_t chain) {
@@ -103,7 +103,7 @@ void count_levels(CrowdState& crowd) {
   }
 }
 
-/// By depth, and then in the order of the rows.
+/// Sorts bones by depth, and then in the order of the rows.
 void place_bones(CrowdState& crowd) {
   LinkState& links = crowd.links;
   for_each_linked(crowd, [&](const Row& row, std::uint32_t lane, std::uint32_t chain) {

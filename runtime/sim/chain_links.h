@@ -1,5 +1,5 @@
 #pragma once
-// Chains that hang together: which bones of a crowd's rows links are about, and what keeps them in their lengths. Once
+// Linked chains: which bones of a crowd's rows have links, and the code that keeps links at their lengths. It runs once
 // per head and part of a step, after the rows.
 
 #include "lanes/linked_bone.h"
@@ -18,7 +18,7 @@ struct LinkCode;
 struct Solver;
 class MemoryCarver;
 
-/// A chain that some link is about, with all of its bones.
+/// A chain with at least one link, and all of its bones.
 struct LinkedChain {
   std::uint32_t row = 0;    ///< Index into LinkState::row_places.
   std::uint32_t lane = 0;   ///< Lane of the row, for kChains; 0 for kHeads.
@@ -26,16 +26,17 @@ struct LinkedChain {
   std::uint32_t bone_count = 0;
 };
 
-/// A bone of such a chain.
+/// A bone of a linked chain.
 struct LinkedBone {
   std::uint32_t chain = 0;   ///< Index into LinkState::chains.
   std::uint32_t bone = 0;    ///< Its number in its row.
   std::int32_t parent = -1;  ///< Index into LinkState::bones; -1: the head.
   bool has_children = false;
-  float mobility = 0;  ///< One by the mass that its particle has for a link, 1/kg of bones of a kilogram a metre.
+  /// One by the mass that a link feels at the bone's particle, 1/kg for bones of a kilogram per metre.
+  float mobility = 0;
 };
 
-/// LinkRecord, of LinkState::bones.
+/// A LinkRecord with indices into LinkState::bones.
 struct ChainLink {
   std::uint32_t bone = 0, to = 0;
   float shortest = 0, longest = 0;
@@ -47,7 +48,7 @@ struct LinkLevel {
   std::uint32_t first_link = 0, link_count = 0;
 };
 
-/// A row that has linked chains, as it was stepped.
+/// A row with linked chains, and how it was stepped.
 struct LinkedRowStep {
   const Solver* solver = nullptr;
   RowStep step;
@@ -58,15 +59,16 @@ struct LinkedRowStep {
 /// Empty where nothing is linked.
 struct LinkState {
   const LinkCode* code = nullptr;
-  std::span<std::uint32_t> row_places;  ///< Per row of the crowd: its number among those with linked chains, or kNone.
-  std::span<std::uint32_t> chain_places;  ///< Per chain of the asset: which of `chains`, or kNone.
+  /// Per row of the crowd: its number among the rows with linked chains, or kNone.
+  std::span<std::uint32_t> row_places;
+  std::span<std::uint32_t> chain_places;  ///< Per chain of the asset: its index in `chains`, or kNone.
   std::uint32_t row_count = 0;
   std::span<LinkedChain> chains;
   std::span<LinkedBone> bones;      ///< By depth.
   std::span<std::uint32_t> places;  ///< Where each chain's bones are in `bones`, in the chain's order.
   std::span<ChainLink> links;       ///< By depth.
   std::span<LinkLevel> levels;
-  std::span<LinkedRowStep> steps;  ///< Per block, per linked row. During a part of a step.
+  std::span<LinkedRowStep> steps;  ///< Per block, per linked row. Valid during a part of a step.
   std::span<HeldBone> held;        ///< Per block, per linked bone.
   std::span<char> moved;           ///< Per block, per linked chain.
 
@@ -79,7 +81,7 @@ struct LinkCode {
   void (*carve)(MemoryCarver& carver, const Asset& asset, std::uint32_t rows, std::uint32_t blocks,
                 LinkState& links) = nullptr;
   void (*create)(CrowdState& crowd) = nullptr;
-  /// What a row of a block was stepped with; of those without linked chains nothing is kept.
+  /// Keeps what a row of a block was stepped with. Does nothing for rows without linked chains.
   void (*keep_row)(CrowdState& crowd, std::uint32_t block, std::size_t row, const RowStep& step) = nullptr;
   /// Keeps the links of one head of a block, whose linked rows are in LinkState::steps: `lane` is its own in these
   /// rows, -1 where each chain has one. Returns the sum of the squared speeds of the linked chains' tips against the
@@ -89,8 +91,9 @@ struct LinkCode {
 
 struct LinkState;
 
-/// LinkCode::keep: brings the linked bones of one head, depth after depth from root to tip, to where
-/// their links have their lengths, by the least turns, by mass; and takes what leads on from their velocities.
+/// Implements LinkCode::keep: turns the linked bones of one head, depth after depth from root to tip, so that links
+/// have their lengths, by the least turns, weighted by mass. Then removes the velocities that would leave these
+/// lengths.
 [[nodiscard]] float hold_links(const LinkState& links, std::uint32_t block, std::int32_t lane);
 
 }  // namespace coif

@@ -1,5 +1,5 @@
 #pragma once
-// A chain's velocities, whatever else its solver's state has.
+// Access to a chain's velocities, whatever else its solver's state has.
 
 #include "solver.h"
 #include "vector_math.h"
@@ -11,7 +11,7 @@ class ChainMotion {
  public:
   ChainMotion(const Solver& solver, const ChainLane& chain) : solver_(solver), chain_(chain) {}
 
-  /// The bone's direction, or its particle's place, as Solver::keeps_places says.
+  /// The bone's direction, or its particle's place where Solver::keeps_places is set.
   [[nodiscard]] Vec3 first(std::size_t bone) const { return lane(lanes(bone, 0), chain_.state_lane); }
   [[nodiscard]] Vec3 velocity(std::size_t bone) const {
     return lane(lanes(bone, solver_.velocity_at), chain_.state_lane);
@@ -28,8 +28,8 @@ class ChainMotion {
   const ChainLane& chain_;
 };
 
-/// The head goes and turns faster by so much, in the hair's metres, and its hair with it, as if it were rigid. Only
-/// particles that go where they go, and not where their bones do, feel `velocity`.
+/// Adds motion to the head and its hair, as if the hair were rigid: `velocity` in the hair's metres. Particles with a
+/// state relative to their bones need no `velocity`; those with world places do.
 inline void add_motion(const Solver& solver, const ChainLane& chain, const Vec3& velocity, const Vec3& turning) {
   ChainMotion motion(solver, chain);
   for (std::size_t i = 0; i < chain.bones.size(); ++i) {

@@ -1,4 +1,4 @@
-// What a crowd keeps of the characters that wear it, and how that gets to the rows.
+// The part of a crowd's state that belongs to characters, and its way to the rows.
 
 #include <coif/hair.h>
 
@@ -31,7 +31,7 @@ void carve(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, std::
   carve_air(carver, desc, blocks, character);
 }
 
-/// How far from the head's position the bones of a chain get, whatever way they are turned.
+/// Largest distance of a chain's bones from the head's position, however they are turned.
 float reach_of(const Asset& asset, const ChainRecord& chain) {
   float most = 0;
   float lengths = 0;
@@ -105,7 +105,7 @@ void enter_row(const CrowdState& crowd, const Row& row, std::size_t state, RowCh
   to.body_sets = from.body_sets.empty() ? nullptr : &from.body_sets[std::size_t(row.first_bone) * kLanes];
 }
 
-/// Poses that were reached are what the next step begins with.
+/// The next step begins with the poses that were reached.
 void finish(CrowdState& crowd, std::uint32_t index) {
   const Block& block = crowd.blocks[index];
   if (!any_posed(crowd, block)) return;

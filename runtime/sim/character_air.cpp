@@ -16,8 +16,8 @@ HeadAir air_of(const CharacterState& character, std::uint32_t instance) {
   return character.airs.empty() ? HeadAir{} : character.airs[instance];
 }
 
-/// The waves at a head in the middle of a part of a step, which ends `back` seconds later, where `left` of its way is
-/// still to go.
+/// Evaluates the waves at a head in the middle of a part of a step, `back` seconds before the step's end, where the
+/// share `left` of its way still lies ahead.
 void meet_gusts(const GustField& field, const HeadLanes& heads, std::uint32_t i, float back, float left, float strength,
                 GustLanes& lanes) {
   const Vec3 way = lane(heads.way, i) * left;
@@ -68,7 +68,7 @@ void blow(CrowdState& crowd, std::uint32_t index, const StepParts& parts, std::u
     }
     if (field == nullptr) continue;
     meet_gusts(*field, block.heads, i, parts.dt * left, left, air.exposure, character.gust_lanes[index]);
-    // Between two gusts hair may hardly move for a while; that is no rest.
+    // Between two gusts hair may hardly move for a while. That must not count as rest.
     if (air.exposure != 0.0f) block.heads.quiet.v[i] = -2.0f * parts.dt;
   }
 }

@@ -17,13 +17,13 @@ struct RowCharacter;
 
 void carve_air(MemoryCarver& carver, const HairDesc& desc, std::uint32_t blocks, CharacterState& character);
 
-/// The air of gusts moves on.
+/// Moves the air of gusts on.
 void pass_time(CrowdState& crowd, float dt);
 
-/// CharacterCode::blow.
+/// Implements CharacterCode::blow.
 void blow(CrowdState& crowd, std::uint32_t block, const StepParts& parts, std::uint32_t part, MoveLanes& move);
 
-/// What a row of the block's heads has to know of it.
+/// Gives a row of the block's heads its part of the air.
 void set_up_air(const CharacterState& character, std::uint32_t block, RowCharacter& row);
 
 }  // namespace coif

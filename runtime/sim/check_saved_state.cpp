@@ -1,4 +1,4 @@
-// What a crowd could have saved, in the order in which saved_state.cpp writes it.
+// Checks that a crowd could have saved a state, in the order in which saved_state.cpp writes it.
 #include "saved_lane.h"
 
 #include "head_lanes.h"
@@ -12,7 +12,7 @@
 namespace coif {
 namespace {
 
-/// Looks at one instance's detail. A bool is 0 or 1.
+/// Checks one instance's detail. A bool must be 0 or 1.
 bool is_detail(const CrowdState& crowd, SavedBytes& bytes) {
   std::uint8_t raw[sizeof(InstanceDetail)];
   std::memcpy(raw, bytes.take(sizeof raw), sizeof raw);
@@ -32,7 +32,7 @@ bool are_details(const CrowdState& crowd, SavedBytes bytes) {
   return true;
 }
 
-/// Frames of no time are not among the last ones, and those before the first step are 0.
+/// Frames with dt = 0 are not among the last ones, and frames before the first step are 0.
 bool is_time(SavedBytes& bytes) {
   if (check_settings(bytes.take<StepSettings>()) != Status::kOk) return false;
   bool is_before_first = false;
@@ -43,11 +43,11 @@ bool is_time(SavedBytes& bytes) {
     if (was_step && is_before_first) return false;
     is_before_first = !was_step;
   }
-  (void)bytes.take<std::uint32_t>();  // any number of steps
+  (void)bytes.take<std::uint32_t>();  // Any number of steps is good.
   return true;
 }
 
-/// Waves follow from what was told; before that there are none.
+/// The waves must follow from the gusts that the host set; before any were set they must be zero.
 bool are_saved_gusts(SavedBytes& bytes) {
   const auto told = bytes.take<Gusts>();
   const auto way = bytes.take<double>();
@@ -70,14 +70,14 @@ bool is_air(const CrowdState& crowd, SavedBytes& bytes) {
   return crowd.character.gusts.empty() || are_saved_gusts(bytes);
 }
 
-/// Where a head goes, and what it was told.
+/// A head's target, and the pose that the host set.
 struct SavedHead {
   SavedLane lanes;
   double next_position[3];
   HeadPose told;
 };
 
-/// The head goes to where it was last told to be, or is where it stands until it is told.
+/// The head goes to the pose that was set last, or it stands and no pose was set.
 bool goes_where_told(const SavedHead& head) {
   std::uint64_t first = 0;
   std::memcpy(&first, &head.told.position[0], sizeof first);
@@ -102,14 +102,14 @@ bool is_head(const SavedHead& head) {
   return is_unit(lanes.quaternion(offsetof(HeadLanes, rotation))) && goes_where_told(head);
 }
 
-/// Nothing is yet to come for a head that sleeps.
+/// A sleeping head has no motion ahead of it.
 bool may_be_asleep(const SavedHead& head) {
   const SavedLane& lanes = head.lanes;
   return lanes.vector(offsetof(HeadLanes, way)) == Vec3{} && lanes.number(offsetof(HeadLanes, is_told)) == 0.0f &&
          lanes.quaternion(offsetof(HeadLanes, rotation)) == lanes.quaternion(offsetof(HeadLanes, next_rotation));
 }
 
-/// In a place of the body's the collider that the asset has there; nothing in a place where none is.
+/// At a place of the body it must be the asset's collider; at an unused place there must be none.
 bool is_told_collider(const CrowdState& crowd, std::uint32_t place, const SavedCollider& saved) {
   const SavedCollider none{};
   if ((saved.flags & 1u) == 0) return same_bits(&saved, &none, sizeof none);
@@ -125,7 +125,7 @@ bool is_told_collider(const CrowdState& crowd, std::uint32_t place, const SavedC
   return told.now.shape == record.shape && told.keeps_inside == keeps_inside && !told.now.is_velocity_known;
 }
 
-/// The body's are there together or not at all, the game's one after the other.
+/// The body's colliders are all there or none, and the game's have no gap.
 bool are_told_colliders(const CrowdState& crowd, SavedBytes& bytes) {
   bool was_there = true;
   for (std::uint32_t place = 0; place < crowd.character.places; ++place) {
@@ -145,7 +145,7 @@ bool is_instance(const CrowdState& crowd, bool is_asleep, float farthest, SavedB
   bool teleports = false, is_lost = false, may_sleep = false, is_posed = false;
   if (!bytes.take_flag(teleports) || !bytes.take_flag(is_lost) || !bytes.take_flag(may_sleep)) return false;
   head.told = bytes.take<HeadPose>();
-  if (!is_head(head) || may_sleep) return false;  // those that may, do so before a step ends
+  if (!is_head(head) || may_sleep) return false;  // Heads that may sleep fall asleep before a step ends.
   if (is_asleep && (teleports || is_lost || !may_be_asleep(head))) return false;
   if (!is_saved_palette(crowd, farthest, bytes) || !are_told_colliders(crowd, bytes)) return false;
   if (!crowd.character.is_posed.empty() && !bytes.take_flag(is_posed)) return false;

@@ -42,7 +42,7 @@ void put_idle_lanes_to_rest(CrowdState& crowd) {
 
 namespace {
 
-/// Takes the hair along with its head's jump.
+/// Moves the hair along when its head jumps.
 void move_hair(CrowdState& crowd, std::uint32_t slot, const HairJump& by) {
   const Vec3 velocity = by.velocity * crowd.blocks[slot / kLanes].heads.per_scale.v[slot % kLanes];
   for_each_chain(crowd, slot, [&](const Solver& solver, const ChainRecord&, const ChainLane& chain) {

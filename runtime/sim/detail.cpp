@@ -1,4 +1,4 @@
-// In how much detail heads are stepped: apart from hair.cpp, so that programs that never ask hold nothing of it.
+// The level of detail of heads. A file of its own, so that programs that never set it do not link it.
 
 #include <coif/hair.h>
 
@@ -28,7 +28,7 @@ Status Hair::set_detail(std::uint32_t instance, const Detail& detail) {
   const bool refines = detail.level < own.level;
   own.level = std::uint8_t(detail.level);
   own.asked_power = std::uint8_t(power_of(detail.interval));
-  take_up_interval(*crowd_, instance);  // as it was; if it is idle from now on, the next step takes it up
+  take_up_interval(*crowd_, instance);  // With its treatment as it was; if it becomes idle, the next step takes it up.
   own.simulated = detail.simulated;
   // Bones that were rigid have to find their own rest.
   if (own.asleep && (appears || refines)) wake(*crowd_, instance);

@@ -1,4 +1,4 @@
-// Heads whose hair has other dynamics than the rest of the crowd. Each set has its own coefficients, and its heads
+// Heads whose hair has other dynamics than the rest of the crowd. Each set has its own coefficients, and its heads have
 // blocks of their own.
 
 #include <coif/hair.h>

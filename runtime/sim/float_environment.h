@@ -1,5 +1,6 @@
 #pragma once
-// What has to hold for the same numbers everywhere: of the compiler, checked here, and of the processor, set here.
+// The conditions for equal numbers everywhere: those on the compiler are checked here, those on the processor are set
+// here.
 
 #include <cfloat>
 
@@ -19,10 +20,10 @@
 namespace coif {
 
 /// While it lives, numbers are rounded to nearest, subnormals are kept and nothing traps, whatever the host's thread
-/// has chosen for itself; then that is back, with its flags. Lanes that a choice leaves out compute along, and may
-/// divide by zero there. Most threads have chosen nothing; then this costs next to nothing (writing the register takes
-/// as long as setting a head), and what is computed leaves its flags. Around calls of functions in other files: within
-/// one the compiler may move arithmetic past it.
+/// has chosen. The destructor restores that choice with its flags. Masked lanes are computed too, and may divide by
+/// zero. Most threads have chosen nothing; then this costs next to nothing (writing the register takes as long as
+/// setting a head), and the computation leaves its flags. Use it around calls of functions in other files: within one
+/// function the compiler may move arithmetic past it.
 class FloatEnvironment {
  public:
   FloatEnvironment() : host_(read()), is_plain_(has_plain_control(host_)) {
@@ -57,7 +58,7 @@ class FloatEnvironment {
     __asm__ volatile("msr fpcr, %0\n\tmsr fpsr, %1" : : "r"(word.control), "r"(word.flags) : "memory");
   }
 #else
-  using Word = int;  // a processor that has no such choice
+  using Word = int;  // A processor without such settings.
   static constexpr Word kPlain = 0;
   static bool has_plain_control(Word) { return true; }
   static Word read() { return 0; }

@@ -1,4 +1,4 @@
-// Poses that hosts tell.
+// Poses that hosts set.
 
 #include <coif/hair.h>
 
@@ -32,7 +32,7 @@ Status check_pose(const CrowdState& crowd, std::span<const Quat> rotations, std:
   return Status::kOk;
 }
 
-/// How the bone is turned against head space when it and all above it are posed.
+/// The rotation of a bone against head space when it and all bones above it are posed.
 Quat posed_rotation(const Asset& asset, std::span<const Quat> rotations, std::uint32_t bone) {
   Quat all;
   for (; bone != kNone && asset.bones()[bone].kind == BoneKind::kSimulated; bone = asset.bones()[bone].parent) {

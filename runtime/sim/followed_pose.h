@@ -1,11 +1,11 @@
 #pragma once
-// The poses of the bones of one head, as its rows keep them.
+// The poses of the bones of one head, in the lanes of its rows.
 
 #include "crowd.h"
 
 namespace coif {
 
-/// The rest pose, at which nothing pulls but what would anyway.
+/// Sets the rest pose, which adds no pull of its own.
 inline void set_rest_pose(PoseLanes& pose, std::uint32_t lane, const Vec3& pull) {
   set_lane(pose.before, lane, Quat{});
   set_lane(pose.now, lane, Quat{});
@@ -14,7 +14,7 @@ inline void set_rest_pose(PoseLanes& pose, std::uint32_t lane, const Vec3& pull)
   pose.weight.v[lane] = 1.0f;
 }
 
-/// The pose is where it was to get to.
+/// The pose has arrived at its target.
 inline void arrive(PoseLanes& pose, std::uint32_t lane) {
   set_lane(pose.before, lane, coif::lane(pose.now, lane));
   set_lane(pose.pull_before, lane, coif::lane(pose.pull_now, lane));

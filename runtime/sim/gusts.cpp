@@ -1,4 +1,4 @@
-// What gusts are, wherever they blow: the waves of coif/air.h.
+// The waves of gusts (coif/air.h), at any place.
 
 #include "lanes/gust_waves.h"
 #include "vector_math.h"
@@ -8,14 +8,14 @@
 namespace coif {
 namespace {
 
-constexpr double kShorter = 1.6;                                            ///< Each wave than the one before,
-constexpr double kWeaker = 0.854987973338;                                  ///< and by the third root of that.
+constexpr double kShorter = 1.6;            ///< Each wave is shorter than the one before by this factor.
+constexpr double kWeaker = 0.854987973338;  ///< Each wave is weaker by this factor, the third root of 1 / kShorter.
 constexpr double kMostSideways = 0.6, kLeastSideways = 0.1, kMostUp = 0.3;  ///< Radians.
 constexpr float kAcross = 0.4f;
 
 bool is_within(float value, float least, float most) { return value >= least && value <= most; }
 
-/// A number in 0..1 for each seed and wave and use; after Steele et al. 2014, "Fast Splittable Pseudorandom Number
+/// A random number in 0..1 for each seed, wave and use; after Steele et al. 2014, "Fast Splittable Pseudorandom Number
 /// Generators".
 double drawn(std::uint32_t seed, std::uint32_t wave, std::uint32_t use) {
   std::uint64_t z = (std::uint64_t{seed} << 16 | wave << 8 | use) * 0x9E37'79B9'7F4A'7C15u + 0x9E37'79B9'7F4A'7C15u;
@@ -29,7 +29,7 @@ struct Axes {
 };
 
 Axes axes_of(const Vec3& direction) {
-  // Of any length that a float can have: made comparable first.
+  // The vector may have any length that a float can have, so it is scaled first.
   const float x = std::fabs(direction.x), y = std::fabs(direction.y), z = std::fabs(direction.z);
   const float side = x > y ? x : y, largest = side > z ? side : z;
   const Vec3 even{direction.x / largest, direction.y / largest, direction.z / largest};
@@ -42,7 +42,7 @@ Axes axes_of(const Vec3& direction) {
   return axes;
 }
 
-/// Share of the waves' amplitudes that is the first one's.
+/// The first wave's share of the sum of all amplitudes.
 double first_share() {
   double sum = 0, weight = 1;
   for (std::uint32_t i = 0; i < kGustWaves; ++i, weight *= kWeaker) sum += weight;
@@ -74,7 +74,7 @@ GustWaves waves_of(const Gusts& gusts) {
                             towards(axes.along.z, axes.side.z, axes.up.z)};
     for (int axis = 0; axis < 3; ++axis) waves.turns[i][axis] = unit[axis] * per_metre;
     waves.turns_near[i] = {float(waves.turns[i][0]), float(waves.turns[i][1]), float(waves.turns[i][2])};
-    // Along `along` all waves get on alike: the pattern keeps its shape.
+    // All waves move along `along` at the same speed, so the pattern keeps its shape.
     waves.turns_per_way[i] = along * per_metre;
     waves.begin[i] = drawn(gusts.seed, i, 2);
     const Vec3 air = axes.along + axes.side * (drawn(gusts.seed, i, 3) < 0.5 ? -kAcross : kAcross);

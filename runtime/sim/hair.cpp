@@ -39,7 +39,7 @@ bool is_aligned(const std::byte* memory) {
   return reinterpret_cast<std::uintptr_t>(memory) % MemoryCarver::kAlignment == 0;
 }
 
-/// Takes the arrays of the crowd; while counting they are empty.
+/// Takes the crowd's arrays from the carver; while counting they are empty.
 void carve(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, CrowdState& crowd) {
   const LaneOrder order = choose_lane_order(asset, *desc.solver, desc.instances);
   const RowCount rows = count_rows(asset, *desc.solver, order);

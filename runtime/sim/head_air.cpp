@@ -1,4 +1,4 @@
-// What hosts say of the air: around each head, and of gusts.
+// The air that hosts set: around each head, and gusts.
 
 #include <coif/hair.h>
 

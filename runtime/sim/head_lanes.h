@@ -1,5 +1,5 @@
 #pragma once
-// What happens to one head of a block of sixteen, whoever keeps the blocks: a crowd of one asset, or a world of many.
+// Operations on one head of a block of sixteen, for a crowd of one asset and for a world of many.
 
 #include "head_pose.h"
 #include "lanes/lane_code.h"
@@ -15,31 +15,31 @@
 
 namespace coif {
 
-/// A head that stands is told where it stands in every frame, and most of a crowd may stand: what was told before is
-/// known by its bits, before anything is computed.
+/// Whether the host sets the same poses again. A host sets every head's pose in every frame, and most of a crowd may
+/// stand still: comparing bits comes before any computation.
 inline bool is_told_again(const HeadPose* poses, const HeadPose* told, std::size_t count) {
   return std::memcmp(poses, told, count * sizeof(HeadPose)) == 0;
 }
 
-// In place of a pose's first coordinate; bits that are no host's.
+// Replace a pose's first coordinate; bits that no host gives.
 inline constexpr std::uint64_t kToldVelocity = 0x7FF8'C01F'C01F'C01F, kToldNothing = 0x7FF8'C01F'C01F'C01E;
 
-/// What was told came with a velocity: the same pose without one says something else.
+/// The last pose came with a velocity: the same pose without one is a change.
 inline void forget_told(HeadPose& told) { told.position[0] = bit_cast<double>(kToldVelocity); }
 
-/// No pose has been told yet: the first one puts the head there, and be it where it is already.
+/// No pose has been set yet: the first one puts the head there, even if it stands there already.
 inline void begin_untold(HeadPose& told) { told.position[0] = bit_cast<double>(kToldNothing); }
 inline bool is_untold(const HeadPose& told) { return bit_cast<std::uint64_t>(told.position[0]) == kToldNothing; }
 
-/// Heads at the identity pose, at rest. `heads` are zeros.
+/// Puts heads at the identity pose, at rest. `heads` must be zeros.
 inline void stand_upright(HeadLanes& heads) {
   for (float& w : heads.rotation.w.v) w = 1.0f;
   for (float& w : heads.next_rotation.w.v) w = 1.0f;
   for (float& per_scale : heads.per_scale.v) per_scale = 1.0f;
 }
 
-/// What has been set replaces what was set before; the way is counted from where the last step left the head. False
-/// where it is too far for single precision.
+/// Sets a new target, which replaces the one set before; the way is counted from where the last step left the head.
+/// False where it is too far for single precision.
 inline bool aim_head(HeadLanes& heads, std::uint32_t i, const HeadPose& unit) {
   const double from[3] = {heads.next_position[0][i], heads.next_position[1][i], heads.next_position[2][i]};
   Vec3 way;
@@ -51,16 +51,16 @@ inline bool aim_head(HeadLanes& heads, std::uint32_t i, const HeadPose& unit) {
   return is_near;
 }
 
-/// True where the head is at this pose and was told nothing else.
+/// True where the head is at this pose and has no other target.
 inline bool stays(const HeadLanes& heads, std::uint32_t i, const HeadPose& unit) {
   return lane(heads.rotation, i) == unit.rotation && heads.per_scale.v[i] == 1.0f / unit.scale &&
          heads.next_position[0][i] == unit.position[0] && heads.next_position[1][i] == unit.position[1] &&
          heads.next_position[2][i] == unit.position[2];
 }
 
-/// `velocity` may be null: nothing is told.
+/// `velocity` may be null: none was set.
 inline void tell_velocity(HeadLanes& heads, std::uint32_t i, const HeadVelocity* velocity) {
-  // Who takes back what was told finds the mean before gone.
+  // After a velocity was set and is taken back, the mean of before is no longer known.
   if (velocity == nullptr && heads.is_told.v[i] != 0.0f) heads.last_dt.v[i] = 0.0f;
   heads.is_told.v[i] = velocity != nullptr ? 1.0f : 0.0f;
   if (velocity == nullptr) return;
@@ -68,7 +68,7 @@ inline void tell_velocity(HeadLanes& heads, std::uint32_t i, const HeadVelocity*
   set_lane(heads.mean_angular_velocity, i, velocity->angular);
 }
 
-/// The head is at its next pose, at rest.
+/// Puts the head at its next pose, at rest.
 inline void stop_head(HeadLanes& heads, std::uint32_t i) {
   set_lane(heads.rotation, i, lane(heads.next_rotation, i));
   for (Lanes3* const vector :
@@ -80,8 +80,8 @@ inline void stop_head(HeadLanes& heads, std::uint32_t i) {
   heads.quiet.v[i] = 0.0f;
 }
 
-/// What a jump of a head does to its hair: it is turned as if it were rigid, then it goes and turns faster with its
-/// head by so much, world, m/s and rad/s.
+/// The effect of a head's jump on its hair: a rigid turn, and then an added velocity of the head and the hair, world,
+/// m/s and rad/s.
 struct HairJump {
   Quat turn;
   Vec3 velocity, turning;
@@ -89,8 +89,8 @@ struct HairJump {
   [[nodiscard]] bool is_faster() const { return !(velocity == Vec3{} && turning == Vec3{}); }
 };
 
-/// Puts the head, without a way there, where it has to be to arrive at its next pose in `dt` seconds if it goes on as
-/// it did, in its own new directions, or as it was told to.
+/// Puts the head at the place from which it arrives at its next pose in `dt` seconds, at its present velocity in its
+/// own new directions, or at the velocity that was set.
 inline HairJump jump_head(HeadLanes& heads, std::uint32_t i, float dt) {
   const bool is_told = heads.is_told.v[i] != 0.0f;
   const Quat now = lane(heads.rotation, i);
@@ -112,8 +112,8 @@ inline HairJump jump_head(HeadLanes& heads, std::uint32_t i, float dt) {
   return jump;
 }
 
-/// A frame took longer than is simulated. The head does not stop for it: the share of its way that comes before goes by
-/// with the hair as it is. `turn` is that of the whole step. Returns by what the hair has to be turned.
+/// For a frame that took longer than is simulated: moves the head along the first share of its way and the hair rigidly
+/// with it. `turn` is that of the whole step. Returns the rotation for the hair.
 inline Quat carry_head(HeadLanes& heads, std::uint32_t i, float share, const Vec3& turn) {
   const Quat by = rotation_by(turn * share);
   set_lane(heads.rotation, i, renormalised(by * lane(heads.rotation, i)));
@@ -121,18 +121,18 @@ inline Quat carry_head(HeadLanes& heads, std::uint32_t i, float share, const Vec
   return by;
 }
 
-/// False for a head that moves, though no step has seen it yet.
+/// False for a head that has a way ahead, even if no step has seen it yet.
 inline bool is_still(const HeadLanes& heads, std::uint32_t i) {
   return lane(heads.way, i) == Vec3{} && lane(heads.rotation, i) == lane(heads.next_rotation, i);
 }
 
-/// For HeadCode::finish().
+/// The arguments of HeadCode::finish().
 inline RestWatch rest_watch(const StepSettings& settings, float dt) {
   return {dt, settings.sleep_speed * settings.sleep_speed, settings.sleep_after};
 }
 
-/// After HeadCode::finish(), of the first `count` lanes: adds to `may_sleep` who may. Returns those whose hair has to
-/// be put to rest, since it flies or the head is lost.
+/// Runs after HeadCode::finish(), for the first `count` lanes: adds the lanes that may sleep to `may_sleep`. Returns
+/// the lanes whose hair has to be put to rest, since its numbers overflow or the head is lost.
 inline std::uint32_t sort_out(const RestingHeads& resting, std::uint32_t count, std::uint16_t is_lost,
                               std::uint16_t& may_sleep) {
   const std::uint32_t in_use = (1u << count) - 1, ended = (is_lost | resting.flies) & in_use;

@@ -1,6 +1,6 @@
 #pragma once
-// What hosts say of heads, thousands of times a frame: inline, and so for files in which no FloatEnvironment lives. All
-// in double precision, which is exact to single.
+// Reading of hosts' poses, thousands of times a frame. Inline, so that it works without a FloatEnvironment. All in
+// double precision, which is exact to single.
 
 #include <coif/math.h>
 #include <coif/status.h>
@@ -14,14 +14,14 @@ inline double norm(const Quat& q) {
   return std::sqrt(x * x + y * y + z * z + w * w);
 }
 
-/// The length of a host's quaternion is off one by no more than it may be; false for a NaN and an infinity.
+/// The length of a host's quaternion differs from one by no more than is allowed; false for a NaN and an infinity.
 inline bool is_one(double length) { return std::fabs(length - 1.0) <= 1e-3; }
 
-/// As normalise_pose().
+/// Implements normalise_pose().
 inline Status make_unit(const HeadPose& pose, HeadPose& unit) {
   const double(&place)[3] = pose.position;
   const double length = norm(pose.rotation), scale = 1.0 / length;
-  // A difference with itself is zero where a number is finite.
+  // A finite number minus itself is zero.
   const double none = (place[0] - place[0]) + (place[1] - place[1]) + (place[2] - place[2]);
   if (!(none == 0.0) || !is_one(length)) return Status::kBadPose;
   if (!(pose.scale >= kSmallestScale && pose.scale <= kLargestScale)) return Status::kBadScale;
@@ -32,10 +32,10 @@ inline Status make_unit(const HeadPose& pose, HeadPose& unit) {
   return Status::kOk;
 }
 
-/// Metres in one step. Far beyond any game, and its square still fits a float.
+/// Metres in one step. Far beyond any game; its square still fits a float.
 inline constexpr double kFarthestMove = 1e15;
 
-/// The way from one position to another, metres. False where it is too far to be a movement in single precision.
+/// The vector from one position to another, metres. False where it is too long for single precision.
 inline bool displacement(const double (&from)[3], const double (&to)[3], Vec3& way) {
   const double x = to[0] - from[0], y = to[1] - from[1], z = to[2] - from[2];
   way = {float(x), float(y), float(z)};

@@ -11,9 +11,9 @@
 namespace coif {
 namespace {
 
-constexpr std::size_t kToldTogether = 256;  ///< Poses that are compared at once, as memory.
+constexpr std::size_t kToldTogether = 256;  ///< Poses that are compared with one memcmp.
 
-/// Awake afterwards, even where it stands there already.
+/// The head is awake afterwards, even if it stands there already.
 Status put_head(Hair& hair, CrowdState* crowd, std::uint32_t instance, const HeadPose& pose) {
   const Status status = hair.set_head(instance, pose);
   if (status == Status::kOk && crowd->details[instance].asleep) wake(*crowd, instance);

@@ -10,12 +10,12 @@ namespace {
 
 constexpr int kPlaceRounds = 32, kVelocityRounds = 8;
 constexpr float kAtLength = 1e-3f;  ///< Share of its length within which a link is taut.
-constexpr float kMargin = 1e-4f;    ///< Share of its length by which a link that was beyond it is brought within.
-constexpr float kMostWay = 0.25f;   ///< Of a bone's length in one round: further the linear model says nothing.
-constexpr float kNoLever2 = 1e-4f;  ///< Squared sine: a bone this nearly along its link cannot be turned by it.
+constexpr float kMargin = 1e-4f;    ///< Share of its length by which a link is brought within its lengths.
+constexpr float kMostWay = 0.25f;   ///< Share of a bone's length, the bound of the linear model in one round.
+constexpr float kNoLever2 = 1e-4f;  ///< Squared sine. A bone that is this nearly along its link cannot be turned by it.
 constexpr float kSlowest = 1e-6f;   ///< m/s
-constexpr int kPushes = 4;          ///< Of a collider and a link against each other.
-/// Around a link's end, nearest first.
+constexpr int kPushes = 4;          ///< Rounds of a collider and a link against each other.
+/// Directions around a link's end, nearest first.
 constexpr struct {
   float cosine, sine;
 } kAround[] = {{1, 0},  {0.70710678f, 0.70710678f},  {0.70710678f, -0.70710678f},  {0, 1},
@@ -23,22 +23,22 @@ constexpr struct {
 
 float within_one(float x) { return std::fabs(x) < 1.0f ? x : std::copysign(1.0f, x); }
 
-/// A link of one length is between its margins.
+/// The shorter bound with its margin. Where both lengths are equal, the link is kept between the margins.
 float inner_shortest(const ChainLink& link) {
   const float within = link.shortest * (1 + kMargin), most = link.longest * (1 - kMargin);
   return within < most ? within : most;
 }
 
-/// In every second round from the other end, so that no end of a sheet leads.
+/// Every second round starts from the other end, so that no end of a sheet leads.
 const ChainLink& to_and_fro(std::span<const ChainLink> links, int round, std::size_t i) {
   return links[round % 2 == 0 ? i : links.size() - 1 - i];
 }
 
-/// What lies between the particles of a link.
+/// The gap between the particles of a link.
 struct Gap {
   Vec3 towards;      ///< Unit, from `bone` to `to`.
   float size = 0;    ///< Metres.
-  float excess = 0;  ///< By how much it has to become shorter, or, below zero, longer; 0 within its lengths.
+  float excess = 0;  ///< How much shorter the link has to become (negative: longer); 0 within its lengths.
 };
 
 class LinkedHead {
@@ -115,10 +115,10 @@ class LinkedHead {
   const std::span<HeldBone> held_;
   const std::span<char> moved_;
   const std::int32_t lane_;
-  std::uint32_t first_of_depth_ = 0;  ///< Of the bones at hand; those before are done.
+  std::uint32_t first_of_depth_ = 0;  ///< First bone of the present depth; bones before it are done.
 };
 
-/// As the row's step left it, and where that is now.
+/// Reads a bone as the row's step left it, and places it on its parent's present end.
 void LinkedHead::begin(std::uint32_t b) {
   const LinkedBone& linked = links_.bones[b];
   const LinkedLane lane = at(b);
@@ -145,7 +145,7 @@ void LinkedHead::begin(std::uint32_t b) {
   place_end(bone);
 }
 
-/// Limits and children of a turned bone ask for all frames above it: from here on the chain's frames are kept.
+/// Limits and children of a turned bone need all frames above it, so the chain's frames are kept from here on.
 void LinkedHead::need_frames(std::uint32_t b) {
   const std::uint32_t chain = links_.bones[b].chain;
   if (moved_[chain] != 0) return;
@@ -180,13 +180,13 @@ void LinkedHead::turn(HeldBone& bone, const Vec3& way) {
   turn_to(bone, unit_or(bone.direction + part * (1.0f / bone.length), bone.direction));
 }
 
-/// Turns both bones by the least that brings the link to its length, to first order. Returns whether it was beyond.
+/// Turns both bones by the least that brings the link to its length, to first order. True where it was beyond.
 bool LinkedHead::shorten(const ChainLink& link) {
   HeldBone &bone = held_[link.bone], &to = held_[link.to];
   const Gap gap = gap_of(link);
   if (gap.excess == 0.0f) return false;
   Vec3 side = across(gap.towards, bone.direction), to_side = across(gap.towards, to.direction);
-  // Where a bone points along its link, any side is as good: which one, its own direction says.
+  // Where a bone points along its link, any side is as good; the bone's own direction chooses one.
   if (dot(side, side) < kNoLever2) side = any_perpendicular(bone.direction);
   if (dot(to_side, to_side) < kNoLever2) to_side = any_perpendicular(to.direction);
   const float yields = bone.mobility * dot(side, side) + to.mobility * dot(to_side, to_side);
@@ -197,7 +197,7 @@ bool LinkedHead::shorten(const ChainLink& link) {
   return true;
 }
 
-/// Turns one bone alone, by the least, so that its end is `wanted` from `place`.
+/// Turns one bone alone, by the least, so that its end is at the distance `wanted` from `place`.
 void LinkedHead::aim(HeldBone& bone, const Vec3& place, float wanted, float cosine_around, float sine_around) {
   const Vec3 way = place - bone.start;
   const float distance = length(way);
@@ -211,8 +211,8 @@ void LinkedHead::aim(HeldBone& bone, const Vec3& place, float wanted, float cosi
   bone.is_forced = true;
 }
 
-/// Turns one bone of the link alone: the one that hangs on the other, as those that hang on it come after it. Where a
-/// collider or a limit stands in the way the bone goes round the other's end until it is clear of that: else two
+/// Turns one bone of the link alone: the one that hangs on the other, since bones that hang on it come later. Where a
+/// collider or a limit is in the way, the bone is turned around the other's end until it is clear: otherwise two
 /// strands would hang on either side of a neck.
 void LinkedHead::close(const ChainLink& link) {
   const Gap gap = gap_of(link);
@@ -224,7 +224,7 @@ void LinkedHead::close(const ChainLink& link) {
   const HeldBone before = bone;
   HeldBone best = bone;
   float least = std::numeric_limits<float>::infinity();
-  // At the length that it has too much of, then half way to the other one, which leaves colliders room to push.
+  // First at the length that it exceeds, then half way to its other length, which leaves colliders room to push.
   for (const float wanted : {gap.size - gap.excess, 0.5f * (link.longest + link.shortest)}) {
     for (const auto& around : kAround) {
       bone = before;
@@ -241,8 +241,8 @@ void LinkedHead::close(const ChainLink& link) {
   bone = best;
 }
 
-/// To and fro through the links; what is left goes by one bone after the other. Colliders come first:
-/// hair in a head is seen before a gap is.
+/// Goes to and fro through the links, then solves what remains bone by bone. Colliders come first: hair in a head shows
+/// more.
 void LinkedHead::hold_places(const LinkLevel& level) {
   const auto links = links_of(level);
   for (int round = 0; round < kPlaceRounds; ++round) {
@@ -259,7 +259,7 @@ void LinkedHead::hold_places(const LinkLevel& level) {
   for (const ChainLink& link : links) close(link);
 }
 
-/// A link at its longest length gets no longer, one at its shortest no shorter. Returns the speed that was taken.
+/// Keeps a link at its longest length from growing, and one at its shortest from shrinking. Returns the lost speed.
 float LinkedHead::slow(const ChainLink& link) {
   HeldBone &bone = held_[link.bone], &to = held_[link.to];
   const Gap gap = gap_of(link);

@@ -18,15 +18,15 @@ constexpr Known kKnown[] = {
     {InstructionSet::kWasm, HWY_WASM, "WASM"},      {InstructionSet::kPortable, HWY_EMU128, "portable"},
 };
 
-/// A build for one instruction set has no scalar path beside it.
+/// A build for one instruction set has no scalar path.
 constexpr bool kHasScalar = HWY_TARGETS != HWY_STATIC_TARGET || HWY_STATIC_TARGET == HWY_SCALAR;
 
-/// Bits of what this build has and the processor knows.
+/// Bits of the sets that this build has and the processor supports.
 std::int64_t available() {
 #if HWY_TARGETS == HWY_STATIC_TARGET
-  return HWY_TARGETS;  // the compiler was told that the processor has it
+  return HWY_TARGETS;  // The compiler was told that the processor has it.
 #else
-  return (hwy::SupportedTargets() | HWY_EMU128) & HWY_TARGETS;  // the portable code runs anywhere
+  return (hwy::SupportedTargets() | HWY_EMU128) & HWY_TARGETS;  // The portable code runs anywhere.
 #endif
 }
 

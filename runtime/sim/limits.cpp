@@ -5,7 +5,7 @@
 namespace coif {
 namespace {
 
-/// `widest` is none, and shall be none exactly: its sine and cosine are no rounded ones.
+/// An angle of `widest` or more is no limit; its cosine and sine are then exact, not rounded.
 void set_angle(float radians, float widest, float widest_cosine, std::uint32_t lane, Lanes& cosine, Lanes& sine) {
   const auto angle = plain::sine_cosine(double(radians));
   const bool is_none = radians >= widest;
@@ -15,8 +15,7 @@ void set_angle(float radians, float widest, float widest_cosine, std::uint32_t l
 
 }  // namespace
 
-/// A hinge is a spherical limit whose second angle is 0, and so is a cone that leaves nothing: only locks stop both
-/// ways.
+/// A hinge is a spherical limit whose second angle is 0. So is a cone of angle 0, since only locks stop both ways.
 void set_limit(const LimitRecord& limit, std::uint32_t lane, LimitLanes& lanes) {
   const float first = limit.kind == LimitKind::kUnlimited ? kNoAngleLimit : limit.angles[0];
   const bool is_round = limit.kind <= LimitKind::kCone && first > 0.0f;

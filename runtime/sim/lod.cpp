@@ -5,7 +5,7 @@
 namespace coif {
 namespace {
 
-/// The last level fits everything, so a NaN ends there.
+/// The last level fits everything, so a NaN gives the last one.
 std::uint32_t level_for(std::span<const LodRecord> lods, float share) {
   const auto last = static_cast<std::uint32_t>(lods.size()) - 1;
   std::uint32_t level = 0;
@@ -14,7 +14,7 @@ std::uint32_t level_for(std::span<const LodRecord> lods, float share) {
 }
 
 float clamped(float hysteresis) {
-  constexpr float kMost = 0.9f;  // at 1 a coarser level would never be reached
+  constexpr float kMost = 0.9f;  // With 1 a coarser level would never be reached.
   if (!(hysteresis > 0.0f)) return 0.0f;
   return hysteresis < kMost ? hysteresis : kMost;
 }

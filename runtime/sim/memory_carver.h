@@ -7,13 +7,13 @@
 
 namespace coif {
 
-/// Takes arrays one after another out of one block. Without a block it only counts, so that the sum told before and
-/// the memory used later come from the same calls.
+/// Takes arrays one after another out of one block. Without a block it only counts, so that the size announced before
+/// and the memory used later come from the same calls.
 class MemoryCarver {
  public:
   static constexpr std::size_t kAlignment = 64;
 
-  /// `base` null to count, else aligned to kAlignment and as large as a counting run says.
+  /// `base`: null to count, else aligned to kAlignment and as large as a counting run says.
   explicit MemoryCarver(std::byte* base) : base_(base) {}
 
   /// `count` values of T, default-initialised; empty while counting.
@@ -29,7 +29,7 @@ class MemoryCarver {
     return {first, std::size_t(count)};
   }
 
-  /// Bytes that are not touched; empty while counting.
+  /// Uninitialised bytes; empty while counting.
   std::span<std::byte> take_raw(std::uint64_t bytes) {
     used_ = (used_ + kAlignment - 1) / kAlignment * kAlignment;
     const std::uint64_t begin = used_;

@@ -1,5 +1,5 @@
 #pragma once
-// A hash against accidents, for what saved states are recognised by.
+// A hash against accidents, by which saved states are recognised.
 
 #include <bit>
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace coif {
 
-/// Order and place of every byte count.
+/// The order and the place of every byte count.
 class Mixer {
  public:
   explicit Mixer(std::uint64_t seed) : state_(seed) {}

@@ -1,16 +1,16 @@
 #pragma once
-// What the solvers of one model have in common, whatever else they know: see Solver, whose members these are.
+// Code that the solvers of one model share: members of Solver.
 
 #include "solver.h"
 
 namespace coif {
 
-/// How a bone moves in a step.
+/// The dynamics of a bone in a step.
 struct ScaledDynamics {
   double stiffness, damping, friction;  ///< 1/s^2, 1/s, 1/s.
 };
 
-/// What the asset says of it, times the step's factors, within the bounds of what moves hair.
+/// The asset's values times the step's factors, within kMostStiffness and kMostDamping.
 inline ScaledDynamics bone_motion(const StepTerms& step, const DynamicsRecord& dynamics) {
   const auto bounded = [](float own, float factor, float most) {
     const double product = double(own) * double(factor);

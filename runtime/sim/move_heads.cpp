@@ -1,4 +1,4 @@
-// Heads that hosts move. Apart from heads.cpp, whose FloatEnvironment has to be set when this is called.
+// Moves heads to the poses that hosts set. Separate from heads.cpp, which sets the FloatEnvironment that this needs.
 
 #include "crowd_step.h"
 #include "head_lanes.h"
@@ -6,7 +6,7 @@
 namespace coif {
 namespace {
 
-/// A head that sleeps, told where it already is, sleeps on.
+/// A sleeping head that is set to its present pose sleeps on.
 bool sleeps_on(CrowdState& crowd, std::uint32_t instance, const HeadPose& unit) {
   if (!crowd.details[instance].asleep) return false;
   const std::uint32_t slot = crowd.slots[instance];

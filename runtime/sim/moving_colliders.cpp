@@ -13,7 +13,7 @@ Vec3 mix(const Vec3& a, const Vec3& b, float s) { return a + (b - a) * s; }
 
 Vec3 unit(const Vec3& v) { return v * (1.0f / length(v)); }
 
-/// The nearest axes at right angles, x first.
+/// Makes the axes exactly perpendicular, x first.
 OwnAxes straightened(const OwnAxes& axes) {
   const Vec3 x = unit(axes.x), y = unit(axes.y - x * dot(axes.y, x));
   return {x, y, cross(x, y)};
@@ -21,14 +21,14 @@ OwnAxes straightened(const OwnAxes& axes) {
 
 bool has_axes(ColliderShape shape) { return shape == ColliderShape::kBox || shape == ColliderShape::kEllipsoid; }
 
-/// Where the head is at one end of the step.
+/// The head at one end of the step.
 struct HeadAt {
   double position[3];
   Quat rotation;
   float per_scale;
 };
 
-/// Head space, metres of the hair.
+/// In head space, in the hair's metres.
 Vec3 seen_from(const HeadAt& head, const double (&place)[3]) {
   const auto offset = [&](int axis) { return float((place[axis] - head.position[axis]) * double(head.per_scale)); };
   return rotate(conjugate(head.rotation), {offset(0), offset(1), offset(2)});
@@ -36,7 +36,7 @@ Vec3 seen_from(const HeadAt& head, const double (&place)[3]) {
 
 constexpr std::uint32_t kMostLooks = 64;
 
-/// The shape in metres of the hair, and what is degenerate of it as what it is.
+/// Sets the shape in the hair's metres. Degenerate capsules become spheres.
 void set_shape(const ToldCollider& told, float per_scale, ColliderWay& way) {
   const MovingCollider& now = told.now;
   const float scale = told.is_of_body ? 1.0f : per_scale;
@@ -61,7 +61,7 @@ Vec3 own_axis(const ToldCollider& told, const Quat& rotation, const Quat& head, 
   return rotate(conjugate(head), rotate(rotation, told.now.axis)) * scale;
 }
 
-/// The place of a shape of which one ball swallows the other is that ball's.
+/// A tapered capsule in which one ball contains the other becomes a sphere: true where that is the ball at the end.
 bool takes_end(const ToldCollider& told, const ColliderWay& way) {
   return told.now.shape == ColliderShape::kTaperedCapsule && way.shape == ColliderShape::kSphere &&
          told.now.end_radius > told.now.radius;
@@ -78,7 +78,7 @@ void set_end(const ToldCollider& told, const HeadAt& head, const double (&center
   if (has_axes(way.shape)) way.axes[end] = axes_of(conjugate(head.rotation) * rotation);
 }
 
-/// Seconds, of the whole step; of the head at its end, metres of the hair and world axes.
+/// Velocities of the head at the step's end, in the hair's metres and world axes; `dt` is the whole step, seconds.
 struct HeadPace {
   float dt;
   Vec3 velocity, turning;
@@ -102,7 +102,7 @@ void set_velocity(const ToldCollider& told, const HeadAt& before, const HeadAt& 
   way.turning = Vec3{turn.x, turn.y, turn.z} * (turn.w < 0.0f ? -2.0f * per_second : 2.0f * per_second);
 }
 
-/// How far any of its surface goes, at most.
+/// Upper bound of the way that any point of its surface makes.
 float longest_way(const ColliderWay& way) {
   const float straight = length(way.center[1] - way.center[0]);
   if (has_axes(way.shape)) {
@@ -117,11 +117,11 @@ float thickness_of(const ColliderWay& way) {
   if (way.shape == ColliderShape::kPlane) return 1.0f;
   float least = way.radii.x < way.radii.y ? way.radii.x : way.radii.y;
   if (has_axes(way.shape)) least = (way.radii.z < least ? way.radii.z : least) + way.rounding;
-  constexpr float kThinnest = 0.005f;  // metres: hair itself has some thickness
+  constexpr float kThinnest = 0.005f;  // Metres: hair itself has some thickness.
   return least < kThinnest ? kThinnest : least;
 }
 
-/// By a right angle or more: on the straight way between there would be nothing of it.
+/// It turns by a right angle or more, so its interpolated axes would vanish on the way.
 bool turns_over(const ColliderWay& way) {
   if (way.shape == ColliderShape::kSphere) return false;
   if (!has_axes(way.shape)) return !(dot(way.axis[0], way.axis[1]) > 0.0f);
@@ -134,8 +134,8 @@ void stay(ColliderWay& way) {
   way.axes[0] = way.axes[1];
 }
 
-/// Half a thickness from look to look: then what is in front of it stays in front. Further than so many looks show it
-/// has been put there.
+/// Looks lie half a thickness apart, so that hair in front of the collider stays in front. A collider that needs more
+/// looks than kMostLooks was put there.
 void find_looks(ColliderWay& way, bool& has_way) {
   const float looks = std::ceil(longest_way(way) / (0.5f * thickness_of(way)));
   has_way = has_way && looks <= float(kMostLooks) && !turns_over(way);
@@ -159,7 +159,7 @@ void place_at(const ColliderWay& way, float s, PlacedCollider& placed) {
     placed.axes = straightened({mix(a.x, b.x, s), mix(a.y, b.y, s), mix(a.z, b.z, s)});
   }
   complete(placed);
-  constexpr float kLeastSize = 1e-3f;  // metres; what is thinner is not felt more exactly
+  constexpr float kLeastSize = 1e-3f;  // Metres; thinner colliders are not felt more exactly.
   if (placed.size < kLeastSize) placed.size = kLeastSize;
 }
 
@@ -167,7 +167,7 @@ namespace {
 
 bool is_endless(const ColliderWay& way) { return way.keeps_inside || way.shape == ColliderShape::kPlane; }
 
-/// What is told of a collider, at the step's ends. False where hair cannot reach it.
+/// Finds the collider at both ends of the step from what the host set. False where hair cannot reach it.
 bool find_way(const ToldCollider& told, const HeadAt& before, const HeadAt& after, const HeadPace& pace, bool is_put,
               float reach, ColliderWay& way) {
   set_shape(told, after.per_scale, way);
@@ -190,28 +190,29 @@ bool find_way(const ToldCollider& told, const HeadAt& before, const HeadAt& afte
   return is_endless(way) || (nearest0 <= reach + travel && nearest1 <= reach + travel);
 }
 
-constexpr Vec3 kNowhere{1e15f, 1e15f, 1e15f};  ///< Nothing comes near it.
+constexpr Vec3 kNowhere{1e15f, 1e15f, 1e15f};  ///< No hair comes near it.
 
-/// World metres, squared.
+/// Squared distance, in world metres.
 double distance2(const double (&a)[3], const double (&b)[3]) {
   double sum = 0;
   for (int axis = 0; axis < 3; ++axis) sum += (a[axis] - b[axis]) * (a[axis] - b[axis]);
   return sum;
 }
 
-/// Too far away at both ends of the step to be looked at, whatever it is, as most are.
+/// Whether the collider is too far away at both ends of the step, whatever its shape, as most are.
 bool is_far(const ToldCollider& told, const HeadAt& before, const HeadAt& after, float reach) {
   const double scale = 1.0 / double(after.per_scale);
   const double radius = scale * double(reach) + double(told.extent) * (told.is_of_body ? scale : 1.0);
   const double now2 = distance2(told.now.center, after.position);
   if (told.keeps_inside || told.now.shape == ColliderShape::kPlane || now2 <= 4 * radius * radius) return false;
-  // Further than all the way that it can have made.
+  // Further than the longest way that it can have made.
   const double before2 = distance2(told.center_before, before.position);
   const double way2 = distance2(told.now.center, told.center_before) + distance2(after.position, before.position);
   return before2 > 4 * radius * radius && 4 * way2 < now2;
 }
 
-/// The colliders of the head in lane `i`, of which the last step's places are now forgotten.
+/// Finds the colliders that hair of the head in lane `i` may touch, and makes the present places those of the last
+/// step.
 std::uint32_t find_ways(CrowdState& crowd, Block& block, std::uint32_t i, const HeadStepLanes& step, bool is_put,
                         const StepParts& parts) {
   CharacterState& character = crowd.character;
@@ -234,7 +235,7 @@ std::uint32_t find_ways(CrowdState& crowd, Block& block, std::uint32_t i, const 
     const auto place = std::uint32_t(std::countr_zero(there));
     ToldCollider& told = character.told[first + place];
     ColliderWay& to = character.ways[first + count];
-    // Hair was carried along through a share of a frame that took too long.
+    // In a long frame the hair was carried along for a share of the time.
     for (int axis = 0; axis < 3; ++axis) {
       told.center_before[axis] += (told.now.center[axis] - told.center_before[axis]) * double(parts.carried);
     }

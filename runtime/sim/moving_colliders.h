@@ -1,6 +1,6 @@
 #pragma once
-// Colliders that move against the head: the game's own and those that hang on the bones of a body. What hosts told, and
-// where that is during a step, in head space and metres of the hair.
+// Colliders that move against the head: the game's own and those on the bones of a body. Keeps what hosts set, and
+// finds where it is during a step, in head space and the hair's metres.
 
 #include "lanes/lane_layout.h"
 #include "lanes/step_parts.h"
@@ -16,18 +16,18 @@ namespace coif {
 
 struct CrowdState;
 
-/// Of one head: those of its asset that hang on a body, and the game's.
+/// Colliders of one head: its asset's body colliders, and the game's.
 inline constexpr std::uint32_t kMaxPlaces = kMaxBodyColliders + kMaxMovingColliders;
 static_assert(kMaxPlaces <= 64, "each has a bit");
 
-/// As told: world. Kept for each head and place that it may have a collider in.
+/// A collider as the host set it, in world space. Kept for each head and collider place.
 struct ToldCollider {
   MovingCollider now;
   double center_before[3] = {};  ///< At the end of the head's last step.
   Quat rotation_before;
-  float extent = 0;         ///< From its center, in its own metres: all of it is within.
+  float extent = 0;         ///< Radius around its center that contains all of it, in its own metres.
   bool has_way = false;     ///< It was there at the end of the last step too.
-  bool is_of_body = false;  ///< Its lengths are the hair's, not the world's.
+  bool is_of_body = false;  ///< Its lengths are in the hair's metres, not the world's.
   bool keeps_inside = false;
 };
 
@@ -35,30 +35,31 @@ struct ToldCollider {
 struct ColliderWay {
   ColliderShape shape = ColliderShape::kSphere;
   bool keeps_inside = false;
-  std::uint32_t place = 0;  ///< Among the head's: of the body's colliders the number in the asset comes first.
+  std::uint32_t place = 0;  ///< Place among the head's colliders; a body collider's place is its number in the asset.
   Vec3 radii;               ///< Sphere, capsules: at both ends. Box: half extents.
   float rounding = 0;       ///< Box.
-  Vec3 center[2];           ///< At the step's start and end. In between it goes straight.
+  Vec3 center[2];           ///< At the step's start and end; it moves in a straight line between them.
   Vec3 axis[2];             ///< As PlacedCollider::axis.
   OwnAxes axes[2];          ///< Box.
-  Vec3 velocity;            ///< At the end, against what is rigid to the head, head axes: of the centre, m/s,
-  Vec3 turning;             ///< and rad/s.
-  Vec3 bound_center;        ///< A ball around the whole way.
+  /// Velocity of the centre at the step's end relative to the head's rigid motion, head axes, m/s.
+  Vec3 velocity;
+  Vec3 turning;       ///< The same for its rotation, rad/s.
+  Vec3 bound_center;  ///< Centre of a ball around the whole way.
   float bound_radius = 0;
-  std::uint32_t looks = 1;  ///< So many moments of the step have to be looked at so that it jumps through nothing.
+  std::uint32_t looks = 1;  ///< Number of moments of the step to look at, so that it jumps through nothing.
 };
 
-/// Where the colliders of sixteen heads may be during a step, one lane for each head: a ball around the whole way.
+/// Where the colliders of sixteen heads may be during a step, one lane per head: a ball around the whole way.
 struct ColliderBounds {
   Lanes3 center;
   Lanes radius;
 };
 
-/// Where it is at the share `s` of the step.
+/// Places it where it is at the share `s` of the step.
 void place_at(const ColliderWay& way, float s, PlacedCollider& placed);
 
-/// Where the colliders of a block's heads go in this step, for those that hair may reach; `put` has a bit for each head
-/// that was put somewhere, and its colliders with it.
+/// Finds the ways of the colliders of a block's heads in this step, for those that hair may reach. `put` has a bit for
+/// each head that was put somewhere together with its colliders.
 void begin_colliders(CrowdState& crowd, std::uint32_t block, const HeadStepLanes& step, std::uint16_t put,
                      const StepParts& parts);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The numbers of the passive solver's integrator, which depend on the step alone.
+// The numbers of the passive solver's integrator, which depend only on the step.
 
 #include "lanes/lane_layout.h"
 
@@ -9,13 +9,13 @@
 namespace coif {
 
 /// Generalized-alpha (Chung and Hulbert 1993, "A Time Integration Algorithm for Structural Dynamics With Improved
-/// Numerical Dissipation"): second order, and of what swings too fast for the step this share of the amplitude is left
-/// after each.
+/// Numerical Dissipation"): second order. Motion that is too fast for the step keeps this share of its amplitude in
+/// each step.
 inline constexpr double kPassiveRho = 0.4;
 
-/// With the acceleration a and the method's own lagging one l, over a step of dt in which a particle makes its way w:
-///     l1 = lagged_per_way (w - dt v - lag l),  a1 = mean l1 + from_lagged l + from_acceleration a,
-///     v1 = v + early l + late l1.
+/// With the acceleration a and the method's own lagging one l, over a step of dt in which a particle moves by w:
+/// l1 = lagged_per_way (w - dt v - lag l), a1 = mean l1 + from_lagged l + from_acceleration a,
+/// v1 = v + early l + late l1.
 struct PassiveMethod {
   explicit PassiveMethod(double seconds) : dt(seconds) {
     constexpr double kMass = (2 * kPassiveRho - 1) / (kPassiveRho + 1), kForce = kPassiveRho / (kPassiveRho + 1);
@@ -40,10 +40,10 @@ struct PassiveMethod {
   double acceleration_per_way;                  ///< 1/s^2
 };
 
-/// Bytes that a step needs for each bone besides its state, whatever the instruction set.
+/// Scratch bytes of a step for each bone, the same for every instruction set.
 inline constexpr std::size_t kPassiveScratch = 147 * sizeof(Lanes);
 inline constexpr std::size_t kCharacterScratch = kPassiveScratch + 6 * sizeof(Lanes);  ///< The same on a character.
-/// Rows of so many bones find them on the stack, at most 75 kB; longer ones in the crowd's memory.
+/// Rows of up to so many bones have their scratch on the stack, at most 75 kB; longer rows use the crowd's memory.
 inline constexpr std::uint32_t kPassiveBonesOnStack = 8;
 
 }  // namespace coif

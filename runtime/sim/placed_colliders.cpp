@@ -12,7 +12,7 @@ float largest(const Vec3& radii) {
   return side > radii.z ? side : radii.z;
 }
 
-/// Of those that are set.
+/// The smallest of the components that are not zero.
 float smallest(const Vec3& radii) {
   const float side = radii.x < radii.y ? radii.x : radii.y;
   return radii.z > 0.0f && radii.z < side ? radii.z : side;
@@ -31,11 +31,11 @@ void place_capsule(PlacedCollider& placed) {
   placed.slant = placed.taper / std::sqrt(placed.axis2 * (placed.axis2 - placed.taper * placed.taper));
 }
 
-/// By a ball around the collider.
+/// Sets a ball around the collider.
 void bound(PlacedCollider& placed) {
   const bool is_plane = placed.shape == ColliderShape::kPlane, is_box = placed.shape == ColliderShape::kBox;
   const float thickness = is_box ? length(placed.radii) + placed.rounding : largest(placed.radii);
-  const Vec3 half = is_plane ? Vec3{} : placed.axis * 0.5f;  // the axis of round shapes is zero
+  const Vec3 half = is_plane ? Vec3{} : placed.axis * 0.5f;  // The axis of round shapes is zero.
   placed.bound_center = placed.center + half;
   placed.bound_radius = is_plane ? 0.0f : (thickness + length(half)) * kBoundMargin;
   const bool is_endless = is_plane || placed.keeps_inside;

@@ -6,8 +6,8 @@
 namespace coif {
 namespace {
 
-/// What the oscillator y'' + damping y' + stiffness y = f(t) does in one step, in double precision since differences of
-/// these would cancel in single.
+/// The responses of the oscillator y'' + damping y' + stiffness y = f(t) over one step. In double precision, since
+/// differences of them would cancel in single.
 struct Answers {
   double cosine_like;  ///< y for y(0) = 1, y'(0) = 0, f = 0.
   double sine_like;    ///< y for y(0) = 0, y'(0) = 1, f = 0; seconds. Also y' for f = 1 from rest.
@@ -35,8 +35,8 @@ Answers overdamped(double stiffness, double half_damping, double root, double dt
   return answers;
 }
 
-/// Underdamped, or nearly critical: there both closed forms divide zero by zero, and the series of sin(x)/x and cos(x)
-/// in x^2 join them.
+/// Underdamped, or nearly critical. There both closed forms divide zero by zero; the series of sin(x)/x and cos(x) in
+/// x^2 join them.
 Answers oscillating(double stiffness, double damping, double phase2, double dt) {
   const double half = 0.5 * damping, left = plain::exp(-half * dt);
   double sine = dt * (1 - phase2 / 6 * (1 - phase2 / 20));
@@ -50,7 +50,7 @@ Answers oscillating(double stiffness, double damping, double phase2, double dt) 
   Answers answers;
   answers.cosine_like = left * (cosine + half * sine);
   answers.sine_like = left * sine;
-  // With a soft spring the integrals are what is left after most has cancelled: their own series in time instead.
+  // With a soft spring the integrals suffer from cancellation, so their series in time is used.
   const double d = damping * dt, k = stiffness * dt * dt;
   if (d + k < 0.025) {
     const double c1 = -d, c2 = -d * c1 - k, c3 = -d * c2 - k * c1, c4 = -d * c3 - k * c2;
@@ -65,13 +65,14 @@ Answers oscillating(double stiffness, double damping, double phase2, double dt) 
 
 Answers answers_of(double stiffness, double damping, double dt) {
   const double half = 0.5 * damping;
-  const double square = stiffness - half * half;  // of the angular frequency
+  const double square = stiffness - half * half;  // Square of the angular frequency.
   const double phase2 = square * dt * dt;
   if (phase2 < -1e-4) return overdamped(stiffness, half, std::sqrt(-square), dt);
   return oscillating(stiffness, damping, phase2, dt);
 }
 
-/// A constant force moves an undamped particle by nothing in a whole period: no more than without a spring.
+/// In a whole period a constant force does not move an undamped particle, so the result is limited to that without a
+/// spring.
 double velocity_per_offset(const Answers& answers, double dt) {
   const double free = 2 / dt;
   const double per_offset = answers.load > 0 ? answers.sine_like / answers.load : 0;

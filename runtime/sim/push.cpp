@@ -1,5 +1,5 @@
-// Blows between two steps. Whatever the solver, a bone's state says where it is or which way it points, and how fast
-// its particle goes.
+// Impulses between two steps. With every solver a bone's state has its place or its direction, and the velocity of its
+// particle.
 
 #include <coif/hair.h>
 
@@ -21,7 +21,7 @@ bool is_impulse(const Impulse& impulse) {
   return has_reach && std::isfinite(impulse.speed) && is_finite(impulse.axis) && is_finite(impulse.velocity);
 }
 
-/// An impulse as a head feels it: seen from the head's position, in world axes and the hair's metres.
+/// An impulse relative to the head's position, in world axes and the hair's metres.
 struct FeltImpulse {
   Vec3 center, axis;
   float per_axis2 = 0;  ///< 0 for a ball.
@@ -31,7 +31,7 @@ struct FeltImpulse {
   bool strokes = false;
 };
 
-/// False where the head is too far away to feel any.
+/// False where the head is too far away to feel it.
 bool feel(const Impulse& impulse, const HeadLanes& heads, std::uint32_t i, FeltImpulse& felt) {
   const float per_scale = heads.per_scale.v[i];
   const Vec3 left = lane(heads.way, i);
@@ -53,7 +53,7 @@ bool feel(const Impulse& impulse, const HeadLanes& heads, std::uint32_t i, FeltI
   return true;
 }
 
-/// By how much what is at `place` and goes at `velocity` becomes faster.
+/// The change of velocity at `place` for hair that moves at `velocity`.
 Vec3 change_of(const FeltImpulse& impulse, const Vec3& place, const Vec3& velocity) {
   Vec3 from = place - impulse.center;
   const float along = dot(from, impulse.axis) * impulse.per_axis2;
@@ -66,7 +66,7 @@ Vec3 change_of(const FeltImpulse& impulse, const Vec3& place, const Vec3& veloci
   return (given + outwards) * share;
 }
 
-/// Particles that go where they go: Algorithm 1 has world velocities.
+/// Pushes particles that have world places and velocities, as in Algorithm 1.
 bool push_particles(ChainMotion pushed, std::size_t bones, const FeltImpulse& impulse) {
   bool any = false;
   for (std::size_t i = 0; i < bones; ++i) {
@@ -79,19 +79,19 @@ bool push_particles(ChainMotion pushed, std::size_t bones, const FeltImpulse& im
   return any;
 }
 
-/// Where a bone ends.
+/// The end of a bone.
 struct Tail {
   Vec3 place, velocity, change;
 };
 
-/// The head as its joints feel it.
+/// The motion that the head gives its joints.
 struct Carrying {
   Quat rotation;
   Vec3 velocity, turning;
 };
 
-/// Bones that turn about their starts: what an impulse would add along them is lost, and what it adds to a start its
-/// bone has already. Parents come first.
+/// Pushes bones that turn about their starts. The part of an impulse along a bone is lost, and the change of its start
+/// is already in its parent. Parents come first.
 class PushedBones {
  public:
   PushedBones(const ChainMotion& pushed, const ChainLane& chain, const Carrying& head, const FeltImpulse& impulse)

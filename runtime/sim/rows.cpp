@@ -18,9 +18,9 @@ std::int32_t parent_in_chain(std::span<const BoneRecord> bones, const ChainRecor
 
 namespace {
 
-/// Whether one solver moves both and they have the same bones, each of which twists in both or in neither, and is
-/// bounded in both or in neither: a bone that has no twist computes other bits beside one that has, and one without a
-/// limit meets its colliders in fewer rounds. All other features compute zeros where they are not wanted.
+/// Whether one solver moves both chains, their bones correspond, and each pair of bones twists in both chains or in
+/// neither and is bounded in both or in neither. A bone without twist gets other bits beside one with twist, and a bone
+/// without limit meets its colliders in fewer rounds. All other features compute zeros where they are not used.
 bool fit_in_one_row(const Asset& asset, const Solver& solver, const ChainRecord& a, const ChainRecord& b) {
   if (a.bone_count != b.bone_count || &solver_for(solver, a) != &solver_for(solver, b)) return false;
   for (std::uint32_t i = 0; i < a.bone_count; ++i) {
@@ -50,8 +50,8 @@ void for_each_row(const Asset& asset, const Solver& solver, LaneOrder order, con
 
 }  // namespace
 
-/// Gives each bone with children the first slot that no bone with children still to come holds. Sixteen suffice: open()
-/// has checked it.
+/// Gives each bone with children the first slot that is free: not held by a bone that still waits for children. Sixteen
+/// suffice, as open() has checked.
 void assign_slots(std::span<RowBone> bones) {
   for (const RowBone& bone : bones) {
     if (bone.parent >= 0) ++bones[std::size_t(bone.parent)].children;
@@ -84,7 +84,7 @@ std::uint32_t features_of(const BoneRecord& bone, const DynamicsRecord& dynamics
 
 namespace {
 
-/// For an asset with levels of detail, in how many of them the bone moves; else always.
+/// Number of levels of detail in which the bone moves; without levels it always moves.
 std::uint8_t levels_of(const Asset& asset, std::uint32_t bone) {
   return asset.lod_bones().empty() ? std::uint8_t(kMaxLods) : asset.lod_bones()[bone];
 }
@@ -125,7 +125,7 @@ void add_bone(const Asset& asset, std::uint32_t bone, std::uint32_t lane, RowBon
 
 namespace {
 
-/// One bone of a row. Lanes without a chain repeat the first: they compute along and are not stored.
+/// Makes one bone of a row. Lanes without a chain repeat the first one: they are computed too, but not stored.
 void make_bone(const Asset& asset, const Row& row, std::uint32_t i, RowBone& shape, BoneLanes& constants) {
   shape = RowBone{};
   shape.parent = parent_in_chain(asset.bones(), asset.chains()[row.first_chain], i);

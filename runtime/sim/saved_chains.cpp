@@ -8,7 +8,7 @@
 namespace coif {
 namespace {
 
-/// A turn and a way: columns of length one at right angles.
+/// A rotation and a translation: the columns have length one and are perpendicular.
 bool is_rigid(const Mat34& matrix) {
   Vec3 column[3];
   for (int k = 0; k < 3; ++k) column[k] = {matrix.m[0][k], matrix.m[1][k], matrix.m[2][k]};
@@ -35,7 +35,7 @@ bool is_followed_pose(const SavedLane& pose, std::size_t at) {
          is_share(pose.number(at + offsetof(PoseLanes, weight)));
 }
 
-/// A lane of a row: its bones' states one after the other, and what rows of solvers that need more have behind them.
+/// Checks a lane of a row: its bones' states one after the other, and the padding of rows whose solver needs less.
 bool are_states(const CrowdState& crowd, const Row& row, const SavedLane& lane) {
   const std::size_t own = row.bone_count * row.solver->state_bytes, all = row.bone_count * crowd.state_bytes;
   if (!lane.are_finite(0, own) || !lane.are_zero(own, all - own)) return false;

@@ -25,7 +25,7 @@ inline constexpr float kLargestCollider = 1e6f;  ///< Metres.
   return is_finite(c.velocity.linear) && is_finite(c.velocity.angular) ? Status::kOk : Status::kBadArgument;
 }
 
-/// Metres from the collider's `center` within which all of it is.
+/// Radius around the collider's `center` that contains all of it, metres.
 [[nodiscard]] inline float extent_of(const MovingCollider& c) {
   const float radius = c.radius > c.end_radius ? c.radius : c.end_radius;
   switch (c.shape) {
@@ -37,7 +37,7 @@ inline constexpr float kLargestCollider = 1e6f;  ///< Metres.
   }
 }
 
-/// A collider that was told, with nothing between its members; zero where none is there.
+/// A collider that the host set, without padding between its members; all zero where there is none.
 struct SavedCollider {
   double center[3], center_before[3];
   Quat rotation, rotation_before;
@@ -56,7 +56,7 @@ inline SavedCollider packed(const ToldCollider& told) {
   saved.rotation_before = told.has_way ? told.rotation_before : Quat{};
   saved.axis = now.axis;
   saved.half_extents = now.half_extents;
-  if (now.is_velocity_known) {  // else it is the host's, and may be anything
+  if (now.is_velocity_known) {  // Without this the velocity is the host's, and may be anything.
     saved.velocity = now.velocity.linear;
     saved.turning = now.velocity.angular;
   }

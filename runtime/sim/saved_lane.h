@@ -1,5 +1,5 @@
 #pragma once
-// The numbers of a saved state: of one lane a float for each Lanes, in their order.
+// The numbers of a saved state: one float per Lanes member of a lane, in their order.
 
 #include "crowd.h"
 #include "lanes/lane_layout.h"
@@ -13,10 +13,10 @@
 
 namespace coif {
 
-/// By how much the length of what the simulation keeps at one may be off.
+/// Allowed error of a length that the simulation keeps at one.
 inline constexpr float kSavedUnitTolerance = 1e-3f;
 
-/// Reads by byte offsets into the struct of Lanes that was saved; the bytes may lie anywhere.
+/// Reads values by their byte offsets in the struct of Lanes that was saved; the bytes may lie anywhere.
 class SavedLane {
  public:
   explicit SavedLane(const std::byte* from) : from_(from) {}
@@ -33,14 +33,14 @@ class SavedLane {
     const Vec3 axis = vector(offset);
     return {axis.x, axis.y, axis.z, number(offset + sizeof(Lanes3))};
   }
-  /// Looks at `bytes` bytes of Lanes from `offset` on.
+  /// Checks `bytes` bytes of Lanes from `offset` on.
   [[nodiscard]] bool are_finite(std::size_t offset, std::size_t bytes) const {
     for (std::size_t end = offset + bytes; offset < end; offset += sizeof(Lanes)) {
       if (!std::isfinite(number(offset))) return false;
     }
     return true;
   }
-  /// Whether they are what was never written.
+  /// Whether they were never written.
   [[nodiscard]] bool are_zero(std::size_t offset, std::size_t bytes) const {
     for (std::size_t end = offset + bytes; offset < end; offset += sizeof(Lanes)) {
       const float value = number(offset), zero = 0;
@@ -53,7 +53,7 @@ class SavedLane {
   const std::byte* from_;
 };
 
-/// What was written one number after the other.
+/// Reads saved numbers one after the other.
 class SavedBytes {
  public:
   explicit SavedBytes(std::span<const std::byte> content) : at_(content.data()) {}
@@ -69,9 +69,9 @@ class SavedBytes {
     at_ += bytes;
     return from;
   }
-  /// One lane of `bytes` bytes of Lanes.
+  /// Takes one lane of `bytes` bytes of Lanes.
   SavedLane take_lane(std::size_t bytes) { return SavedLane(take(bytes / sizeof(Lanes) * sizeof(float))); }
-  /// False unless it is 0 or 1.
+  /// Returns false unless the byte is 0 or 1.
   bool take_flag(bool& flag) {
     const auto byte = take<std::uint8_t>();
     flag = byte != 0;
@@ -89,20 +89,20 @@ inline bool same_bits(const void* a, const void* b, std::size_t bytes) { return 
 /// False for anything with a NaN or an infinity.
 inline bool is_unit_direction(const Vec3& v) { return std::fabs(length(v) - 1.0f) <= kSavedUnitTolerance; }
 
-/// Whether the crowd could have saved this: numbers are finite and in their ranges, rotations are rotations, and what
-/// is there fits what else is there. `content` is as long as the crowd's own. In a plain FloatEnvironment.
+/// Whether the crowd could have saved this: numbers are finite and in their ranges, rotations are rotations, and all
+/// parts agree with each other. `content` must be as long as the crowd's own. Needs a plain FloatEnvironment.
 [[nodiscard]] bool could_be_saved(const CrowdState& crowd, std::span<const std::byte> content);
 
-// The hair itself, matrices and chains: saved_chains.cpp.
+// These three check the hair itself, matrices and chains: saved_chains.cpp.
 
-/// Farthest that a bone's start can be from its head's position, metres: all bones in one line. Particles may go where
-/// they go.
+/// Largest distance of a bone's start from its head's position, metres: all bones in one line. Particles with world
+/// places have no such bound.
 [[nodiscard]] float farthest_bone_start(const CrowdState& crowd);
 
-/// Whether these can be one head's matrices; none begins farther away than `farthest`.
+/// Whether these can be one head's matrices. No bone may begin farther away than `farthest`.
 [[nodiscard]] bool is_saved_palette(const CrowdState& crowd, float farthest, SavedBytes& bytes);
 
-/// The same for the numbers of its chains.
+/// Whether these can be the numbers of its chains.
 [[nodiscard]] bool are_saved_chains(const CrowdState& crowd, bool is_posed, SavedBytes& bytes);
 
 }  // namespace coif

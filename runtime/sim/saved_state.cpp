@@ -1,5 +1,5 @@
-// A crowd's state as bytes. All that moves is written head by head, in the order of their numbers, so that the same
-// state has the same bytes whatever blocks its heads lie in, and nothing that is read back can lead anywhere.
+// A crowd's state as bytes. All changing state is written head by head, in the order of the instances. So equal states
+// have equal bytes, whatever blocks the heads are in, and nothing that is read back is an address or an index.
 
 #include <coif/hair.h>
 
@@ -21,11 +21,11 @@ struct SavedHeader {
   std::uint64_t magic;
   std::uint32_t version;
   std::uint32_t instances;
-  std::uint64_t crowd;  ///< What makes the crowd, see signature_of().
-  std::uint64_t hash;   ///< Of all that follows.
+  std::uint64_t crowd;  ///< Identifies the crowd, see signature_of().
+  std::uint64_t hash;   ///< Hash of everything that follows.
 };
 
-/// The same for crowds whose numbers mean the same: of one asset's bones, under the same solvers.
+/// Equal for crowds whose numbers mean the same: the bones of one asset, under the same solvers.
 std::uint64_t signature_of(const CrowdState& crowd) {
   Mixer mixer(kVersion);
   const Asset& asset = crowd.asset;
@@ -55,11 +55,11 @@ std::uint64_t signature_of(const CrowdState& crowd) {
   return mixer.hash();
 }
 
-// Written as they lie in memory: nothing between their members.
+// Written as they lie in memory, so there must be no padding.
 static_assert(sizeof(Gusts) == 28 && sizeof(HeadAir) == 16 && sizeof(GustWaves) == 384);
 static_assert(sizeof(StepSettings) == 19 * sizeof(float) && sizeof(InstanceDetail) == 5 && sizeof(HeadPose) == 48);
 
-/// Where bytes go to or come from; the same walk through the state does all three, so that they cannot disagree.
+/// Counting, writing and reading walk through the state by the same code, so that they cannot disagree.
 struct Counting {
   std::size_t size = 0;
   void pass(const void*, std::size_t bytes) { size += bytes; }
@@ -67,7 +67,7 @@ struct Counting {
 struct Writing {
   std::byte* to;
   void pass(const void* from, std::size_t bytes) {
-    if (bytes == 0) return;  // of nothing, which may be nowhere
+    if (bytes == 0) return;  // An empty source may have no address.
     std::memcpy(to, from, bytes);
     to += bytes;
   }
@@ -81,7 +81,7 @@ struct Reading {
   }
 };
 
-/// Lane `i` of `bytes` bytes of Lanes.
+/// Passes lane `i` of `bytes` bytes of Lanes.
 template <typename Tape>
 void pass_lane(Tape& tape, void* lanes, std::uint32_t i, std::size_t bytes) {
   Lanes* const all = static_cast<Lanes*>(lanes);
@@ -108,7 +108,7 @@ void pass_details(CrowdState& crowd, Tape& tape) {
   tape.pass(crowd.sets.data(), crowd.sets.size_bytes());
 }
 
-/// What hosts said of the air and of dynamics, and how far gusts have come.
+/// The air and the dynamics that hosts set, and how far gusts have come.
 template <typename Tape>
 void pass_air(CrowdState& crowd, Tape& tape) {
   if (!crowd.sets.empty()) {
@@ -154,7 +154,7 @@ void pass_head(CrowdState& crowd, std::uint32_t instance, Tape& tape) {
   const std::size_t first = crowd.first_state(slot);
   for (const Row& row : crowd.rows) {
     const std::size_t bone = first + row.first_bone;
-    // A row that is this head's alone has a lane for each chain; what idle lanes compute along is nobody's.
+    // With kChains a row belongs to this head and has a lane for each chain; values of idle lanes are not saved.
     const bool by_heads = crowd.order == LaneOrder::kHeads;
     const std::uint32_t begin = by_heads ? i : 0, end = by_heads ? i + 1 : row.chain_count;
     for (std::uint32_t k = begin; k < end; ++k) {
@@ -188,7 +188,7 @@ SavedHeader header_of(const CrowdState& crowd, std::span<const std::byte> conten
   return {kMagic, kVersion, crowd.instance_count(), signature_of(crowd), mixer.hash()};
 }
 
-/// Each head among those that are treated as it was; then its numbers.
+/// Puts each head into the treatment that it had, then reads its numbers.
 void read_all(CrowdState& crowd, Reading tape) {
   pass_details(crowd, tape);
   pass_time(crowd, tape);

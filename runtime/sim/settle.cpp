@@ -1,4 +1,4 @@
-// Steps for some heads of a crowd, for which the others and the crowd's clock stand still.
+// Steps some heads of a crowd while the others and the crowd's clock stand still.
 
 #include <coif/hair.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kSettlingStep = 1.0f / 60;
 
-/// Everything of a crowd that a step changes besides the heads that it steps.
+/// Everything of a crowd that a step changes, except the heads that it steps.
 struct Clock {
   explicit Clock(const CrowdState& crowd)
       : settings(crowd.settings), step_index(crowd.step_index), has_asked(crowd.has_asked) {
@@ -35,7 +35,8 @@ struct Clock {
   double gusts_way = 0;
 };
 
-/// What InstanceDetail::asked_power, which no step reads unless crowd.has_asked says so, holds while others settle.
+/// Bits of InstanceDetail::asked_power that keep an instance's detail while others settle. No step reads that member
+/// unless crowd.has_asked is set.
 enum Kept : std::uint8_t { kAskedBits = 0x03, kWasSimulated = 0x10, kWasAsleep = 0x20, kSettles = 0x40 };
 constexpr std::uint32_t kIntervalAt = 2;
 
@@ -61,7 +62,7 @@ bool stands(const Block& block, std::uint32_t i) {
   return is_there && is_still && ((block.is_lost >> i) & 1u) == 0;
 }
 
-/// Awake, stepped every time, where it was told to be.
+/// Wakes the instance and steps it in every step, at its last pose.
 void begin_settling(CrowdState& crowd, std::uint32_t instance) {
   InstanceDetail& detail = crowd.details[instance];
   detail.asked_power = std::uint8_t(detail.asked_power | kSettles);
@@ -84,7 +85,7 @@ void end_settling(CrowdState& crowd, std::uint32_t instance, bool may_sleep) {
 }
 
 void run_steps(CrowdState& crowd, std::uint32_t count, const StepSettings& settings) {
-  crowd.settings = settings;  // so that nobody wakes because they are others
+  crowd.settings = settings;  // So that nobody wakes because the settings changed.
   crowd.has_asked = false;
   if (!crowd.character.gusts.empty()) {
     GustField& field = crowd.character.gusts[0];

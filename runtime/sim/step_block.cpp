@@ -6,7 +6,7 @@
 namespace coif {
 namespace {
 
-/// One block on its way through a step.
+/// The state of one block during a step.
 struct BlockStep {
   CrowdState& crowd;
   std::uint32_t index;
@@ -15,18 +15,18 @@ struct BlockStep {
   const std::byte* coefficients;
   HeadStepLanes heads;
   std::uint16_t put = 0;  ///< A bit for each head that was put somewhere.
-  Lanes motion;           ///< See RowStep; of each head.
+  Lanes motion;           ///< See RowStep; one lane per head.
 };
 
 const HeadCode& heads_of(const BlockStep& step) { return step.crowd.heads[width_for(step.block.count)]; }
 
-/// Through what comes before what is simulated.
+/// Carries the head and its hair along for the excess of a long frame.
 void carry_along(BlockStep& step, std::uint32_t i) {
   const Quat by = carry_head(step.block.heads, i, step.interval.parts.carried, lane(step.heads.turn, i));
   turn_hair(step.crowd, step.index * kLanes + i, by);
 }
 
-/// Puts heads that appear somewhere else there, and ends with all ways known.
+/// Puts heads that appear elsewhere there, and then finds the ways of all heads.
 void look_ahead(BlockStep& step) {
   CrowdState& crowd = step.crowd;
   const bool some_are_far =
@@ -46,7 +46,7 @@ void look_ahead(BlockStep& step) {
   if (moved) (void)heads_of(step).look_ahead(step.block.heads, step.block.count, step.interval.parts, step.heads);
 }
 
-/// Of the first `lanes` lanes.
+/// The arguments of a row's step, for its first `lanes` lanes.
 RowStep row_step(const BlockStep& step, const Row& row, std::uint32_t lanes, std::uint32_t slot, const MoveLanes& move,
                  RowCharacter& character) {
   const CrowdState& crowd = step.crowd;
@@ -74,7 +74,7 @@ RowStep row_step(const BlockStep& step, const Row& row, std::uint32_t lanes, std
   return job;
 }
 
-/// `only_head`: of the block's, where the rows' lanes are its chains; else -1. What all rows have in common.
+/// Sets what all rows share. `only_head`: the head of the block where the rows' lanes are its chains; else -1.
 void set_up_character(const BlockStep& step, std::int32_t only_head, std::uint32_t part, RowCharacter& character) {
   const CrowdState& crowd = step.crowd;
   if (crowd.character.code == nullptr) return;
@@ -85,13 +85,13 @@ void set_up_character(const BlockStep& step, std::int32_t only_head, std::uint32
   crowd.character.code->set_up(crowd, step.index, only_head, character);
 }
 
-/// The same chain of every head of the block.
+/// Steps the same chain of every head of the block.
 void step_heads(BlockStep& step, const MoveLanes& move, std::uint32_t part) {
   const CrowdState& crowd = step.crowd;
   const bool is_last = part + 1 == step.interval.parts.count;
   RowCharacter character;
   set_up_character(step, -1, part, character);
-  Mat34 *first[kLanes], *palettes[kLanes];  // of lanes in use
+  Mat34 *first[kLanes], *palettes[kLanes];  // Only lanes in use.
   for (std::uint32_t i = 0; i < step.block.count; ++i) first[i] = crowd.palette(step.block.instance[i]).data();
   Lanes unused{};
   for (std::size_t r = 0; r < crowd.rows.size(); ++r) {
@@ -110,7 +110,7 @@ void step_heads(BlockStep& step, const MoveLanes& move, std::uint32_t part) {
   }
 }
 
-/// The chains of one head, row by row.
+/// Steps the chains of one head, row by row.
 void step_chains(BlockStep& step, std::uint32_t head, const MoveLanes& moves, std::uint32_t part) {
   const CrowdState& crowd = step.crowd;
   const bool is_last = part + 1 == step.interval.parts.count;
@@ -130,7 +130,7 @@ void step_chains(BlockStep& step, std::uint32_t head, const MoveLanes& moves, st
     Lanes motion{};
     job.motion = &motion;
     row.steps[width_for(job.lanes)](job);
-    // In the order of the chains, as for kHeads, and without the lanes that are not in use.
+    // In the order of the chains, as for kHeads, without unused lanes.
     for (std::uint32_t i = 0; i < row.chain_count; ++i) {
       if (!crowd.links.has(row.first_chain + i)) step.motion.v[head] += motion.v[i];
     }

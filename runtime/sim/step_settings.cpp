@@ -16,16 +16,16 @@ Status check_environment(const Environment& environment) {
   return is_within(environment.air_follow, 0.0f, 1.0f) ? Status::kOk : Status::kBadArgument;
 }
 
-/// A frame that is longer by rounding is not worth another part.
+/// A frame that is longer only by rounding needs no further part.
 float parts_of_tuning(float substep_rate, float dt) { return std::ceil(dt * substep_rate - 1e-3f); }
 
 std::uint32_t in_range(float parts) {
   return parts < 1.0f ? 1 : parts < float(kMaxSubsteps) ? std::uint32_t(parts) : kMaxSubsteps;
 }
 
-/// A frame that stalled has no more parts than one of kMaxTimeStep, or games that are late would become later.
+/// A stalled frame has no more parts than one of kMaxTimeStep, or a game that is late would become even later.
 std::uint32_t substeps_for(const StepPace& pace, const StepSettings& settings, const FrameSpan& span) {
-  // What several frames make up, or one that stalled, may be longer than may be computed at once.
+  // Several frames together, or a stalled one, may be longer than kMaxTimeStep allows for one part.
   const float least = std::ceil(smaller(span.dt, kLongestStep) / kMaxTimeStep - 1e-3f);
   if (!pace.has_substeps) return span.steady < span.dt ? in_range(least) : 1;
   float parts = parts_of_tuning(pace.substep_rate, span.steady);

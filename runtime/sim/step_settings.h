@@ -1,5 +1,5 @@
 #pragma once
-// What the settings of a step, and an asset, say of how it is made; for crowds and worlds alike.
+// How settings and asset determine a step; for crowds and worlds.
 
 #include "lanes/step_parts.h"
 #include "solver.h"
@@ -8,7 +8,7 @@
 
 namespace coif {
 
-/// kOk where a step may be made with these, whatever the asset; else kBadTimeStep or kBadArgument.
+/// kOk for valid settings, whatever the asset; else kBadTimeStep or kBadArgument.
 [[nodiscard]] Status check_settings(const StepSettings& settings);
 
 /// Whether all factors are in their range.
@@ -23,28 +23,29 @@ namespace coif {
 
 [[nodiscard]] inline float smaller(float a, float b) { return b < a ? b : a; }
 
-/// Seconds; below, velocities would not fit a float. Such a step passes for one of no time.
+/// Seconds. With a shorter step velocities would not fit a float; it counts as dt = 0.
 inline constexpr float kShortestStep = 1e-9f;
 
-/// What an asset says of the parts of a step.
+/// What the asset says about the parts of a step.
 struct StepPace {
-  float substep_rate = 0;     ///< Sub-steps a second that it was tuned for; 0: one a step.
+  float substep_rate = 0;     ///< Sub-steps per second that it was tuned for; 0: one per step.
   float air_lag = 0;          ///< SkeletonRecord::air_lag.
-  bool has_substeps = false;  ///< Of its solvers; see RowCount.
+  bool has_substeps = false;  ///< Some of its solvers use sub-steps; see RowCount.
 };
 [[nodiscard]] StepPace pace_of(const Asset& asset, bool has_substeps);
 
 /// One frame, or several together.
 struct FrameSpan {
   float dt = 0;      ///< Seconds.
-  float steady = 0;  ///< Without what any of them has beyond kMaxTimeStep: what work is measured by.
+  float steady = 0;  ///< Without the part of any frame beyond kMaxTimeStep; the amount of work follows from this.
 };
 void add_frame(FrameSpan& span, float dt);
 
-/// `settings` have been checked; `span` ends with a frame of settings.dt.
+/// `settings` must be valid; `span` ends with a frame of settings.dt.
 [[nodiscard]] StepParts parts_of(const StepPace& pace, const StepSettings& settings, const FrameSpan& span);
 
-/// As the solver reads it. Inline, as this and the next are asked for each bone when the time step changes.
+/// The dynamics as the solver reads them. Inline, since this and the next are called for each bone when the time step
+/// changes.
 [[nodiscard]] inline DynamicsRecord dynamics_for(const Solver& solver, const Asset& asset, std::uint32_t bone) {
   DynamicsRecord dynamics = asset.dynamics()[bone];
   if (solver.reads_asked && !asset.asked().empty()) dynamics.friction = asset.asked()[bone].friction;

@@ -6,7 +6,7 @@ namespace {
 
 ThesisState* state_of(const ChainLane& chain) { return static_cast<ThesisState*>(chain.state); }
 
-/// Algorithm 1 says 1 - friction * dt, which turns negative at large steps.
+/// exp(-friction dt) in place of Algorithm 1's 1 - friction * dt, which turns negative at large steps.
 void set_coefficients(const StepTerms& step, const DynamicsRecord& dynamics, float, const CoefficientLanes& to) {
   ThesisCoefficients& c = *static_cast<ThesisCoefficients*>(to.coefficients);
   const float kept = float(plain::exp(-double(dynamics.friction) * double(step.dt)));
@@ -20,7 +20,7 @@ void put_to_rest(const ChainLane& chain, const Quat& head_rotation) {
   for (std::size_t i = 0; i < chain.bones.size(); ++i) {
     const BoneLanes& bone = chain.constants[i];
     const std::int32_t parent = chain.bones[i].parent;
-    // A child starts at its parent's particle, wherever its own stored joint is: lengths hold from the first step.
+    // A child starts at its parent's particle, wherever its own stored joint is, so lengths hold from the first step.
     const Vec3 start = parent < 0 ? rotate(head_rotation, lane(bone.joint, chain.constant_lane))
                                   : lane(state_of(chain)[parent].position, chain.state_lane);
     const Vec3 rest = lane(bone.rest, chain.constant_lane) * bone.length.v[chain.constant_lane];
@@ -44,7 +44,7 @@ void calm(const ChainLane& chain) {
   }
 }
 
-/// Particles may be anywhere and go any way.
+/// Particles may have any place and any velocity.
 bool could_be(const SavedLane&, std::size_t) { return true; }
 
 void tails(const ChainLane& chain, const Quat& head_rotation, std::span<const Mat34>, std::span<Vec3> ends) {

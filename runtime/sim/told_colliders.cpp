@@ -1,4 +1,4 @@
-// Colliders that hosts tell: the game's, and with the bones of a body those of the asset that hang on them.
+// Colliders that hosts set: the game's, and, through the bones of a body, the asset's that hang on them.
 
 #include <coif/hair.h>
 
@@ -24,7 +24,7 @@ bool same_collider(const MovingCollider& a, const MovingCollider& b) {
   return same_place && same_shape && a.rotation == b.rotation && same_velocity(a, b);
 }
 
-/// Whether hair of the head could touch it where it is told to be.
+/// Whether hair of the head could touch the collider where it was set.
 bool is_in_reach(const CrowdState& crowd, std::uint32_t instance, const ToldCollider& told) {
   const std::uint32_t slot = crowd.slots[instance], i = slot % kLanes;
   const HeadLanes& heads = crowd.blocks[slot / kLanes].heads;
@@ -39,7 +39,7 @@ bool is_in_reach(const CrowdState& crowd, std::uint32_t instance, const ToldColl
   return told.keeps_inside || distance2 < reach * reach;
 }
 
-/// A head's collider in one place.
+/// One collider place of a head.
 struct Place {
   Place(CrowdState& all, std::uint32_t head, std::uint32_t index)
       : crowd(all),
@@ -51,7 +51,7 @@ struct Place {
   [[nodiscard]] bool holds(const MovingCollider& collider) const {
     return is_taken() && same_collider(told.now, collider);
   }
-  /// True of a sleeping head to which it matters that this one comes, goes or moves.
+  /// True for a sleeping head that is affected when this collider comes, goes or moves.
   [[nodiscard]] bool wakes() const {
     return crowd.details[instance].asleep && is_taken() && is_in_reach(crowd, instance, told);
   }
@@ -62,7 +62,7 @@ struct Place {
   ToldCollider& told;
 };
 
-/// Takes the place of what was told before; a sleeping head wakes where it matters.
+/// Sets the collider of this place; a sleeping head wakes where that matters.
 void tell(const Place& place, const MovingCollider& next, bool is_of_body, bool keeps_inside) {
   ToldCollider& told = place.told;
   const bool woke = place.wakes();
@@ -82,7 +82,7 @@ void take_away(const Place& place) {
   if (woke) wake(place.crowd, place.instance);
 }
 
-/// A collider of the asset as its bone carries it. `rest`: of the bone, from its own axes to head space.
+/// A collider of the asset moved by its bone. `rest`: the bone's rest pose, from its own axes to head space.
 MovingCollider carried_by(const ColliderRecord& record, const BodyBoneRecord& rest, const HeadPose& bone, float scale) {
   MovingCollider moved;
   const Quat to_bone = conjugate(to_quat(rest.rotation));
@@ -108,7 +108,7 @@ Status Hair::set_colliders(std::uint32_t instance, std::span<const MovingCollide
   const std::uint32_t first = character.body_colliders, room = character.places - first;
   if (colliders.size() > room) return Status::kNotAsked;
   const FloatEnvironment plain;
-  std::uint32_t changed = 0;  // what is told again was right before
+  std::uint32_t changed = 0;  // A collider that is set again without a change was right before.
   for (std::uint32_t i = 0; i < colliders.size(); ++i) {
     if (Place(*crowd_, instance, first + i).holds(colliders[i])) continue;
     if (const Status status = check_collider(colliders[i]); status != Status::kOk) return status;
@@ -118,7 +118,7 @@ Status Hair::set_colliders(std::uint32_t instance, std::span<const MovingCollide
     const auto i = std::uint32_t(std::countr_zero(changed));
     tell(Place(*crowd_, instance, first + i), colliders[i], false, false);
   }
-  if (character.places == 0) return Status::kOk;  // none may be there, and none is
+  if (character.places == 0) return Status::kOk;  // The list must be empty, and it is.
   const auto next = first + std::uint32_t(colliders.size());
   for (std::uint64_t gone = character.there[instance] >> next << next; gone != 0; gone &= gone - 1) {
     take_away(Place(*crowd_, instance, std::uint32_t(std::countr_zero(gone))));

@@ -6,7 +6,7 @@
 namespace coif {
 namespace {
 
-/// Swaps lane `i` of `a` with lane `k` of `b`, in `bytes` bytes of Lanes each.
+/// Swaps lane `i` of `a` with lane `k` of `b`; both have `bytes` bytes of Lanes.
 void swap_lanes(void* a, std::uint32_t i, void* b, std::uint32_t k, std::size_t bytes) {
   Lanes* const from = static_cast<Lanes*>(a);
   Lanes* const to = static_cast<Lanes*>(b);
@@ -29,7 +29,7 @@ void swap_heads(Block& a, std::uint32_t i, Block& b, std::uint32_t k) {
   std::swap(a.instance[i], b.instance[k]);
 }
 
-/// For kChains there is nothing to do: an instance's rows stay where they are.
+/// Does nothing for kChains, where an instance's rows stay where they are.
 void swap_states(CrowdState& crowd, std::uint32_t a, std::uint32_t b) {
   const std::size_t bones = crowd.row_bone_count();
   if (crowd.order == LaneOrder::kChains || bones == 0) return;
@@ -49,7 +49,7 @@ void swap_slots(CrowdState& crowd, std::uint32_t a, std::uint32_t b) {
   swap_states(crowd, a, b);
 }
 
-/// A block without heads, at the end of the treatment's list.
+/// Adds an empty block to the end of the treatment's list.
 std::uint32_t append_block(CrowdState& crowd, std::uint32_t treatment) {
   const std::uint32_t block = crowd.first_free;
   crowd.first_free = crowd.blocks[block].previous;
@@ -67,7 +67,7 @@ void remove_last_block(CrowdState& crowd, std::uint32_t treatment) {
   crowd.first_free = block;
 }
 
-/// Of all intervals together: 1, 1 + 2, 1 + 2 + 4.
+/// Number of phases of all intervals together: 1, 1 + 2, 1 + 2 + 4.
 constexpr std::uint32_t phase_count(std::uint32_t intervals) { return (1u << intervals) - 1; }
 
 bool ends_interval(const CrowdState& crowd, std::uint32_t phase, std::uint32_t power) {
@@ -85,7 +85,7 @@ std::uint32_t treatment_count(std::uint32_t levels, std::uint32_t intervals, std
 }
 
 std::uint32_t block_count(std::uint32_t instances, std::uint32_t treatments) {
-  // Each list has at most one block that is not full, and no list has less than one head.
+  // Each list has at most one block that is not full, and at least one head.
   const std::uint32_t lists = treatments < instances ? treatments : instances;
   return (instances + kLanes - 1) / kLanes + lists - 1;
 }
@@ -121,7 +121,7 @@ bool has_its_turn(const CrowdState& crowd, std::uint32_t treatment) {
 void take_up_interval(CrowdState& crowd, std::uint32_t instance) {
   InstanceDetail& detail = crowd.details[instance];
   const std::uint8_t longer = detail.asked_power > detail.interval_power ? detail.asked_power : detail.interval_power;
-  // No time has passed for one that is not simulated, nor before the first step.
+  // No time has passed for an instance that is not simulated, nor before the first step.
   const bool is_free = treatment_of(crowd, instance) == kIdle || crowd.step_index == 0;
   if (is_free || ends_interval(crowd, instance / kLanes, longer)) detail.interval_power = detail.asked_power;
   if (detail.interval_power != detail.asked_power) crowd.has_asked = true;
@@ -154,7 +154,7 @@ void sort_in(CrowdState& crowd, std::uint32_t instance) {
   const std::uint32_t to = treatment_of(crowd, instance);
   if (from == to) return;
 
-  // To the end of its list first, so that taking it away leaves no hole.
+  // First moved to the end of its list, so that removing it leaves no hole.
   const std::uint32_t last = crowd.last_block[from];
   Block& tail = crowd.blocks[last];
   const std::uint32_t here = crowd.slots[instance], end = last * kLanes + tail.count - 1;
@@ -166,7 +166,7 @@ void sort_in(CrowdState& crowd, std::uint32_t instance) {
   const bool is_alone = tail.count == 1;
   if (is_alone && !has_room(crowd, goal)) {
     remove_last_block(crowd, from);
-    (void)append_block(crowd, to);  // the one just freed, with the head in it
+    (void)append_block(crowd, to);  // This is the block that was just freed, with the head in it.
     return;
   }
   if (!has_room(crowd, goal)) goal = append_block(crowd, to);

@@ -1,6 +1,5 @@
 #pragma once
-// Arithmetic on the plain types of coif/math.h, for the simulation's own files: once per step or per head, not per
-// lane.
+// Arithmetic on the plain types of coif/math.h, for work per step or per head, not per lane.
 
 #include <coif/math.h>
 #include <coif/status.h>
@@ -22,8 +21,8 @@ inline float length(const Vec3& a) { return std::sqrt(dot(a, a)); }
 /// The part of `v` at a right angle to the unit vector `direction`.
 constexpr Vec3 across(const Vec3& v, const Vec3& direction) { return v - direction * dot(v, direction); }
 
-/// `v` made unit; `fallback` where it has no direction or a length that is not finite. As direction_or() of the lanes
-/// does it.
+/// `v` made unit; `fallback` where it has no direction or its length is not finite. Equal to direction_or() of the
+/// lanes.
 inline Vec3 unit_or(const Vec3& v, const Vec3& fallback) {
   const float size2 = dot(v, v);
   const bool has_direction = size2 > 1e-18f && size2 < 1e38f;
@@ -61,11 +60,11 @@ constexpr Vec3 rotate(const Quat& q, const Vec3& v) {
   return v + twice * q.w + cross(axis, twice);
 }
 
-// Functions that a maths library would give, in nothing but additions and products: libraries differ from machine to
-// machine in the last bit, and the same hair has to move the same way on all of them.
+// Mathematical functions built only from additions and products. Libraries differ between machines in the last bit, and
+// the same hair has to move the same way on all of them.
 namespace plain {
 
-/// exp(x) to about 1e-15 of it; 0 below -708, the largest finite number's neighbourhood above 708.
+/// exp(x) to about 1e-15 of it; 0 below -708, close to the largest finite number above 708.
 [[nodiscard]] double exp(double x);
 
 /// exp(x) - 1 without cancellation.
@@ -75,14 +74,14 @@ struct SineCosine {
   double sine, cosine;
 };
 
-/// To about 1e-15; |x| below 1e6.
+/// Accurate to about 1e-15; |x| below 1e6.
 [[nodiscard]] SineCosine sine_cosine(double x);
 
 }  // namespace plain
 
-// Rotations as vectors: axis times angle, the space in which paths of rotations are interpolated.
+// Rotations as vectors: axis times angle. Paths of rotations are interpolated in this space.
 
-/// The rotation about `v` by its length, radians.
+/// The rotation about `v` by the angle |v|, radians.
 inline Quat rotation_by(const Vec3& v) {
   const float angle = length(v);
   // sin(x/2)/x: below a milliradian its series is exact in single precision.
@@ -92,17 +91,17 @@ inline Quat rotation_by(const Vec3& v) {
   return {v.x * scale, v.y * scale, v.z * scale, float(half.cosine)};
 }
 
-/// Length one again after several products.
+/// Restores unit length after several products.
 inline Quat renormalised(const Quat& q) {
   const float scale = 1.0f / std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
   return {q.x * scale, q.y * scale, q.z * scale, q.w * scale};
 }
 
-/// Its length is off one by no more than hosts may be; false for anything with a NaN or an infinity.
+/// The length differs from one by no more than hosts may be off; false for anything with a NaN or an infinity.
 [[nodiscard]] bool is_unit(const Quat& rotation);
 
-/// Copies `pose` to `unit` with its rotation normalised; kBadPose or kBadScale, with `unit` untouched, where
-/// coif/hair.h says so.
+/// Copies `pose` to `unit` with its rotation normalised. kBadPose or kBadScale as coif/hair.h says; then `unit` is
+/// untouched.
 Status normalise_pose(const HeadPose& pose, HeadPose& unit);
 
 }  // namespace coif

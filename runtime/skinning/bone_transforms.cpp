@@ -6,7 +6,7 @@
 namespace coif {
 namespace {
 
-// In double precision on the way: a host that composes long chains adds up what is rounded here.
+// Computed in double: a host that composes long chains adds up the rounding errors of each bone.
 struct Turn {
   double x, y, z, w;
 };
@@ -22,7 +22,7 @@ Turn unit(const Turn& q) {
   return {q.x * by, q.y * by, q.z * by, q.w * by};
 }
 
-/// By the largest of the four, from which the others follow without cancellation (Shepperd 1978).
+/// Starts from the largest of the four components; the others follow without cancellation (Shepperd 1978).
 Turn turn_of(const Mat34& matrix) {
   const auto m = [&](int row, int column) { return double(matrix.m[row][column]); };
   const double xx = m(0, 0), yy = m(1, 1), zz = m(2, 2), trace = xx + yy + zz;
@@ -36,7 +36,7 @@ Turn turn_of(const Mat34& matrix) {
   return unit({m(0, 2) + m(2, 0), m(1, 2) + m(2, 1), 1 + zz - xx - yy, m(1, 0) - m(0, 1)});
 }
 
-/// Where a bone's own frame is, in head space: at rest it stands at the joint with the axes of head space.
+/// A bone's own frame in head space. At rest it stands at the joint with the axes of head space.
 Frame frame_of(const BoneRecord& bone, const Mat34& matrix) {
   Frame frame{{}, turn_of(matrix)};
   for (int i = 0; i < 3; ++i) {
@@ -47,7 +47,7 @@ Frame frame_of(const BoneRecord& bone, const Mat34& matrix) {
   return frame;
 }
 
-/// a's reverse times b.
+/// The inverse of `a` times `b`.
 Turn between(const Turn& a, const Turn& b) {
   return unit({a.w * b.x - a.x * b.w - a.y * b.z + a.z * b.y, a.w * b.y - a.y * b.w - a.z * b.x + a.x * b.z,
                a.w * b.z - a.z * b.w - a.x * b.y + a.y * b.x, a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z});

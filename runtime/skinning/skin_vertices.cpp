@@ -11,7 +11,7 @@ struct RestVertex {
   Vec3 tangent;
 };
 
-// As OpenGL reads a normalised short. -32768 and -32767 both mean -1.
+// OpenGL's conversion of a normalised short: -32768 and -32767 both mean -1.
 float from_snorm16(std::int16_t value) {
   const float fraction = float(value) / 32767.0f;
   return fraction < -1.0f ? -1.0f : fraction;

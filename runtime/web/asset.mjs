@@ -1,4 +1,4 @@
-// A cooked asset in the module's memory: opened, read in place. Types and what each member is are in coif.d.ts.
+// A cooked asset in the module's memory: opened, read in place. coif.d.ts documents types and members.
 
 import { DrawnHair } from './drawn_hair.mjs';
 import { Hair } from './hair.mjs';
@@ -26,7 +26,7 @@ export class Asset {
     }
   }
 
-  /** Compares vertices, indices and texels with their hashes, which opening does not. Throws where they were changed. */
+  /** Compares vertices, indices and texels with their hashes, which opening does not. Throws if they were changed. */
   verifyDrawData() {
     const why = this.coif.scratch;
     if (this.coif.exports.coif_asset_verify_draw_data(this.open, why, WHY_BYTES) === 0) {
@@ -75,7 +75,7 @@ export class Asset {
     return this.coif.exports.coif_asset_tuned_substeps(this.open, dt);
   }
 
-  // What is drawn.
+  // Drawn data.
 
   get vertices() {
     const { at, count } = this.#list('coif_asset_vertices');
@@ -123,7 +123,7 @@ export class Asset {
     return { format: ['srgb8-alpha8', 'rg8', 'rg11-eac'][format], width, height, mips };
   }
 
-  /** What a renderer keeps of it; throws for an asset without a mesh. */
+  /** The data for renderers; throws for an asset without a mesh. */
   drawnHair() {
     return new DrawnHair(this);
   }
@@ -144,7 +144,7 @@ export class Asset {
     this.at = 0;
   }
 
-  /** A list of the C interface: where it lies and of how many. */
+  /** A list of the C interface: its address and its length. */
   #list(name, ...more) {
     const { exports, memory, scratch } = this.coif;
     const at = exports[name](this.open, ...more, scratch) >>> 0;

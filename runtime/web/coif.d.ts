@@ -1,13 +1,13 @@
 /**
  * coif: hair for games, simulated in WebAssembly; the same bits as native builds on every machine.
  *
- * Everything that is loaded and made lives in one block of memory, taken by loadCoif() and never grown. What is given out as a typed
- * array is a view into it: nothing is copied, views stay valid as long as what they were taken of is not disposed of, and their numbers
- * change as each member says. Units: metres, seconds, radians; right-handed, +Y up. Vectors that are given may be lists or
- * have x, y, z (and w), as three.js' own; vectors that come out are lists.
+ * All assets and crowds live in one block of memory, which loadCoif() allocates and which never grows. Typed arrays that functions return
+ * are views into it: nothing is copied, and a view stays valid until its asset or crowd is disposed of. Each member says when the numbers
+ * in its view change. Units: metres, seconds, radians; right-handed, +Y up. Vectors as arguments may be lists or have x, y, z (and w), as
+ * three.js' own; returned vectors are lists.
  */
 
-/** Thrown by everything here: a sentence that says what, and the name of the C interface's status. Nothing has changed then. */
+/** The error of all functions here: a sentence, and the name of the C interface's status. A function that throws changes nothing. */
 export class CoifError extends Error {
   readonly status: string;
 }
@@ -17,27 +17,27 @@ export type Vec3 = ArrayLike<number> | { x: number; y: number; z: number };
 export type Quat = ArrayLike<number> | { x: number; y: number; z: number; w: number };
 
 export interface LoadOptions {
-  /** Of all assets and crowds together, bytes; 2 MB to 4 GB, 64 MB when nothing is said. Pages that nothing was put into cost nothing. */
+  /** Bytes for all assets and crowds together: 2 MB to 4 GB, 64 MB by default. Pages that were never written to cost nothing. */
   memoryBytes?: number;
   /** 'crowd': without the solvers 'character' and 'thesis', and without keepsLinks; a bit more than half as large. */
   parts?: 'all' | 'crowd';
-  /** coif.wasm: where it is, its bytes, or the module. When nothing is said, the file beside this one. */
+  /** coif.wasm: its address, its bytes, or the module. By default the file beside this one. */
   wasm?: string | URL | BufferSource | WebAssembly.Module | Response | Promise<Response>;
 }
 
-/** Loads the module. Each call makes one with memory of its own, for one thread. */
+/** Loads the module. Each call makes a module with its own memory, for one thread. */
 export function loadCoif(options?: LoadOptions): Promise<Coif>;
 
 export interface Coif {
   readonly version: string;
   readonly freeBytes: number;
-  /** Opens a whole .coif file, of which it keeps a copy. Throws for damaged and foreign bytes and says what is wrong with them. */
+  /** Opens a whole .coif file and keeps a copy of it. For damaged or foreign bytes it throws an error that describes the fault. */
   openAsset(bytes: ArrayBuffer | ArrayBufferView): Asset;
   /** Share of the viewport's height that `height` metres cover at `distance` metres under a vertical field of view `fov`. */
   screenShare(height: number, distance: number, fov: number): number;
   /** The gusts at a world place, m/s, for a page's own cloth and grass; `way` is Hair.gustsWay. */
   gustAt(gusts: Gusts, way: number, place: Vec3): number[];
-  /** The functions of coif.h, for what this interface does not have; addresses are into wasmMemory. */
+  /** The functions of coif.h, for features that this interface lacks; addresses refer to wasmMemory. */
   readonly exports: Record<string, (...values: number[]) => number>;
   readonly wasmMemory: WebAssembly.Memory;
 }
@@ -85,7 +85,7 @@ export interface Texture {
   mips: Uint8Array[];
 }
 
-/** A cooked asset. Lists of objects are made anew by each access; typed arrays are views. */
+/** A cooked asset. Each access to a list of objects makes a new list; typed arrays are views. */
 export interface Asset {
   readonly byteLength: number;
   readonly skeleton: Skeleton;
@@ -97,7 +97,7 @@ export interface Asset {
   readonly bodyBones: BodyBone[];
   readonly bodyColliders: AssetCollider[];
   boneName(bone: number): string;
-  /** Sub-steps of a step of `dt` seconds, which settings without `substeps` mean. */
+  /** Sub-steps of a step of `dt` seconds if the settings have no `substeps`. */
   tunedSubsteps(dt: number): number;
 
   /** 36 bytes a vertex, rest pose, head space: position (3 x float), normal and tangent (4 x snorm16), uv (2 x float). */
@@ -109,39 +109,39 @@ export interface Asset {
   readonly patches: Patch[];
   readonly lodCount: number;
   lodIndices(lod: number): Uint32Array;
-  /** The level for a head that covers such a share of the viewport's height, and was drawn as `current`. */
+  /** The level for a head that covers this share of the viewport's height and was drawn at level `current`. */
   chooseLod(share: number, current: number, hysteresis?: number): number;
   readonly material: Material | null;
   texture(role: 'base-color' | 'shift-mask' | 'normal-map' | 'strand-map'): Texture | null;
-  /** Compares all that is drawn with its hashes, which opening does not. Throws where bytes were changed. */
+  /** Compares all drawn data with its hashes, which openAsset() does not. Throws if bytes were changed. */
   verifyDrawData(): void;
   /** Throws for an asset without a mesh. */
   drawnHair(): DrawnHair;
 
-  /** Throws for a description out of its ranges, and where memory does not suffice. */
+  /** Throws if a value of the description is out of range or memory does not suffice. */
   createHair(desc?: HairDesc): Hair;
-  /** Gives its memory back. Throws while something that was made of it lives. */
+  /** Frees the memory. Throws while a crowd or drawn hair of this asset exists. */
   dispose(): void;
 }
 
 export interface DrawnHair {
-  readonly lods: { first: number; count: number }[]; // indices, of the stored order
+  readonly lods: { first: number; count: number }[]; // indices in the stored order
   readonly orderCount: number;
   readonly indicesOfOrder: number;
   readonly indexBytes: 2 | 4;
-  readonly reach: { center: number[]; radius: number }; // a ball that hair never leaves, head space
+  readonly reach: { center: number[]; radius: number }; // a sphere that hair never leaves, head space
   readonly alpha: { lowest: number; highest: number };
   readonly skinning: number; // 0: rigid, 1: one bone, 2: four
   readonly material: Material;
   /** Indices of all draw orders: level l of order k begins at k * indicesOfOrder + lods[l].first. A view, the same each time. */
   drawOrders(): Uint16Array | Uint32Array;
-  /** The order for a head that is seen from there: from head to eye, head space, of any length. */
+  /** The order for a viewing direction: from head to eye, head space, of any length. */
   chooseOrder(direction: Vec3): number;
-  /** The draw order of a head where something of it may be in view, else -1. `eye`: world; `clipFromView`: column-major. */
+  /** The draw order of a head; -1 if it is certainly out of view. `eye`: world; `clipFromView`: column-major. */
   orderInView(head: HeadPose, eye: Vec3, clipFromView: ArrayLike<number>): number;
-  /** Skinned here, of a palette that Hair.palette() gave: position, normal, tangent of each vertex, 9 floats. Until the next call. */
+  /** Skins on the processor with a palette from Hair.palette(): position, normal, tangent, 9 floats per vertex. Valid until the next call. */
   skinVertices(palette: Float32Array): Float32Array;
-  /** Around the hair in this pose, head space. */
+  /** The box around the hair in this pose, head space. */
   bound(palette: Float32Array): { lowest: number[]; highest: number[] };
   dispose(): void;
 }
@@ -157,9 +157,9 @@ export interface HairDesc {
   solver?: 'coif' | 'thesis' | 'passive' | 'cascade' | 'character';
   longestInterval?: number; // 1, 2 or 4
   dynamicsSets?: number; // 1 to 8
-  keepsLinks?: boolean; // what the asset links stays together
-  // Of 'character':
-  movingColliders?: number; // most that setColliders() will give a head
+  keepsLinks?: boolean; // keeps the asset's linked chains together
+  // For 'character':
+  movingColliders?: number; // largest number of colliders of a head
   followsBody?: boolean;
   followsPoses?: boolean;
   hasOwnAir?: boolean;
@@ -167,9 +167,9 @@ export interface HairDesc {
 }
 export interface StepSettings {
   dt?: number; // seconds, 1/60
-  substeps?: number; // 0: as many as the asset was tuned for
+  substeps?: number; // 0: the number that the asset was tuned for
   iterations?: number;
-  gravity?: Vec3; // world axes, m/s^2; it goes with each head's scale, so that hair hangs as it was modelled
+  gravity?: Vec3; // world axes, m/s^2; multiplied by each head's scale, so that hair hangs as it was modelled
   wind?: Vec3; // world, m/s
   airFollow?: number;
   stiffness?: number;
@@ -180,11 +180,11 @@ export interface StepSettings {
   teleportAngle?: number;
   sleepAfter?: number;
   sleepSpeed?: number;
-  trueGravity?: boolean; // gravity is that of the world on heads of every scale; false
+  trueGravity?: boolean; // the same gravity in world metres on heads of every scale; default false
 }
 export interface MovingCollider {
   shape?: 'sphere' | 'ellipsoid' | 'capsule' | 'plane' | 'tapered-capsule' | 'box';
-  center?: Vec3; // world, as all of it
+  center?: Vec3; // world, like all members
   rotation?: Quat;
   axis?: Vec3;
   halfExtents?: Vec3;
@@ -202,15 +202,15 @@ export interface Hair {
   readonly instances: number;
   readonly boneCount: number;
 
-  /** Where a head is at the end of the coming step, with how fast it moves then where that is known: m/s, rad/s, world. The
-   *  first pose that a head is told puts it there; what comes after the next step is movement. */
+  /** Sets a head's pose at the end of the next step, and its velocity then if it is known: m/s, rad/s, world. The
+   *  first pose of a head puts it there; poses after the next step are movement. */
   setHead(instance: number, pose: HeadPose, velocity?: { linear?: Vec3; angular?: Vec3 }): void;
-  /** The same for all heads at once: writeHead() those that moved, then setHeads(). Neither makes an object. A head that was never
-   *  written is told that it stands upright at the origin: write all of them before the first setHeads(). */
+  /** The same for all heads at once: call writeHead() for those that moved, then setHeads(). Neither creates an object. A head that was
+   *  never written stands upright at the origin, so write all heads before the first setHeads(). */
   writeHead(instance: number, position: Vec3, rotation: Quat, scale?: number): void;
   setHeads(): void;
-  /** What setHeads() reads, to be written by hand: head i's position is positions[6 i] to [6 i + 2]; its rotation x, y, z, w and scale
-   *  are rotations[12 i + 6] to [12 i + 10]. */
+  /** The input of setHeads(), for code that writes it directly: head i's position is positions[6 i] to [6 i + 2]; its rotation x, y, z, w
+   *  and scale are rotations[12 i + 6] to [12 i + 10]. */
   readonly positions: Float64Array;
   readonly rotations: Float32Array;
   /** Puts the head there, with its hair in rest pose and at rest. */
@@ -222,27 +222,28 @@ export interface Hair {
 
   /** Steps all heads by `dt` seconds. */
   step(settings?: StepSettings): void;
-  /** Before a scene: the hair of these heads comes to rest where they stand, in up to `seconds`; nothing else moves. */
+  /** Before a scene: lets the hair of these heads come to rest, in up to `seconds`; nothing else moves. */
   settle(instances: number | ArrayLike<number>, seconds: number, settings?: StepSettings): void;
   readonly savedBytes: number;
-  /** The crowd's state, a copy, to go back to. */
+  /** A copy of the crowd's state, for restore(). */
   save(): Uint8Array;
   restore(state: Uint8Array): void;
 
   /** Skinning matrices from rest to current pose, head space: 12 floats a bone, three rows of four. Changes with step() and reset(). */
   palette(instance: number): Float32Array;
-  /** Where each bone ends, head space: 3 floats a bone. Until something else is asked of this hair. */
+  /** The bones' ends, head space: 3 floats a bone. Valid until the next call on this hair. */
   boneEnds(instance: number): Float32Array;
-  /** Each bone against its parent, 7 floats: translation, rotation. At rest bones have the axes of head space. Until as above. */
+  /** Each bone relative to its parent, 7 floats: translation, rotation. At rest bones have the axes of head space. Valid until the next call
+   *  on this hair. */
   boneTransforms(instance: number): Float32Array;
 
-  // Of the solver 'character', each as the description asked for.
-  /** Replaces what was said before; each is where it is at the end of the coming step. */
+  // For the solver 'character'; each needs its member of the description.
+  /** Replaces the colliders that were set before. Places are those at the end of the next step. */
   setColliders(instance: number, colliders: MovingCollider[]): void;
-  /** Where each of Asset.bodyBones is, world from the bone's own axes. */
+  /** The pose of each of Asset.bodyBones, world from the bone's own axes. */
   setBody(instance: number, bones: { position: Vec3; rotation: Quat }[]): void;
-  /** An animator's pose, 4 floats a bone, and weights, one for each chain or one for all: 1: it pulls, 0: it is the hair. Of nothing:
-   *  the rest pose again. */
+  /** An animator's pose, 4 floats a bone, and weights, one for each chain or one for all. At weight 1 the hair is simulated and pulled to
+   *  the pose, at 0 it is the pose. Without rotations and weights: the rest pose again. */
   setPose(instance: number, rotations?: ArrayLike<number>, weights?: ArrayLike<number>): void;
   setAir(instance: number, air: HeadAir): void;
   setGusts(gusts: Gusts): void;
@@ -252,6 +253,6 @@ export interface Hair {
   chooseDynamics(instance: number, set: number): void;
   /** Changes the hair's speed at once, in a ball or a capsule. */
   push(instance: number, impulse: Impulse): void;
-  /** Gives its memory back; its views are then others'. */
+  /** Frees the memory; its views then show other data. */
   dispose(): void;
 }

@@ -1,4 +1,4 @@
-// coif in JavaScript: loads the module, opens assets, makes crowds. Types and what each does are in coif.d.ts.
+// coif in JavaScript: loads the module, opens assets, makes crowds. coif.d.ts documents the types and functions.
 
 import { Asset } from './asset.mjs';
 import { CoifError, Memory } from './memory.mjs';
@@ -47,7 +47,7 @@ export async function loadCoif({ memoryBytes = 64 << 20, parts = 'all', wasm = M
   return new Coif(exports, memory);
 }
 
-/** The module, its memory, and what assets and crowds call. */
+/** The module, its memory, and the functions that assets and crowds call. */
 export class Coif {
   constructor(exports, memory) {
     this.exports = exports;
@@ -82,15 +82,15 @@ export class Coif {
     return Array.from(new Float32Array(this.memory.buffer, out, 3));
   }
 
-  // What asset.mjs and hair.mjs stand on.
+  // For asset.mjs and hair.mjs.
 
-  /** Throws what a status other than COIF_OK says, of the call `what`. */
+  /** Throws the error of a status other than COIF_OK; `what` is the name of the call. */
   check(status, what) {
     if (status === 0) return;
     throw new CoifError(`${what}: ${this.memory.text(this.exports.coif_describe(status) >>> 0)}`, STATUSES[status] ?? `${status}`);
   }
 
-  /** Writes a record of defaults by `init`, then the members of `object`, and tells where: scratch, until the next call. */
+  /** Writes a record: defaults by `init`, then the members of `object`. Returns its address in scratch, valid until the next call. */
   fill(name, object, init, at = this.scratch) {
     if (init !== undefined) this.exports[init](at);
     write(this.memory.view, RECORDS[name], at, object);

@@ -1,4 +1,4 @@
-// What a renderer needs of an asset besides its buffers: levels of detail, draw orders, bounds. Types are in coif.d.ts.
+// An asset's data for renderers, apart from its buffers: levels of detail, draw orders, bounds. Types are in coif.d.ts.
 
 import { RECORDS } from './records.mjs';
 
@@ -33,7 +33,7 @@ export class DrawnHair {
     return this.coif.exports.coif_choose_order(this.at, at);
   }
 
-  /** The head's draw order where it may be in view, else -1. */
+  /** The head's draw order; -1 if it is certainly out of view. */
   orderInView(head, eye, clipFromView) {
     const { exports, memory, scratch } = this.coif;
     this.coif.fill('HeadPose', head, 'coif_head_pose_init');
@@ -43,7 +43,7 @@ export class DrawnHair {
     return exports.coif_is_in_view(this.at, scratch, from, clip, order) === 0 ? -1 : memory.view.getUint32(order, true);
   }
 
-  /** Vertices skinned here, for renderers that want them finished: 9 floats each; the view is renewed by the next call. */
+  /** Skins vertices on the processor: 9 floats each. The next call overwrites the view. */
   skinVertices(palette) {
     const { exports, memory } = this.coif;
     const count = this.asset.vertices.length / RECORDS.Vertex.size;

@@ -30,12 +30,12 @@ export class Hair {
     this.#takeBuffers();
   }
 
-  /** What is written for it and read of it besides its own memory. */
+  /** Memory for its input and output, apart from the crowd's own. */
   #takeBuffers() {
     const { memory, exports, scratch } = this.coif;
     const perHead = Math.max(this.boneCount * BoneTransform.size, MOST_COLLIDERS * MovingCollider.size, this.asset.bodyBones.length * BodyPose.size);
     this.savedBytes = exports.coif_hair_saved_bytes(this.at) >>> 0;
-    // After the heads' poses: what is told of one head or read of one, or a saved state. One thing at a time.
+    // After the heads' poses: input or output of a single head, or a saved state; one at a time.
     this.poseBytes = this.instances * HeadPose.size;
     this.bufferBytes = this.poseBytes + Math.max(2 * perHead, this.savedBytes, 4 * this.instances);
     this.poses = memory.take(this.bufferBytes, 'poses of heads');
@@ -108,7 +108,7 @@ export class Hair {
     this.#check(this.coif.exports.coif_hair_restore(this.#open, this.room, state.length), 'restore');
   }
 
-  // What came out.
+  // Results.
 
   palette(instance) {
     const at = this.coif.exports.coif_hair_palette(this.#open, instance) >>> 0;
@@ -137,7 +137,7 @@ export class Hair {
     this.#check(this.coif.exports.coif_hair_set_colliders(this.#open, instance, this.room, colliders.length), 'setColliders');
   }
   setBody(instance, bones) {
-    // C refuses any other number unread, and says why.
+    // C refuses any other number without reading it, and says why.
     if (bones.length === this.asset.bodyBones.length) bones.forEach((each, i) => this.coif.fill('BodyPose', each, undefined, this.room + i * BodyPose.size));
     this.#check(this.coif.exports.coif_hair_set_body(this.#open, instance, this.room, bones.length), 'setBody');
   }

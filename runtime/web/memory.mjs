@@ -1,8 +1,8 @@
-// The module's memory: who has which part of it, and views into it. Taken once; it never grows, so views stay valid.
+// The module's memory: allocation of its parts, and views into it. It never grows, so views stay valid.
 
 const ALIGNMENT = 64; // of assets, crowds and all else
 
-/** What went wrong, in a sentence; `status` is the name of the C interface's status, or 'COIF_REFUSED' for what never reached it. */
+/** An error with a sentence; `status` is the name of the C interface's status, or 'COIF_REFUSED' if the call never reached it. */
 export class CoifError extends Error {
   constructor(message, status = 'COIF_REFUSED') {
     super(message);
@@ -14,7 +14,7 @@ export class CoifError extends Error {
 const rounded = (bytes) => Math.ceil(Math.max(bytes, 1) / ALIGNMENT) * ALIGNMENT;
 const megabytes = (bytes) => (bytes / 1048576).toFixed(1);
 
-/** First fit over a list of free parts, in order of address. Asked when things are created, never in a frame. */
+/** First fit over a list of free parts, in order of address. Used when objects are created, never in a frame. */
 export class Memory {
   /** @param {WebAssembly.Memory} memory @param {number} begin first byte that the module itself does not use */
   constructor(memory, begin) {
@@ -25,7 +25,7 @@ export class Memory {
     this.free = [{ at: first, size: this.buffer.byteLength - first }];
   }
 
-  /** Address of `bytes` zero bytes. Throws where there is no such room. */
+  /** Address of `bytes` zero bytes. Throws if there is no room. */
   take(bytes, what) {
     const size = rounded(bytes);
     const part = this.free.find((each) => each.size >= size);
@@ -42,7 +42,7 @@ export class Memory {
     return at;
   }
 
-  /** What take() gave for so many bytes. */
+  /** Frees `bytes` bytes at the address `at`, which take() returned. */
   give(at, bytes) {
     const part = { at, size: rounded(bytes) };
     const next = this.free.findIndex((each) => each.at > at);

@@ -109,7 +109,7 @@ function writeVector(view, field, at, value, key) {
 
 /**
  * Writes those members that `object` has; the others stay as they are. Vectors may be lists or have x, y, z and w. Throws for a
- * member that the record does not have, and for what is no number.
+ * member that the record does not have, and for a value that is not a number.
  */
 export function write(view, { name, fields }, at, object) {
   for (const key in object) {

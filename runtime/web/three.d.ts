@@ -4,48 +4,48 @@
 import type { Camera, Object3D } from 'three';
 import type { Asset, DrawnHair, Hair, HairDesc, Material, StepSettings } from './coif.js';
 
-/** blend: as the asset was cooked for, in up to four passes; soft edges, right order. opaque: cut at the material's threshold. hashed,
- * bayer: thinned, pixel by pixel. coverage: alpha to coverage, for a renderer with `antialias`. */
+/** blend: soft edges in the cooked order, in up to four passes. opaque: cut at the material's threshold. hashed, bayer: leave out single
+ * pixels. coverage: alpha to coverage, for a renderer with `antialias`. */
 export type Transparency = 'blend' | 'opaque' | 'hashed' | 'bayer' | 'coverage';
 
 export interface CoifHairOptions {
-  /** Heads that wear the asset; 1. All are drawn at once where they share a level of detail and an order of triangles. */
+  /** Heads that wear the asset, by default 1. Heads with the same level of detail and triangle order share draw calls. */
   instances?: number;
   transparency?: Transparency;
-  /** Members of Hair's description but `instances`, as the solver. */
+  /** Members of HairDesc except `instances`, for example the solver. */
   desc?: Partial<Omit<HairDesc, 'instances'>>;
-  /** Of every step. */
+  /** The settings of every step. */
   settings?: Partial<Omit<StepSettings, 'dt'>>;
-  /** In place of the asset's own; `ambient` is not read: the scene's lights are. */
+  /** Replaces members of the asset's material; `ambient` is ignored in favour of the scene's lights. */
   material?: Partial<Material>;
 }
 
-/** Place it into the scene, once for all its heads. Units are metres. Its own matrix is the place of heads that follow nothing. */
+/** Add one object to the scene for all heads. Units are metres. Heads that follow no object are at this object's own place. */
 export class CoifHair extends Object3D {
-  /** `asset` must have a mesh and outlives this. CoifError where the module's memory is too small, or as createHair(). */
+  /** `asset` must have a mesh and outlive this object. Throws CoifError if the module's memory is too small, or as createHair(). */
   constructor(asset: Asset, options?: CoifHairOptions);
 
   readonly isObject3D: true;
-  /** The crowd, for colliders, poses, gusts and all else of the simulation. */
+  /** The crowd, for colliders, poses, gusts and everything else of the simulation. */
   readonly hair: Hair;
   readonly drawn: DrawnHair;
-  /** Of every step; members may be changed. */
+  /** The settings of every step; members may be changed. */
   settings: Partial<StepSettings>;
-  /** May be set; the passes are made anew. RangeError for a way that there is not. */
+  /** Setting it makes new passes. RangeError for an unknown value. */
   transparency: Transparency;
-  /** Whether hair throws shadows, and has them thrown onto it; from the next `transparency` on. Both true. */
+  /** Whether hair casts and receives shadows, from the next change of `transparency` on. Both true by default. */
   casts: boolean;
   receives: boolean;
 
-  /** From the next update on the head is where `object` is, of which head space must be a part: an object at the head's joint with the
-   * model's axes, such as a bone of a skeleton that rests unturned. Without one: where this object is. RangeError. */
+  /** From the next update on the head follows `object`, which must be at the head's joint and have the model's axes at rest, such as a bone
+   * without a rotation in the rest pose. Without `object` the head follows this object. RangeError for an unknown head. */
   follow(head: number, object?: Object3D): void;
-  /** Once a frame, before it is rendered: heads go where they are now, `delta` seconds pass, and triangles are ordered for `camera`. */
+  /** Call once per frame before rendering: moves heads to their present places, steps by `delta` seconds, sorts triangles for `camera`. */
   update(delta: number, camera: Camera): void;
-  /** The rest pose where heads are now; after cuts and jumps. The first update() begins so. */
+  /** Puts the hair into its rest pose at the heads' present places, for cuts and jumps. The first update() does so, too. */
   reset(): void;
   /** Changes members of the material: colours, exponents, thresholds, shading. */
   updateMaterial(changes: Partial<Material>): void;
-  /** Frees what it took of the module's memory and of the GPU. The asset stays open. */
+  /** Frees its memory in the module and on the GPU. The asset stays open. */
   dispose(): void;
 }

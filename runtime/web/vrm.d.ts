@@ -1,6 +1,6 @@
 import type { Asset, HairDesc, StepSettings } from './coif.js';
 
-/** What is used of a model of @pixiv/three-vrm. */
+/** The used members of a model of @pixiv/three-vrm. */
 export interface VrmModel {
   scene: object;
   humanoid?: object | null;
@@ -10,24 +10,24 @@ export interface VrmModel {
 export interface SpringOptions {
   /** Wind, gravity, stiffness and so on of every step; may be changed later in SimulatedHair.settings. */
   settings?: Omit<StepSettings, 'dt'>;
-  /** Besides what the asset's body colliders ask for. */
+  /** Added to the members that the asset's body colliders need. */
   desc?: Omit<HairDesc, 'instances'>;
 }
 
 /**
- * From now on coif moves those nodes of the model that the asset has bones for; the model's own springs leave them alone and go on with
- * others. `vrm.update(delta)` steps it; for a model without spring bones, call update() after the head was moved.
+ * Lets coif move the model's nodes for which the asset has bones; the model's own springs move only their other nodes from now on.
+ * `vrm.update(delta)` steps the hair. For a model without spring bones, call update() after the head has moved.
  *
- * The asset is cooked of the same file (`coif cook model.vrm -o model.coif`). Throws a CoifError where the model lacks a bone of the
- * asset, or has it elsewhere: then nothing has changed. One asset may serve any number of models that were loaded of that file.
+ * The asset must be cooked from the same file (`coif cook model.vrm -o model.coif`). Throws a CoifError and changes nothing if the model
+ * lacks a bone of the asset or has it in another place. One asset may serve any number of models that were loaded from that file.
  */
 export function replaceSpringBones(vrm: VrmModel, asset: Asset, options?: SpringOptions): SimulatedHair;
 
 export interface SimulatedHair {
   settings: StepSettings;
-  /** Takes the head from the model, steps, and turns the nodes. */
+  /** Reads the head's pose from the model, steps, and turns the nodes. */
   update(delta: number): void;
-  /** Rest pose, at rest, where the head is now: after the model was put somewhere else. */
+  /** Brings the hair to rest in its rest pose at the head's present place, for a model that was put somewhere else. */
   reset(): void;
   /** Gives the nodes back to the model's own springs. */
   dispose(): void;

@@ -1,5 +1,5 @@
-// The hair of a VRM model that three-vrm loaded, moved by coif. Types are in vrm.d.ts. Needs nothing of three but the objects that it
-// is given.
+// The hair of a VRM model that three-vrm loaded, moved by coif. Types are in vrm.d.ts. Uses nothing of three but the objects that it
+// receives.
 
 import { CoifError } from './memory.mjs';
 
@@ -10,7 +10,7 @@ export function replaceSpringBones(vrm, asset, options = {}) {
   return new SimulatedHair(vrm, asset, options);
 }
 
-/** The name that the file gave a node; three changes those with dots and brackets, and keeps the file's own beside it. */
+/** A node's name in the file; three changes names with dots and brackets, and keeps the original beside it. */
 const nameOf = (node) => node.userData?.name ?? node.name;
 
 export class SimulatedHair {
@@ -19,7 +19,7 @@ export class SimulatedHair {
     this.asset = asset;
     this.settings = { ...settings };
     this.springs = vrm.springBoneManager;
-    this.springs?.reset(); // nodes are in their rest pose, of which the asset was cooked
+    this.springs?.reset(); // puts nodes into their rest pose, from which the asset was cooked
     this.#find();
     const wearsBody = this.body.length > 0;
     this.hair = asset.createHair({ ...(wearsBody && { solver: 'character', followsBody: true }), ...desc, instances: 1 });
@@ -27,7 +27,7 @@ export class SimulatedHair {
     this.reset();
   }
 
-  /** What the model's nodes are in the asset: the head, what moves, what carries the body's colliders. */
+  /** Finds the model's nodes for the asset's head, simulated bones and body bones. */
   #find() {
     const { vrm, asset } = this;
     const nodes = new Map();
@@ -83,12 +83,12 @@ export class SimulatedHair {
     return { position, rotation, scale };
   }
 
-  /** From now on the model's own springs leave these nodes alone; others of them go on. */
+  /** Stops the model's own springs from moving these nodes; they keep moving others. */
   #takeSpringsAway() {
     this.removed = [];
     if (this.springs === undefined || this.springs === null) return;
     const moved = new Set();
-    for (let { node } of this.joints) { // with what lies between head and bones, which stands still for coif
+    for (let { node } of this.joints) { // includes nodes between head and bones, which coif does not move
       for (; node !== null && node !== this.head; node = node.parent) moved.add(node);
     }
     for (const joint of [...this.springs.joints]) {
@@ -131,7 +131,7 @@ export class SimulatedHair {
     return { position: position.toArray(), rotation: rotation.toArray() };
   }
 
-  /** A node's rotation in its parent's axes: both go from their rest in head space by what their bones turned. */
+  /** Sets each node's rotation in its parent's axes. Node and parent turn from their rest in head space as their bones do. */
   #turnNodes() {
     const turns = this.hair.boneTransforms(0);
     this.absolute.forEach((rotation, i) => {
@@ -141,7 +141,7 @@ export class SimulatedHair {
     for (const { node, bone, above, before, after } of this.joints) {
       this.turned.copy(this.absolute[above]).invert().multiply(this.absolute[bone]);
       node.quaternion.copy(before).multiply(this.turned).multiply(after);
-      node.updateMatrix(); // three-vrm took that on itself for nodes of its springs
+      node.updateMatrix(); // three-vrm switched that off for nodes of its springs
     }
   }
 

@@ -57,7 +57,7 @@ int run_frames(const CrowdRun& run, int frames) {
   return 0;
 }
 
-/// Of the words a|b HEADS SOLVER SET.
+/// Reads the words a|b HEADS SOLVER SET.
 CrowdRun run_of(std::span<char*> words) {
   CrowdRun run{std::string_view(words[0]) == "a" ? kCrowd : kOneHead, words[2], words[3]};
   if (const int heads = std::atoi(words[1]); heads > 0) run.shape.heads = std::uint32_t(heads);

@@ -22,7 +22,7 @@ namespace coif {
 namespace {
 
 constexpr std::uint32_t kMixedHeads = 40;
-constexpr std::uint32_t kCrowdHeads = 16;  ///< Of a full crowd: no lane of it is idle.
+constexpr std::uint32_t kCrowdHeads = 16;  ///< A full crowd: none of its lanes is idle.
 
 /// An asset of the mix, opened.
 struct MixedAsset {
@@ -165,9 +165,9 @@ class TimedScene {
 
 /// Median times of a mix, seconds.
 struct MixTimes {
-  double world = 0;    ///< Of a frame in one HairWorld,
-  double hairs = 0;    ///< with a Hair for each asset,
-  double crowds = 0;   ///< and if each head lived in a full crowd of its asset.
+  double world = 0;    ///< A frame in one HairWorld.
+  double hairs = 0;    ///< A frame with a Hair for each asset.
+  double crowds = 0;   ///< A frame if each head lived in a full crowd of its asset.
   double replace = 0;  ///< A head leaves and another comes.
 };
 

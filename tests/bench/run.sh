@@ -41,7 +41,7 @@ measure_spring_bones() {
   results="$results $bench/spring_bones.json"
 }
 
-# Of the preset web, where it was built.
+# Measures the build of the preset web, if there is one.
 measure_wasm() {
   echo "measuring WebAssembly"
   mkdir -p "$bench/web"

@@ -39,7 +39,7 @@ class CrewFrames {
   }
 
   [[nodiscard]] std::size_t undisturbed() const { return undisturbed_count_; }
-  /// Of undisturbed frames where there are any.
+  /// The median of the undisturbed frames; of all frames where every one was disturbed.
   [[nodiscard]] double median_seconds() {
     return undisturbed_count_ > 0 ? undisturbed_.median_seconds() : all_.median_seconds();
   }

@@ -18,7 +18,8 @@ namespace coif {
 
 /// Words for a table and a command line. The best is the first.
 [[nodiscard]] std::vector<std::string> solver_names();
-[[nodiscard]] std::vector<std::string> instruction_set_names();  ///< Of those that this processor can run.
+/// The sets that this processor can run.
+[[nodiscard]] std::vector<std::string> instruction_set_names();
 
 /// How a crowd is simulated.
 struct CrowdRun {

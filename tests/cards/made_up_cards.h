@@ -10,7 +10,7 @@
 
 namespace coif::cards::test {
 
-/// Of a groom, not fitted to pictures of it.
+/// A groom's cards, not fitted to pictures of it.
 inline Cards unfitted_cards(const groom::Groom& groom, float width, std::size_t count, std::size_t triangles,
                             std::size_t texels) {
   const GroomShape shape = shape_of(groom, width);

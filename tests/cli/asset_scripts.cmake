@@ -45,7 +45,7 @@ if(CASE STREQUAL "damaged_assets_are_refused")
                   COMMAND_ERROR_IS_FATAL ANY)
   must_refuse(changed.coif "chunk TEXD: the bytes were changed after cooking")
 
-  # Of another major version, the ninth byte of a file: nothing is wrong with it, but this program cannot read it.
+  # The ninth byte is the major version. A file of another one is not damaged, but this program cannot read it.
   execute_process(COMMAND head -c 8 "${ASSET}" OUTPUT_FILE "${FOLDER}/head" COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND tail -c +10 "${ASSET}" OUTPUT_FILE "${FOLDER}/tail" COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND cat head byte tail WORKING_DIRECTORY "${FOLDER}" OUTPUT_FILE "${FOLDER}/newer.coif"

@@ -258,7 +258,7 @@ endfunction()
 
 if(EMBED)
   # For one instruction set and not optimized, which is quicker; the shared libraries are built for all sets.
-  # Of coif, what these games link.
+  # Builds only the parts of coif that these games link.
   run(${configure_game} -B ${WORK}/embedded -D COIF_SOURCE=${EMBED} -D COIF_SIMD=scalar -D CMAKE_BUILD_TYPE=Debug)
   run(${CMAKE_COMMAND} --build ${WORK}/embedded --target ${sim_games})
   foreach(program IN LISTS sim_games)

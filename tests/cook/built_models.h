@@ -15,7 +15,7 @@ struct StripDesc {
   Eigen::Vector3f root{0, 1.6f, -0.1f};  ///< Middle of the upper edge, metres.
   Eigen::Vector3f along{0, -0.3f, 0};    ///< Root to tip.
   Eigen::Vector3f across{0.05f, 0, 0};   ///< Width.
-  float tip_width = 1;                   ///< Of `across`; the strip narrows evenly.
+  float tip_width = 1;                   ///< Share of `across`; the strip narrows evenly.
   std::uint32_t rows = 4;
   bool v_upwards = false;    ///< V is 0 at the tip instead of the root.
   bool uv_sideways = false;  ///< U runs along the strip.
@@ -67,7 +67,7 @@ importer::SourceMaterial& add_surface(importer::SourceModel& model, const std::s
 struct CardDesc {
   std::uint32_t columns = 4, rows = 12;
   float width = 0.06f, length = 0.3f;
-  float bend_radius = 0;  ///< Of the cylinder that the card is part of, along its length; 0: flat.
+  float bend_radius = 0;  ///< Radius of the cylinder along its length that the card is part of; 0: flat.
   Eigen::Vector3f root{0, 1.6f, -0.1f};
 };
 

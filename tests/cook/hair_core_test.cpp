@@ -59,7 +59,7 @@ void wrap(importer::SourceMesh& hair, const Bulge& bulge) {
   }
 }
 
-constexpr std::size_t kTriangles = 240;  ///< Of a bulge.
+constexpr std::size_t kTriangles = 240;  ///< In a bulge.
 
 /// A head of 18 cm with one more bulge in its mesh, and hair around another place.
 importer::SourceModel head_with(const Bulge& bulge, const Bulge& wrapped) {

@@ -37,9 +37,9 @@ tl::expected<Skeleton, ToolError> skeleton_of(const importer::SourceModel& model
 const HeadEllipsoid kHead{{0.01, 1.65, 0.02}, {0.075, 0.11, 0.095}};
 
 struct Combed {
-  double lift = 1.04;       ///< Of the head's size: where the hair lies,
-  double root_lift = 1.04;  ///< and where its first row does.
-  double lowest = -0.5;     ///< Height at which it ends, of the radius.
+  double lift = 1.04;       ///< Where the hair lies, as a multiple of the head's size.
+  double root_lift = 1.04;  ///< Where its first row lies, likewise.
+  double lowest = -0.5;     ///< Height at which it ends, share of the radius.
   double face = 1.0;        ///< Radians to each side of the front that are left free below the crown.
 };
 

@@ -103,7 +103,7 @@ TEST(LeaveOut, ASceneThatDoesNotSimulateGetsTheHeadAlone) {
   EXPECT_EQ(note->ns_per_frame, nominal_cost(2, 1));
 }
 
-/// Of the simulated bones, which all have the same.
+/// The torsion that all simulated bones have.
 float torsion_of(const Cooked& cooked) {
   float torsion = -1;
   for (std::size_t b = 0; b < cooked.asset.bones().size(); ++b) {
@@ -200,7 +200,7 @@ Recipe sizes(double largest, double smallest) {
 TEST(LeaveOut, LevelsThatNoSizeOfTheSceneUsesGo) {
   struct Case {
     double largest, smallest;
-    std::vector<float> errors;  ///< Of the levels that stay.
+    std::vector<float> errors;  ///< Those of the levels that stay.
   };
   const Case cases[] = {{0, 0, {0, 0.001f, 0.002f, 0.004f}},
                         {1, 0, {0, 0.001f, 0.002f, 0.004f}},

@@ -87,7 +87,7 @@ std::vector<Vector3d> rest_ends(const lab::Rig& rig) {
   return ends;
 }
 
-/// Of where a hanging strand's tip is under a head tilted sideways, against the vertical through its root, degrees.
+/// Angle from the vertical through its root to a hanging strand's tip under a head tilted sideways, degrees.
 double tilted_to(const AssetContents& contents, double tilt) {
   Worn worn(contents);
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(tilt * kDegree, Vector3d::UnitZ()));

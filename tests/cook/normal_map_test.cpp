@@ -207,7 +207,7 @@ TEST(BakeRelief, KeepsOnlyTheResolutionThatSaysSomething) {
   EXPECT_LT(stored.records[0].width, kSide);
 }
 
-/// Of an image of what is known of strands: all of one strand, which runs at a slant.
+/// A strand map whose texels all belong to one strand, which runs at a slant.
 Image one_strand(std::uint8_t number) {
   Image strands{64, 64, 4, {}};
   for (std::size_t i = 0; i < strands.texel_count(); ++i)

@@ -1,4 +1,7 @@
-// What a recipe says of some patches alone.
+
+
+// The recipe's values for some patches alone.
+
 #include "cook/built_models.h"
 #include "cook/cook.h"
 #include "cook/fitted_wig.h"

@@ -25,11 +25,11 @@ namespace coif::cook::real_files_test {
 struct RealFile {
   const char* path;  ///< Below the corpus' folder "hair".
   const char* name;
-  std::uint32_t triangles;       ///< Of the hair in the file, counted by hand from its lists.
-  std::uint32_t merged;          ///< Of those, backs and copies of others.
-  std::uint32_t strips;          ///< At least so many patches; what the modeller's strips are on a look.
-  std::uint32_t chains;          ///< At least.
-  std::uint32_t artists_chains;  ///< Of the hierarchy below the head bone; 0: none, chains are fitted.
+  std::uint32_t triangles;       ///< The hair's, counted by hand from the file's lists.
+  std::uint32_t merged;          ///< Those that are backs or copies of others.
+  std::uint32_t strips;          ///< At least so many patches: the modeller's strips, counted by eye.
+  std::uint32_t chains;          ///< At least so many.
+  std::uint32_t artists_chains;  ///< Chains of the hierarchy below the head bone; 0: chains are fitted.
   bool hangs = true;             ///< False for hair that is tied up in buns.
 };
 

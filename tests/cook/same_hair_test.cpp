@@ -100,7 +100,7 @@ TEST_F(SameHair, APonyTailIsTheSameFromFbxColladaGlbAndGlbWithZUp) {
     SCOPED_TRACE(name);
     const auto hair = cooked(name);
     expect_same(*first, *hair);
-    // Of the last bone's end one file has a marker, another hair alone, and COLLADA a marker that is wrong.
+    // For the last bone's end, one file has a marker, another only hair, and COLLADA a wrong marker.
     EXPECT_NEAR(longest_chain(hair->asset), longest_chain(first->asset), 0.06f * longest_chain(first->asset));
   }
 }

@@ -32,9 +32,9 @@ class VrmChain {
 
 struct SoftChain {
   int bones = 5;
-  float length = 0.4f;      ///< Of the whole chain, metres.
+  float length = 0.4f;      ///< The whole chain's, metres.
   float stiffness = 600;    ///< At the root, 1/s^2; a quarter of it at the tip.
-  float damping_ratio = 0;  ///< Of critical damping against the pose.
+  float damping_ratio = 0;  ///< Share of critical damping against the pose.
 };
 
 /// A head with one chain that hangs down behind it, without friction.

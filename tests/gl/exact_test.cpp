@@ -201,7 +201,7 @@ INSTANTIATE_TEST_SUITE_P(Ways, ExactMode, testing::Values(Way::kLists, Way::kPee
 
 class ExactModes : public ExactMode {
  protected:
-  /// Of a wig that fills the view, in the bound target.
+  /// Draws a wig that fills the view into the bound target.
   void draw_wig(Way way, const Asset& wig, float turn) {
     start(way);
     if (IsSkipped()) return;

@@ -102,7 +102,7 @@ class CountedCalls {
   double draw_seconds = 0;         ///< What every draw call takes longer than it would.
   int links = 0;                   ///< Programs linked.
   int draws = 0;                   ///< Draw calls.
-  int instances = 0;               ///< Of all draw calls.
+  int instances = 0;               ///< In all draw calls.
   int textures = 0;                ///< Textures given storage.
   int objects = 0;                 ///< Buffers and textures made.
   int storage = 0;                 ///< Buffers and textures given storage.

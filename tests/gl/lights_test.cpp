@@ -206,7 +206,7 @@ TEST_F(LinearLight, OpaqueColorsAreTheSameWhoeverEncodes) {
   }
 }
 
-/// Of one grey, alpha from 0 at the left to 1 at the right.
+/// A card of one grey, with alpha from 0 at the left to 1 at the right.
 AssetContents soft_card(std::uint8_t grey) {
   AssetContents contents = shaded_card(ShadingModel::kThesis, {grey, grey, grey, 255});
   contents.material[0] = plain_material();

@@ -112,7 +112,7 @@ std::vector<MotionVectors::Expected> MotionVectors::expected(const Asset& asset,
   return all;
 }
 
-/// Of all triangles that a pixel's centre is in, or on whose edge.
+/// The vectors of all triangles that contain a pixel's centre, edges included.
 std::vector<MotionVectors::Vector> MotionVectors::vectors_at(const Asset& asset, std::span<const Point> is,
                                                              std::span<const Point> was, std::size_t pixel) {
   const double x = (double(pixel % kSide) + 0.5) * 2 / kSide - 1, y = (double(pixel / kSide) + 0.5) * 2 / kSide - 1;
@@ -270,7 +270,7 @@ TEST_F(MotionVectors, LieBehindWhatIsSolidInFrontOfTheHair) {
   model.destroy();
 }
 
-// Of a crowd in one call, and of bones too many for a block.
+// A crowd in one call, and more bones than a block holds.
 
 TEST_F(MotionVectors, EachHeadOfACrowdHasItsOwnPast) {
   const std::array card{DrawnCard{.half_size = 0.1f}};

@@ -18,7 +18,7 @@
 namespace coif {
 
 struct GoldenCase {
-  std::string name;  ///< Of the PNG, without suffix.
+  std::string name;  ///< The PNG's, without suffix.
   render::PictureSettings settings;
 };
 
@@ -40,8 +40,8 @@ class GoldenAsset {
 /// of 1.5 pixels, about what an eye at arm's length makes of a screen; so rounding, which scatters by a step of 255 or
 /// two from pixel to pixel, vanishes, and what moves, fades or lies in the wrong order over some pixels stays.
 struct PerceptualDifference {
-  double mean = 0;     ///< Of |L* - L*'|.
-  double largest = 0;  ///< Of |L* - L*'|.
+  double mean = 0;     ///< Mean |L* - L*'|.
+  double largest = 0;  ///< Largest |L* - L*'|.
 };
 
 /// Pixels are RGBA, sRGB, `width` to a row; both pictures of one size.

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """What no file of the project may be: too long, written for one machine or one tracker, a copy of a test asset that is
-not ours to ship, named so that anything could end up in it, or in another folder's namespace.
+not ours to ship, named so that anything could end up in it, in another folder's namespace, or commented in riddles.
 
 usage: tree_rules.py SOURCE_DIR ASSET_DIR | --self-test
 """
@@ -19,7 +19,8 @@ LONGER = {
     "tools/lab/reference_tree.cpp": "one integrator: its steps, and what contacts, limits and links do within one",
 }
 CODE = {".h", ".cpp", ".py", ".sh", ".cmake", ".vert", ".frag", ".txt", ".mjs", ".ts"}
-TEXT = CODE | {".md", ".json", ".in", ""}
+COMMENTED = CODE | {".c", ".css", ".glsl", ".html", ".js"}
+TEXT = COMMENTED | {".md", ".json", ".in", ""}
 BAD_NAMES = {"utils", "util", "common", "misc", "helpers", "helper", "manager"}
 BAD_TEXT = [
     (re.compile(r"(?<![\w.])/(?:work|root|home)/\w"), "a path of one machine"),
@@ -29,6 +30,8 @@ BAD_TEXT = [
 ]
 # What a formatter of C++ makes of other languages.
 MANGLED = re.compile(r"^(?:#+[A-Z]|```\w+ \S|#! ?/ )")
+# A comment, or one of its lines, that begins with "Of": a genitive that the reader has to find the noun for.
+RIDDLE = re.compile(r"(?:^|[\s;,{}()])(?:/{2,}!?|/\*+!?|\*|#+|<!--)<?\s*Of\s")
 PLAIN = {"base"}  # Folders of tools whose words are all tools': they are in namespace coif itself.
 NAMES = {"import": "importer"}  # Other names of namespaces than folders': that one is a word of C++.
 FOLDERS = ("formats", "runtime", "tools", "shaders", "tests", "sample_assets", ".ci")
@@ -54,6 +57,8 @@ def text_problems(path, text):
         for pattern, what in BAD_TEXT:
             if pattern.search(line):
                 yield f"{path}:{number}: {what}: {line.strip()[:80]}"
+        if Path(path).suffix in COMMENTED and RIDDLE.search(line):
+            yield f"{path}:{number}: a comment begins with 'Of'; say what it is: {line.strip()[:80]}"
 
 
 def namespace_problems(path, text):
@@ -103,10 +108,14 @@ def self_test():
     must_fail = {"tools/cook/long.cpp": "//\n" * 301, "tests/long.cpp": "//\n" * 401, "tools/x.cpp": "// /" + "work/main\n", "formats/a.md": "TO" "DO\n",
                  "tests/b.cpp": "// see #12\n", "tools/string_utils.h": "", "tools/utils/x.h": "",
                  "sample_assets/a/a.glb": "bytes of an artist", "runtime/c.cpp": "// made by Chat" "GPT\n", "tools/cook/a.h": "namespace coif {\n", "tools/cook/b.h": "namespace coif::view {\n",
-                 "tools/base/c.h": "namespace coif::base {\n", "tests/c.md": "##One part,\n", "tests/d.py": "#! / usr / bin\n",
+                 "tools/base/c.h": "namespace coif::base {\n", "tools/cook/of.cpp": "/// Of what the caller asked for.\n",
+                 "formats/of.h": "int a = 0;  ///< Of a bone.\n", "runtime/of.c": "int a; /* Of a bone. */\n", "tests/of.py": "a = 1  # Of a bone.\n",
+                 "runtime/of.ts": "/** Of every step. */\n", "shaders/of.glsl": "// The share\n// Of it.\n", "tools/of.cmake": "# Of a bone.\n",
+                 "tools/of.mjs": "/**\n * Of a bone.\n */\n", "tests/c.md": "##One part,\n", "tests/d.py": "#! / usr / bin\n",
                  "tools/d.md": "```sh sh tools / x.sh\n"}
     must_pass = {"tools/cook/fine.cpp": "//\n" * 300, "tests/fine.cpp": "//\n" * 400, "README.md": "an issue of a file, at https://example.org/home/x\n",
                  "tools/cook/d.h": "namespace coif::view {\nclass Page;\n}\nnamespace coif::cook {\n", "tools/base/e.h": "namespace coif {\n",
+                 "tools/cook/offer.h": "/// Offers a bone, one\n/// of many. Of these, one stays.\nint Of = 1;\n", "tests/of.md": "# Of hair\n",
                  "tests/f.md": "# One\n\n```sh\n#!/bin/sh\n```\n", "tests/g.py": "#!/usr/bin/env python3\n# A\n"}
     bad = []
     for path, text in {**must_fail, **must_pass}.items():

@@ -35,7 +35,7 @@ std::string fbx_unit(const std::string& centimetres) {
 
 class Conventions : public testing::Test {
  protected:
-  // Of the vertex that the file places at (0, 2, 3).
+  /// Where the vertex is imported that the file places at (0, 2, 3).
   Vector3f tip_of_fbx(const std::string& settings, const ImportSettings& import_settings = {}) {
     return import_or_fail(folder_.write("m.fbx", small_fbx(settings)), import_settings).meshes[0].positions[2];
   }

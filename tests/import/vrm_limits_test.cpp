@@ -33,7 +33,7 @@ class VrmLimits : public testing::Test {
     return import_or_fail(
         small_vrm(spring_bone_1(R"([{"name": "tail", "joints": [)" + joints + "]}]")).write(folder_, "m.gltf"));
   }
-  /// Of hair_1, which hangs straight down; the model is kept in `model_`.
+  /// The limit of hair_1, which hangs straight down; the model is kept in `model_`.
   const SourceLimit& first_limit(const std::string& limit) {
     model_ = import_joints(joint(3, limit) + R"(, {"node": 4})");
     return model_.springs.at(0).joints.at(0).limit;

@@ -77,7 +77,7 @@ TEST(PassiveModel, TwoLooseBonesAreADoublePendulum) {
   }
 }
 
-/// Of `rig` let go where the head last was `tilt` radians to the side.
+/// Energies over time of `rig`, released in the pose of a head tilted `tilt` radians to the side.
 std::vector<double> energies(const Rig& rig, double tilt, double seconds, double rate) {
   std::vector<std::uint32_t> all;
   for (std::uint32_t i = 0; i < rig.bones.size(); ++i) all.push_back(i);

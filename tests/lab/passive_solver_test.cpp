@@ -46,7 +46,7 @@ TestRig soft_strand(const Soft& soft) {
 }
 
 struct Trial {
-  double rms = 0;  ///< Of the tips' distances to the reference, share of the chains' lengths.
+  double rms = 0;  ///< The tips' distance to the reference, share of the chains' lengths.
   ConstraintErrors held;
 };
 

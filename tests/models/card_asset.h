@@ -15,7 +15,7 @@ struct Card {
   Eigen::Vector3f center = Eigen::Vector3f::Zero();
   Eigen::Vector3f right{0.1f, 0, 0};  ///< From the middle to an edge; right x up is the side of the front face.
   Eigen::Vector3f up{0, 0.1f, 0};
-  int alpha = 128;  ///< Of 255.
+  int alpha = 128;  ///< 0..255.
 };
 
 /// Rigid hair: each card a patch, in this order, double-sided, opaque from 0.95 on.

@@ -35,13 +35,13 @@ class Violence {
 
 /// Ends of frames, seconds: every 1 / fps until `seconds`.
 [[nodiscard]] std::vector<double> even_frames(double fps, double seconds);
-/// Of lengths between two bounds, at random, and one frame at every sixth of a second: there all the usual frame rates
-/// meet as well.
+/// Frames of random lengths between two bounds, and one that ends at every sixth of a second, where all the usual frame
+/// rates meet as well.
 [[nodiscard]] std::vector<double> uneven_frames(double shortest, double longest, double seconds);
 
 struct Playback {
   std::vector<double> seconds;
-  std::vector<std::vector<Vec3>> ends;  ///< Of the simulated bones, per frame.
+  std::vector<std::vector<Vec3>> ends;  ///< Per frame, the simulated bones'.
 };
 
 /// Resets the hair to the motion's start, then steps from frame to frame. settings.dt is the frames'.

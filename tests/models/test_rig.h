@@ -14,7 +14,7 @@ namespace coif {
 /// One simulated bone as a test wants it. Defaults: hangs down, one metre long, nothing acts on it but gravity.
 struct TestBone {
   std::uint32_t parent = 0;  ///< Bone 0 is the head.
-  Vec3 joint{};              ///< Of first bones; others start at their parent's particle.
+  Vec3 joint{};              ///< Where a first bone starts; others start at their parent's particle.
   Vec3 rest_direction{0, -1, 0};
   float length = 1;
   float resistance = 0;
@@ -55,7 +55,7 @@ class TestRig {
   [[nodiscard]] std::vector<Vec3> rest_ends() const;
   [[nodiscard]] AssetContents contents() const;
 
-  ChainModel model = ChainModel::kCascade;  ///< Of all chains.
+  ChainModel model = ChainModel::kCascade;  ///< All chains'.
   std::vector<BoneRecord> bones;
   std::vector<DynamicsRecord> dynamics;
   std::vector<ColliderRecord> colliders;

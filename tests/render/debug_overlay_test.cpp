@@ -119,7 +119,8 @@ TEST_F(DebugOverlay, ContactsAreRedAndLimitsGreen) {
   EXPECT_EQ(count(0), red);
 }
 
-/// Of pixels that differ from the plain picture, how many have a channel far from the others.
+/// Counts the pixels that differ from the plain picture: those that are grey, and those with a channel far from the
+/// others.
 std::array<int, 2> grey_and_colored(const Picture& plain, const Picture& shown) {
   std::array<int, 2> found{};
   for (std::size_t i = 0; i < plain.rgba.size() / 4; ++i) {

@@ -9,7 +9,7 @@
 namespace coif::report {
 
 using Keys = std::vector<std::string>;
-/// Of a JSON object, in its order.
+/// A JSON object's keys, in its order.
 [[nodiscard]] Keys keys_of(const nlohmann::ordered_json& object);
 
 /// How often a word is in a text.

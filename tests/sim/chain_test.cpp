@@ -42,7 +42,7 @@ bool opens(const TestRig& rig) {
   return bool(Asset{}.open(file.bytes()));
 }
 
-/// Of the side bone at `depth` in a comb's ends.
+/// Index in a comb's ends of the side bone at `depth`.
 std::size_t index_of_tooth(std::uint32_t spine, std::uint32_t depth) { return spine + (spine - depth); }
 
 TEST(Branching, AsManyOpenBonesAsTheFormatAllowsAndNoMore) {

@@ -192,7 +192,7 @@ void add_collider(TestRig& rig, ColliderShape shape) {
       return rig.add_tapered_capsule({-0.06f, 0, 0}, 0.09f, {0.07f, 0, 0.03f}, 0.05f);
     }
     case ColliderShape::kPlane: return rig.add_plane({0, 0.01f, 0}, {0, 0.8f, 0.6f});
-    case ColliderShape::kBox: break;  // in no asset
+    case ColliderShape::kBox: break;  // In no asset.
   }
 }
 

@@ -22,14 +22,14 @@ struct Point {
   double x, y, z;
 };
 
-/// By the conjugate.
+/// `v` rotated by the conjugate of `q`.
 inline Point rotated_back(const float (&q)[4], const Point& v) {
   const double x = -double(q[0]), y = -double(q[1]), z = -double(q[2]), w = q[3];
   const Point t{2 * (y * v.z - z * v.y), 2 * (z * v.x - x * v.z), 2 * (x * v.y - y * v.x)};
   return {v.x + w * t.x + y * t.z - z * t.y, v.y + w * t.y + z * t.x - x * t.z, v.z + w * t.z + x * t.y - y * t.x};
 }
 
-/// Of the parent's frame.
+/// `v` in the parent's frame `m`.
 inline Point in_frame(const Mat34& m, const Point& v) {
   return {double(m.m[0][0]) * v.x + double(m.m[1][0]) * v.y + double(m.m[2][0]) * v.z,
           double(m.m[0][1]) * v.x + double(m.m[1][1]) * v.y + double(m.m[2][1]) * v.z,

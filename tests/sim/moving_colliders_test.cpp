@@ -85,7 +85,7 @@ TestRig strand(ChainModel model, float hit_radius = 0) {
   return rig;
 }
 
-/// Of kCharacterSolver, with room for four colliders.
+/// Hair with kCharacterSolver and room for four colliders.
 class Character : public TestHair {
  public:
   explicit Character(const TestRig& rig, std::uint32_t instances = 1)

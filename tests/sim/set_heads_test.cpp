@@ -18,7 +18,7 @@ constexpr std::uint32_t kHeads = 300;  // more than are compared at once
 
 HeadPose place_of(std::uint32_t head) { return {{0.5 * head, 1.6, 0}, {}}; }
 
-/// Of heads that stand but for one in seven, which walks.
+/// Heads that stand, except every seventh, which walks.
 std::vector<HeadPose> poses_at(int frame) {
   std::vector<HeadPose> poses;
   for (std::uint32_t i = 0; i < kHeads; ++i) {

@@ -32,7 +32,7 @@ Isometry3d from_palette(const Mat34& matrix) {
 
 Vector3d joint(const BoneRecord& bone) { return Eigen::Map<const Eigen::Vector3f>(bone.joint).cast<double>(); }
 
-/// Where the bone's own frame is: a rest pose frame has the axes of head space and stands at the joint.
+/// The bone's own frame: in the rest pose it has the axes of head space and stands at the joint.
 Isometry3d head_from_bone(const BoneRecord& bone, const Mat34& palette) {
   return from_palette(palette) * Eigen::Translation3d(joint(bone));
 }
@@ -45,7 +45,7 @@ struct NodeTrack {
   void add(const Isometry3d& parent_from_node) {
     translations.emplace_back(parent_from_node.translation().cast<float>());
     Eigen::Vector4f rotation = Quaterniond(parent_from_node.linear()).normalized().coeffs().cast<float>();
-    // Both signs are the same rotation; viewers interpolate the numbers, so keep neighbours on one side.
+    // Both signs are the same rotation; viewers interpolate the numbers, so neighbours must be on one side.
     if (!rotations.empty() && rotations.back().dot(rotation) < 0) rotation = -rotation;
     rotations.push_back(rotation);
   }
@@ -88,7 +88,7 @@ void add_animation(HairGlb& file, const Asset& asset, const Recording& recording
   file.document["animations"] = json::array({std::move(animation)});
 }
 
-/// One node per bone, of the same index, in the rest pose.
+/// One node per bone, with the bone's index, in the rest pose.
 json bone_nodes(const Asset& asset) {
   json nodes = json::array();
   for (std::uint32_t bone = 0; bone < asset.bones().size(); ++bone) {

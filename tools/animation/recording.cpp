@@ -164,7 +164,7 @@ std::vector<double> frame_ends(const RecordingSettings& settings) {
     for (long long i = 1; i <= steps; ++i) ends.push_back(static_cast<double>(i) / settings.fps);
     return ends;
   }
-  std::mt19937 lot(lengths.seed);  // whose numbers are the same everywhere
+  std::mt19937 lot(lengths.seed);  // Its numbers are the same everywhere.
   constexpr double kRounding = 1e-9;
   for (std::size_t i = 0;; ++i) {
     const double usual = lengths.seconds.empty() ? 1 / settings.fps : lengths.seconds[i % lengths.seconds.size()];
@@ -176,7 +176,7 @@ std::vector<double> frame_ends(const RecordingSettings& settings) {
 
 namespace {
 
-/// A bone under a rigid one starts at its own joint, which need not be its parent's.
+/// The start of a bone. Under a rigid bone that is its own joint, which may differ from its parent's.
 Eigen::Vector3f start_of(const Asset& asset, const BoneRecord& bone, std::span<const Vec3> bone_ends) {
   if (asset.bones()[bone.parent].kind == BoneKind::kSimulated) return to_eigen(bone_ends[bone.parent]);
   return Eigen::Map<const Eigen::Vector3f>(bone.joint);

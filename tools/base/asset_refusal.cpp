@@ -22,7 +22,7 @@ LoadStatus open_whole(std::span<const std::byte> bytes, Asset& asset) {
 }
 
 std::string describe_text(const LoadStatus& status) {
-  if (status.code == LoadCode::kMagic) return describe(status.code);  // the first byte of a text tells nobody anything
+  if (status.code == LoadCode::kMagic) return describe(status.code);  // The first byte of a text file helps nobody.
   char text[256];
   return std::string(text, describe(status, text, sizeof text));
 }

@@ -10,13 +10,13 @@
 
 namespace coif {
 
-/// Asset::open() with every hash compared: a tool's files are looked at by people, who want to know.
+/// Asset::open() that also compares every hash: a tool's user wants to know whether a file is intact.
 LoadStatus open_whole(std::span<const std::byte> bytes, Asset& asset);
 
-/// The evidence of what the reader refuses, as reports print it.
+/// The reason why the reader refuses the file, with its evidence, as reports print it.
 [[nodiscard]] std::string describe_text(const LoadStatus& status);
 
-/// The same with its cure, and of which class the error is; without the file's name.
+/// The reason with its cure and the class of the error; without the file's name.
 [[nodiscard]] ToolError refusal_of(const LoadStatus& status);
 
 }  // namespace coif

@@ -1,7 +1,7 @@
 #pragma once
 
 // Values as bytes on their way from a child process, and back. Private to the two ends of one pipe of one program, so
-// it has no version; the sender may have been taken over by what it read, so the receiver trusts no count.
+// it has no version. The sender may have been taken over by its input, so the receiver trusts no count.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace coif {
 
-/// Types that may be copied as bytes: no padding, no value that is not valid. A user adds its own.
+/// Types that may be copied as bytes: no padding, no invalid value. A user adds its own types.
 template <class T>
 inline constexpr bool kIsPlain = std::is_arithmetic_v<T>;
 
@@ -42,8 +42,7 @@ class ByteEncoder {
   std::vector<std::uint8_t> bytes;
 };
 
-/// Gives them back in that order; false where there are fewer bytes than that, which leaves what is asked for as it
-/// comes.
+/// Reads the values in the same order. Returns false where bytes are missing; the value is then undefined.
 class ByteDecoder {
  public:
   explicit ByteDecoder(std::span<const std::uint8_t> bytes) : left_(bytes) {}
@@ -64,7 +63,7 @@ class ByteDecoder {
     items.resize(static_cast<std::size_t>(count));
     return raw(items.data(), items.size() * sizeof *items.data());
   }
-  // `least`: bytes that every item takes at least, so that a count cannot promise more items than there are bytes.
+  // `least`: the fewest bytes that an item takes, so that a count cannot promise more items than there are bytes.
   template <class Item, class Transfer>
   bool list(std::vector<Item>& items, std::size_t least, Transfer transfer) {
     std::uint64_t count = 0;

@@ -37,8 +37,8 @@ Vector3d clear_of_ball(const ColliderRecord& collider, const Ball& ball, const V
   return ball.center + (distance < kCenter * least ? Vector3d(way_out * least) : Vector3d(offset * (least / distance)));
 }
 
-/// The ball of a capsule that is nearest to the particle. On a tapered one it is not beside the particle but where the
-/// cone's normal through it starts; on a straight one the slope is 0 and both are the same.
+/// The ball of a capsule that is nearest to the particle. On a tapered one it is where the cone's normal through the
+/// particle starts, not beside the particle; on a straight one the slope is 0 and both are the same.
 Ball nearest_ball(const ColliderRecord& capsule, const Vector3d& position) {
   const double first = capsule.radii[0];
   const double last = capsule.shape == ColliderShape::kTaperedCapsule ? double(capsule.radii[1]) : first;
@@ -70,7 +70,7 @@ Vector3d clear_of_plane(const ColliderRecord& plane, double hit_radius, const Ve
   return missing > 0 ? Vector3d(position + normal * missing) : position;
 }
 
-/// Metres. A plane has no radius; that of a head makes its depths comparable with the others'.
+/// Metres. A plane has no radius; a head's radius makes its depths comparable with the others'.
 constexpr float kPlaneRadius = 0.1f;
 
 float depth_in_ellipsoid(const ColliderRecord& collider, const Eigen::Vector3f& point) {
@@ -96,7 +96,7 @@ float depth_behind_plane(const ColliderRecord& collider, const Eigen::Vector3f& 
   return -normal.dot(point - Eigen::Map<const Eigen::Vector3f>(collider.center)) / kPlaneRadius;
 }
 
-/// Of the ball that the cone's normal through the point starts from.
+/// Depth in the ball from which the cone's normal through the point starts.
 float depth_in_tapered_capsule(const ColliderRecord& collider, const Eigen::Vector3f& point) {
   const Eigen::Map<const Eigen::Vector3f> axis(collider.axis);
   const Eigen::Vector3f offset = point - Eigen::Map<const Eigen::Vector3f>(collider.center);
@@ -149,7 +149,7 @@ const char* plural_of(ColliderShape shape) {
     case ColliderShape::kCapsule: return "capsules";
     case ColliderShape::kPlane: return "planes";
     case ColliderShape::kTaperedCapsule: return "tapered_capsules";
-    case ColliderShape::kBox: break;  // in no file
+    case ColliderShape::kBox: break;  // In no file.
   }
   return "unknown";
 }

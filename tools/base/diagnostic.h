@@ -11,9 +11,9 @@ enum class Severity : std::uint8_t { kInfo, kWarning, kError };
 
 [[nodiscard]] const char* name(Severity severity);
 
-/// One finding about a file. Import, cook, validation and view all tell what they found in this form. The table of codes
-/// (tools/validate) says what a code means and how to cure it; codes are stable, so that a recipe can acknowledge one
-/// kind of warning.
+/// One finding about a file. Import, cook, validation and view all tell what they found in this form. The table of
+/// codes (tools/validate) says what a code means and how to cure it; codes are stable, so that a recipe can acknowledge
+/// one kind of warning.
 struct Diagnostic {
   Diagnostic() = default;
   Diagnostic(std::string of_code, std::string text, Severity how = Severity::kWarning, std::string at = {});

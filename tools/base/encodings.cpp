@@ -8,7 +8,7 @@
 
 namespace {
 
-/// The encoder writes wherever it is told that there is memory, and does not look.
+/// The encoder does not check for null.
 void* block_or_throw(void* block) {
   if (block == nullptr) throw std::bad_alloc();
   return block;
@@ -29,7 +29,7 @@ namespace {
 
 constexpr std::string_view kBase64 = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// Of each letter its place in kBase64, or -1.
+/// The index of each letter in kBase64, or -1.
 constexpr std::array<std::int8_t, 256> kBase64Values = [] {
   std::array<std::int8_t, 256> values{};
   values.fill(-1);

@@ -15,13 +15,13 @@ namespace coif {
 /// RFC 4648, section 4: letters, digits, + and /, padded with =.
 [[nodiscard]] std::string base64(std::span<const std::uint8_t> bytes);
 
-/// What base64() was given; padding may be left out. None where there is another character.
+/// Decodes base64(); padding may be left out. None where another character occurs.
 [[nodiscard]] std::optional<std::vector<std::byte>> from_base64(std::string_view text);
 
 /// "%20" as a space (RFC 3986, section 2.1); a percent sign without two digits stays.
 [[nodiscard]] std::string decoded_uri(std::string_view uri);
 
-/// One number of -1 to 1 as a map's byte, of which the formats' two_sided() is the reverse.
+/// Encodes a number of -1..1 as a map's byte; the formats' two_sided() decodes it.
 [[nodiscard]] std::uint8_t two_sided_byte(double value);
 
 /// PNG bytes of a picture: RGBA, sRGB, rows top to bottom. Empty only when out of memory.

@@ -161,13 +161,13 @@ namespace {
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
-/// As much of a file's name as leaves room for what temporary_name() adds.
+/// The part of a file's name that leaves room for the suffix of temporary_name().
 std::string stem_of_temporary(const std::string& name) {
   constexpr std::size_t kLongestName = 255, kAdded = 32;  // NAME_MAX, which all usual file systems have
   return name.substr(0, kLongestName - kAdded);
 }
 
-/// "NAME.PROCESS.RANDOM.tmp", beside the file called NAME.
+/// "NAME.PROCESS.RANDOM.tmp", in the same folder as NAME.
 std::string temporary_name(const std::string& name) {
   // Machines and containers that share a folder have equal process numbers.
   return stem_of_temporary(name) + fmt::format(".{}.{:08x}.tmp", platform::process_number(), std::random_device{}());
@@ -183,8 +183,8 @@ bool is_temporary_of(const std::string& file, const std::string& name) {
          middle.find_first_not_of("0123456789abcdef", dot + 1) == std::string::npos;
 }
 
-/// What was left of this output by processes that were killed while they wrote it, long enough ago that none still
-/// does.
+/// Removes temporary files of this output that killed processes left, if they are so old that nobody writes them any
+/// more.
 void remove_old_temporaries(const fs::path& target) {
   constexpr auto kOld = std::chrono::hours(1);
   std::error_code error;

@@ -47,18 +47,18 @@ class FileBytes {
 [[nodiscard]] bool is_lfs_pointer(std::string_view bytes);
 inline constexpr const char* kLfsPointer = "Git LFS has not fetched what is in this file; run 'git lfs pull'";
 
-/// Folders in which the files that a source names may lie, without links: the one that its path says, the one that it
-/// really lies in where it is a link (build systems and big stores link all that they hand out), and those of `roots`,
-/// which whoever asks for the work has declared. What is absent is left out; empty where the source's own folder is.
+/// Folders in which the files that a source names may lie, without links: the folder of its path; its real folder where
+/// the source is a link (build systems and big stores hand out links); and the folders of `roots`, which the caller has
+/// declared. Absent folders are left out; empty where the source's own folder is absent.
 [[nodiscard]] std::vector<std::filesystem::path> folders_of_source(const std::filesystem::path& source,
                                                                    std::span<const std::filesystem::path> roots);
 
-/// Whether a file that is there really lies in one of these folders or below, wherever links on its path lead.
-/// `folders` as folders_of_source() gives them. False for what is absent.
+/// Whether an existing file really lies in or below one of these folders, wherever links on its path lead. `folders` is
+/// from folders_of_source(). False for an absent file.
 [[nodiscard]] bool lies_in(const std::filesystem::path& file, std::span<const std::filesystem::path> folders);
 
-/// The same text for two paths that lead to one file: the same one on the disk, whatever links and hard links they go
-/// through, or, where there is no file yet, the same place. Empty for an empty path.
+/// Equal for two paths that lead to one file: the same file on the disk through any links and hard links, or the same
+/// place where there is no file yet. Empty for an empty path.
 [[nodiscard]] std::string file_identity(const std::filesystem::path& path);
 
 /// Finds out before the long work whether its result could be written: the folder exists, the path is no folder and not
@@ -68,13 +68,13 @@ tl::expected<void, ToolError> check_output(const std::filesystem::path& output,
 tl::expected<void, ToolError> check_output(const std::filesystem::path& output,
                                            std::initializer_list<std::filesystem::path> inputs);
 
-/// An output of a command and what the command line calls it.
+/// An output of a command, with its name on the command line.
 struct NamedOutput {
   const char* option;
-  std::filesystem::path path;  ///< Empty: it was not asked for.
+  std::filesystem::path path;  ///< Empty: not requested.
 };
 
-/// check_output() of each, and that no two are one file. Errors: as there.
+/// Calls check_output() for each, and checks that no two are the same file. Errors: those of check_output().
 tl::expected<void, ToolError> check_outputs(std::span<const NamedOutput> outputs,
                                             std::span<const std::filesystem::path> inputs);
 

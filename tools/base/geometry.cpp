@@ -9,7 +9,7 @@ namespace coif {
 
 namespace {
 
-/// As Eigen's FromTwoVectors(), but for the axis of a half turn, for which that compiles a singular value
+/// As Eigen's FromTwoVectors(), except for the axis of a half turn, for which Eigen compiles a singular value
 /// decomposition.
 template <class Scalar>
 Eigen::Quaternion<Scalar> turn(const Eigen::Vector3<Scalar>& from, const Eigen::Vector3<Scalar>& to) {

@@ -13,7 +13,7 @@
 
 namespace coif {
 
-/// The numbers that glTF stores; the values are those of the specification.
+/// The types of numbers in glTF, with the values of the specification.
 enum class GlbComponent : std::uint32_t {
   kUnsignedByte = 5121,
   kUnsignedShort = 5123,
@@ -21,7 +21,7 @@ enum class GlbComponent : std::uint32_t {
   kFloat = 5126
 };
 
-/// What the GPU uses a buffer view for; kAny for animation data and images.
+/// The GPU's use of a buffer view; kAny for animation data and images.
 enum class GlbTarget : std::uint32_t { kAny = 0, kVertices = 34962, kIndices = 34963 };
 
 struct GlbArray {
@@ -36,7 +36,8 @@ struct GlbArray {
   return {GlbComponent::kFloat, type, GlbTarget::kVertices, false};
 }
 
-/// `Json` decides how members are sorted: nlohmann::json by name, nlohmann::ordered_json as they were added.
+/// `Json` decides the order of members: nlohmann::json sorts by name, nlohmann::ordered_json keeps the order of
+/// insertion.
 template <class Json>
 class GlbFile {
  public:
@@ -56,7 +57,7 @@ class GlbFile {
   /// The joints that hold each vertex; as bytes where they `fit`, which is half the size.
   std::size_t add_joints(std::span<const std::array<std::uint16_t, 4>> joints, bool fit);
 
-  /// Writes the smallest and largest value of each component, which glTF demands of positions and key times.
+  /// Writes the smallest and largest value of each component, which glTF requires for positions and key times.
   /// `values`: the accessor's numbers, `width` per element.
   void add_bounds(std::size_t accessor, std::span<const float> values, std::size_t width);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What tools need beside the runtime's own interface: memory for its hair, and what people call its shading models.
+// Memory for the runtime's hair, and names of its shading models, for tools.
 
 #include <coif/hair.h>
 #include <coif/links.h>
@@ -19,21 +19,21 @@ namespace coif {
 
 using HairMemory = std::unique_ptr<std::byte, decltype(&std::free)>;
 
-/// As large and as aligned as Hair::create() asks for; null where it cannot be had.
+/// Memory of the size and alignment that Hair::create() needs; null where there is none.
 [[nodiscard]] inline HairMemory allocate(const MemoryNeed& need) {
   const std::size_t units = need.bytes == 0 ? 1 : (need.bytes + need.alignment - 1) / need.alignment;
   return {static_cast<std::byte*>(std::aligned_alloc(need.alignment, units * need.alignment)), &std::free};
 }
 
-/// What keeps the asset's linked chains together under `solver`; null where it links none, and for Algorithm 1, which
-/// knows no links.
+/// The code that keeps the asset's linked chains together under `solver`. Null where the asset has no links, and for
+/// Algorithm 1, which does not support them.
 [[nodiscard]] inline const LinkCode* links_of(const Asset& asset, const Solver& solver) {
   if (asset.links().empty() || &solver == &kThesisSolver) return nullptr;
   const bool is_worn = &solver == &kCharacterSolver || &solver == &kCharacterCascadeSolver;
   return is_worn ? &kCharacterLinks : &kLinks;
 }
 
-/// Of an open asset's material.
+/// The name of a material's model; the asset must have been opened.
 [[nodiscard]] constexpr const char* name_of(ShadingModel model) { return kShadingModels[std::size_t(model)].name; }
 
 /// None for a word that is no model's name.
@@ -44,7 +44,7 @@ using HairMemory = std::unique_ptr<std::byte, decltype(&std::free)>;
   return std::nullopt;
 }
 
-/// All names as recipe keys have their words: "thesis|kajiya-kay|marschner", ended by a zero byte.
+/// All names in the form of recipe keys: "thesis|kajiya-kay|marschner", ended by a zero byte.
 inline constexpr auto kShadingWords = [] {
   std::array<char, 256> words{};
   std::size_t end = 0;

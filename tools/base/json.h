@@ -14,15 +14,15 @@
 
 namespace coif {
 
-/// What is wrong and where, for people: the library's own prefix names its exception's class, which tells them nothing.
+/// The fault and its place, for people: without the library's prefix, which names a class.
 [[nodiscard]] std::string json_fault(const nlohmann::json::exception& error);
 
 // JSON that people write and other people may have damaged.
 
 inline constexpr int kDeepestJson = 32;
 
-/// Parses JSON with // comments of at most kDeepestJson levels: whatever prints or copies a value calls itself for each
-/// of them, and would run out of stack. The error is a sentence without the file's name.
+/// Parses JSON with // comments and at most kDeepestJson levels. Printing and copying are recursive, and deeper values
+/// would overflow the stack. The error is a sentence without the file's name.
 [[nodiscard]] tl::expected<nlohmann::json, std::string> parse_shallow_json(std::string_view text);
 
 // Questions that have an answer for every kind of value.
@@ -53,7 +53,7 @@ template <class Whole>
 /// Indented JSON with a final newline. Names from artists' files need not be UTF-8; offending bytes are replaced.
 [[nodiscard]] std::string json_text(const nlohmann::ordered_json& json);
 
-/// Null for what is not finite.
+/// Null for a number that is not finite.
 [[nodiscard]] nlohmann::ordered_json number_json(double number);
 
 // A diagnostic is {"code", "severity", "message", "where"}, and "patch" where it is about one.

@@ -22,8 +22,8 @@ class NearestPoints {
   /// The points must outlive this.
   explicit NearestPoints(std::span<const Eigen::Vector3f> points);
 
-  /// Fills `found` with as many as it holds, or as there are, the nearest first; of equally far ones those with the
-  /// lower index.
+  /// Fills `found` with the nearest points, nearest first, up to its capacity or the number of points; at equal
+  /// distance the lower index comes first.
   void find(const Eigen::Vector3f& place, std::size_t count, std::vector<Found>& found) const;
 
  private:
@@ -32,8 +32,9 @@ class NearestPoints {
              std::vector<Found>& found) const;
 
   std::span<const Eigen::Vector3f> points_;
-  std::vector<std::uint32_t> order_;  ///< Of any part the middle one divides the others by its axis.
-  std::vector<std::uint8_t> axis_;    ///< Of the point at the same place of `order_`.
+  /// In every part of the range the middle point divides the others along its axis.
+  std::vector<std::uint32_t> order_;
+  std::vector<std::uint8_t> axis_;  ///< The axis of the point at the same place of `order_`.
 };
 
 }  // namespace coif

@@ -13,10 +13,10 @@
 
 namespace coif {
 
-/// Calls body(i) for each i below `count` on up to threads.count threads. Each call must write only what belongs to its
-/// own i, so that the result does not depend on the number of threads. What a call throws ends the others before their
-/// next, and is thrown again here, of several one; Stopped is, where threads.stop is requested. Each thread takes the
-/// next call when it has made one; threads that the system does not give are done without.
+/// Calls body(i) for each i below `count` on up to threads.count threads. Each call must write only data of its own i,
+/// so that the result does not depend on the number of threads. If a call throws, the other threads stop before their
+/// next call, and one of the exceptions is thrown here; Stopped where threads.stop is requested. Each thread takes the
+/// next call after it has finished one. If the system gives fewer threads, it works with those.
 template <typename Body>
 void parallel_for(std::size_t count, const platform::Threads& threads, const Body& body) {
   const std::size_t workers = std::min<std::size_t>(threads.count, count);

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder with more entries is somebody's download folder; what lies further back is not looked at.
+/// A folder with more entries is somebody's download folder; further entries are not looked at.
 constexpr std::size_t kMostEntries = 4096;
 
 bool is_there(const fs::path& path) {
@@ -53,7 +53,7 @@ std::optional<fs::path> follow(const fs::path& folder, const std::string& path) 
 
 bool is_name(std::string_view text) { return !text.empty() && text.find('\0') == std::string_view::npos; }
 
-/// What begins with a slash or a drive's letter is of a machine.
+/// A path that begins with a slash or a drive's letter belongs to one machine.
 bool is_of_the_folder(std::string_view slashes) {
   return !slashes.starts_with('/') && !(slashes.size() > 1 && slashes[1] == ':');
 }

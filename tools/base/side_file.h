@@ -14,21 +14,21 @@ struct Respelled {
 
 struct SideFile {
   std::filesystem::path path;
-  bool is_respelled = false;  ///< There is none of the name as it is written; this one is meant.
+  bool is_respelled = false;  ///< No file has the name as written; this one is meant.
 };
 
 /// Backslashes become slashes.
 [[nodiscard]] std::string with_slashes(std::string path);
 
-/// What follows the last slash.
+/// The part after the last slash.
 [[nodiscard]] std::string last_name(const std::string& path);
 
-/// Where the file lies that something in `folder` names: as it is written; else with slashes for backslashes and in
-/// letters of either case; else by its last name in that folder, which a path of another machine ends with. As written
-/// where there is none of these. What it names may lie anywhere, and be no regular file: lies_in() tells.
+/// Finds the file that something in `folder` names: as written; else with slashes for backslashes and ignoring case;
+/// else by its last name in that folder, for paths of other machines. Returns the written path where none of these
+/// exists. The result may lie anywhere and need not be a regular file: check with lies_in().
 [[nodiscard]] SideFile find_side_file(const std::filesystem::path& folder, const std::string& written);
 
-/// As a message names a file that something in `folder` names.
+/// The name that messages use for a file that something in `folder` names.
 [[nodiscard]] std::string shown_from(const std::filesystem::path& folder, const std::filesystem::path& path);
 
 }  // namespace coif

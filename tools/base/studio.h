@@ -4,8 +4,7 @@
 
 namespace coif {
 
-// How the tools' pictures are lit, and what is behind the hair: for whoever draws them, and for whoever expects what
-// they will show. Linear colours.
+// Lights and backdrop of the tools' pictures, for code that draws them and for code that predicts them. Linear colours.
 
 /// A directional light that moves with the camera.
 struct StudioLight {

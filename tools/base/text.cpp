@@ -13,7 +13,7 @@ namespace coif {
 namespace {
 
 struct Utf8Start {
-  std::size_t bytes = 1;     ///< Of the character; where it is broken, of as much of it as is well-formed, at least 1.
+  std::size_t bytes = 1;  ///< Length of the character; of a broken one the length of its well-formed part, at least 1.
   bool is_complete = false;  ///< A well-formed character (Unicode 15, table 3-7).
 };
 

@@ -19,8 +19,8 @@ namespace coif {
 /// must not break on them.
 [[nodiscard]] std::string printable_text(std::string_view text, std::size_t max_bytes = 1024);
 
-/// The text with a '?' in place of each character that is no ASCII, and of each byte that is no UTF-8: what is left of
-/// a name whatever a program took its letters for.
+/// The text with a '?' for each character that is not ASCII and each byte that is not UTF-8: the part of a name that
+/// does not depend on a program's encoding.
 [[nodiscard]] std::string ascii_shape(std::string_view text);
 
 /// Text that may be of an old program: bytes that are no UTF-8 are taken for Latin-1; where it is UTF-8 it stays.
@@ -42,8 +42,8 @@ namespace coif {
 /// The text, or as much of its beginning as a message has room for, whole characters of UTF-8.
 [[nodiscard]] std::string excerpt(std::string text, std::size_t most = 100);
 
-/// Two digits or three, more where they stand before the point: "0.0123", "4.57", "13240", "2.1e+09". "<0.0001" for
-/// what is closer to 0 than that, which in a percentage is rounding noise; "-" for what is not finite.
+/// Two or three digits, more if they stand before the point: "0.0123", "4.57", "13240", "2.1e+09". "<0.0001" for
+/// numbers closer to 0, which in a percentage are rounding noise; "-" for numbers that are not finite.
 [[nodiscard]] std::string number_text(double number);
 
 /// number_text() with " %" behind it, or "-".

@@ -4,7 +4,7 @@
 
 namespace coif {
 
-/// Where in an image a single number stands. kAuto: in alpha where that says anything, else in the luminance.
+/// The channel of an image that holds a single number. kAuto: alpha if it carries information, else luminance.
 enum class TextureChannel : std::uint8_t { kAuto, kRed, kGreen, kBlue, kAlpha, kLuminance };
 
 }  // namespace coif

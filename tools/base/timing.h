@@ -1,6 +1,6 @@
 #pragma once
 
-// How long small pieces of work take, measured beside each other.
+// Measures how long small pieces of work take, side by side.
 
 #include <algorithm>
 #include <chrono>
@@ -13,8 +13,8 @@
 namespace coif {
 
 enum class TimingClock {
-  kThread,  ///< Processor time of the calling thread: what other programs take from the machine does not count.
-  kWall,    ///< For work that other threads or devices do.
+  kThread,  ///< Processor time of the calling thread; time that other programs take does not count.
+  kWall,    ///< For work of other threads or devices.
 };
 
 /// Seconds since some moment of the clock's own.
@@ -26,25 +26,25 @@ enum class TimingClock {
 
 struct TimingLimits {
   TimingClock clock = TimingClock::kThread;
-  double seconds = 1;         ///< Of wall time; afterwards no further round begins.
+  double seconds = 1;         ///< Wall time after which no further round begins.
   unsigned least_rounds = 5;  ///< However long they take.
   unsigned most_rounds = 201;
   double batch_seconds = 5e-4;  ///< Shorter work is repeated between two looks at the clock.
 };
 
 struct Timing {
-  double seconds = 0;     ///< Of one run; median over the rounds.
+  double seconds = 0;     ///< One run; median over the rounds.
   double spread_pct = 0;  ///< Width of the middle half of the rounds, % of the median.
   unsigned rounds = 0;
 };
 
-/// Times each of `works` once a round, so that a machine that is slower for a while is slower for all of them. Their
-/// first runs, which also find out how often to repeat each, do not count.
+/// Times each of `works` once per round, so that a machine that is slower for a while is slower for all of them. The
+/// first runs do not count; they also find how often to repeat each.
 class SideBySideTiming {
  public:
   explicit SideBySideTiming(const TimingLimits& limits) : limits_(limits) {}
 
-  /// In the order of `works`.
+  /// One result for each of `works`, in their order.
   [[nodiscard]] std::vector<Timing> run(std::span<const std::function<void()>> works) const {
     const auto begin = std::chrono::steady_clock::now();
     std::vector<unsigned> repeats;
@@ -86,7 +86,8 @@ class SideBySideTiming {
 
   [[nodiscard]] unsigned repeats_of(const std::function<void()>& work) const {
     constexpr unsigned kMostRepeats = 1u << 20;
-    constexpr double kPlainlyLong = 10;  // batches: even a first run, which is slower than others, tells
+    // Batches. Longer work shows it even in its first run, which is slower than others.
+    constexpr double kPlainlyLong = 10;
     if (batch(work, 1) >= kPlainlyLong * limits_.batch_seconds) return 1;
     unsigned repeats = 1;
     while (repeats < kMostRepeats && batch(work, repeats) < limits_.batch_seconds) repeats *= 2;

@@ -26,7 +26,7 @@ bool is_digits(const std::string& text, std::size_t count) {
   return text.size() == count && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-/// Nothing where it went away meanwhile.
+/// None if the file has been removed meanwhile.
 std::optional<CacheFile> look_at(const fs::path& path) {
   std::error_code error;
   CacheFile file{path, fs::last_write_time(path, error), 0};
@@ -34,7 +34,7 @@ std::optional<CacheFile> look_at(const fs::path& path) {
   return error ? std::nullopt : std::optional(file);
 }
 
-/// Of one key: what is called as entries and temporary files of entries are.
+/// Collects the entries and temporary files in the folder of one key.
 void collect(const fs::path& folder, CacheFiles& files) {
   const auto now = fs::file_time_type::clock::now();
   const std::size_t before = files.entries.size();
@@ -82,7 +82,7 @@ tl::expected<bool, ToolError> remove_unused(const CacheFile& file) {
   if (error || used != file.used) return false;
   const bool removed = fs::remove(file.path, error);
   if (error) return file_failure(ToolError::Kind::kFileAccess, file.path, "cannot remove: {}", error.message());
-  // Its key's folder and that one's, where nothing else is in them; a cook that wants them makes them anew.
+  // Removes the folders above it that are now empty; a cook that needs them makes them again.
   fs::path folder = file.path.parent_path();
   for (int level = 0; level < 2 && fs::remove(folder, error) && !error; ++level) folder = folder.parent_path();
   return removed;
@@ -116,7 +116,7 @@ tl::expected<CacheTrimmed, ToolError> trim_cache(const fs::path& folder, std::ui
     if (!removed) return tl::unexpected(removed.error());
     trimmed.leftovers += *removed;
   }
-  // Of equally old ones always the same, whatever order the folder has.
+  // Entries of equal age are sorted by path, so that the folder's order does not matter.
   std::ranges::sort(files->entries, [](const CacheFile& a, const CacheFile& b) {
     return std::pair(a.used, a.path) < std::pair(b.used, b.path);
   });

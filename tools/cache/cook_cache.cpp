@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostEntries = 16;  ///< Of one key: one source with so many states of its textures.
+constexpr std::size_t kMostEntries = 16;  ///< Entries of one key: one source with so many states of its textures.
 constexpr const char* kFolderMark = "\x1f";
 
 struct AgedFile {
@@ -20,7 +20,7 @@ struct AgedFile {
   fs::file_time_type time;
 };
 
-/// Newest first: what was used last is the likeliest to fit.
+/// Newest first: the entry that was used last is the likeliest to fit.
 std::vector<AgedFile> files_in(const fs::path& folder) {
   std::vector<AgedFile> files;
   std::error_code error;
@@ -50,7 +50,7 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
   }
 }
 
-/// Messages name files by their paths; those of another checkout would point to the wrong ones.
+/// Messages contain paths of files; those of another checkout would be wrong here.
 void replace_in_messages(cook::CookReport& report, const std::string& from, const std::string& to) {
   for (Diagnostic& warning : report.warnings) replace_all(warning.message, from, to);
   for (std::string& text : report.notes) replace_all(text, from, to);
@@ -74,7 +74,7 @@ void take(const std::vector<fs::path>& files, Dependency::Base base, const fs::p
   }
 }
 
-/// The files of `inputs` as they are now.
+/// The present state of the files of `inputs`.
 std::vector<Dependency> take_dependencies(const cook::CookInputs& inputs, const CookPlace& place) {
   std::vector<Dependency> dependencies;
   take(inputs.source_files, Dependency::Base::kSource, place.source_directory(), dependencies);
@@ -87,7 +87,7 @@ fs::path path_of(const Dependency& dependency, const CookPlace& place) {
   return (from_recipe ? or_here(place.recipe_directory) : place.source_directory()) / dependency.path;
 }
 
-/// True where all of them hold what they held.
+/// True where all files have the same content as then.
 bool are_unchanged(const std::vector<Dependency>& dependencies, const CookPlace& place) {
   return std::ranges::all_of(dependencies,
                              [&](const Dependency& d) { return hash_of_file(path_of(d, place)) == d.hash; });
@@ -133,7 +133,7 @@ tl::expected<void, ToolError> write_entry(const fs::path& file, std::span<const 
     const fs::path cache = file.parent_path().parent_path().parent_path();
     return file_failure(ToolError::Kind::kFileAccess, cache, "cannot create the cache's folder: {}", error.message());
   }
-  // In place of an entry somebody has put something else: writing into a pipe would wait for a reader for ever.
+  // Something other than an entry may lie there: writing into a pipe would wait for a reader for ever.
   if (fs::exists(file, error) && !fs::is_regular_file(file, error)) fs::remove(file, error);
   return write_output(file, bytes);
 }
@@ -171,7 +171,7 @@ tl::expected<void, ToolError> CookCache::store(const std::string& key, const Coo
   if (place.source.is_absolute()) replace_in_messages(entry.report, folder + "/", kFolderMark);
   const fs::path file = folder_of(key) / (content_digits(circumstances(entry)) + kCacheSuffix);
   auto written = write_entry(file, encode_entry(entry));
-  // Whoever trims the cache removes folders that are empty.
+  // A process that trims the cache may have removed the empty folder.
   if (!written && !fs::exists(file.parent_path())) written = write_entry(file, encode_entry(entry));
   remove_surplus(folder_of(key));
   return written;

@@ -111,8 +111,8 @@ std::vector<CookRequest> share_of(const std::vector<CookRequest>& all, Share sha
 
 namespace {
 
-/// As Make and Ninja read it back: a backslash is itself unless it precedes a blank or a hash, where each of a row of
-/// them counts half.
+/// The escaping that Make and Ninja read: a backslash is literal unless it precedes a blank or a hash, where two of
+/// them stand for one.
 std::string escaped(const std::string& path) {
   std::string text;
   std::size_t backslashes = 0;

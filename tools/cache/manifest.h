@@ -12,10 +12,10 @@
 
 namespace coif::cache {
 
-/// One cook of many.
+/// One cook of a batch.
 struct CookRequest {
   std::string source;
-  std::optional<std::string> recipe;  ///< None: the source's own, where there is one.
+  std::optional<std::string> recipe;  ///< None: the source's own recipe, if there is one.
   std::string output;
 };
 
@@ -25,20 +25,20 @@ struct Share {
   std::size_t count = 1;
 };
 
-/// Reads a list of assets, as many machines read the same one:
-///   {"assets": ["heads/bob.fbx", {"source": "braid.glb", "recipe": "braids.json", "output": "hair/braid.coif"}]}
-/// Sources and recipes start at the manifest's folder. Outputs start at `output_folder` and stay in it; without one of
-/// its own, an asset lies there as its source lies in the manifest's folder. Errors (kFileAccess, kBadInput):
-/// unreadable, not of this form, an unknown key, or two assets with one output.
+/// Reads a list of assets:
+/// {"assets": ["heads/bob.fbx", {"source": "braid.glb", "recipe": "braids.json", "output": "hair/braid.coif"}]}
+/// Paths of sources and recipes are relative to the manifest's folder. Outputs are relative to `output_folder` and stay
+/// in it; by default an asset's path there is its source's path in the manifest's folder. Errors (kFileAccess,
+/// kBadInput): unreadable, not of this form, an unknown key, or two assets with one output.
 tl::expected<std::vector<CookRequest>, ToolError> read_manifest(const std::filesystem::path& manifest,
                                                                 const std::filesystem::path& output_folder);
 
-/// Every count-th request from the index-th on: neighbours, which are often of a size, go to different batches.
+/// Every count-th request from the index-th on: neighbours, which are often of similar size, go to different batches.
 [[nodiscard]] std::vector<CookRequest> share_of(const std::vector<CookRequest>& all, Share share);
 
-/// What a build tool reads to know when `target` is out of date: one rule in the syntax of Make that Ninja reads too,
-/// each input once. Inputs that are absent are left out, since Ninja would take the target for outdated for ever. Error
-/// (kUsage): a path with a line break, which that syntax cannot say.
+/// A rule for build tools that need to know when `target` is out of date, in the syntax that Make and Ninja share, each
+/// input once. Absent inputs are left out, since Ninja would rebuild the target for ever. Error (kUsage): a path with a
+/// line break, which that syntax cannot express.
 tl::expected<std::string, ToolError> depfile_text(const std::filesystem::path& target,
                                                   std::span<const std::filesystem::path> inputs);
 

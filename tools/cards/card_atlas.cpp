@@ -22,7 +22,7 @@ std::vector<AtlasPlace> sizes_at(std::span<const CardSize> cards, float across, 
   return places;
 }
 
-/// In rows, the tallest first; returns the height.
+/// Packs them in rows, the tallest first; returns the height.
 std::uint32_t pack_rows(std::vector<AtlasPlace>& places, std::uint32_t width) {
   std::vector<std::size_t> order(places.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

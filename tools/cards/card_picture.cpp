@@ -15,7 +15,7 @@ constexpr int kCardSide = 4;  // samples of a pixel, each way
 constexpr std::uint32_t kCardBand = 8;
 constexpr int kSamplesOfPixel = kCardSide * kCardSide;
 
-/// What a card has at a sample.
+/// A card's values at a sample.
 struct Fragment {
   std::uint32_t sample = 0;
   float depth = 0, opacity = 0, shade = 0;
@@ -29,7 +29,7 @@ float shade_at(const CardSurface& surface, const PictureFrame& frame, const Surf
   return along.squaredNorm() > 0 ? shade_of(along.normalized()) : 1.0f;
 }
 
-/// Of one band's samples, in the order of the triangles.
+/// Fragments of one band's samples, in the order of the triangles.
 std::vector<Fragment> fragments_of(const CardSurface& surface, const PictureFrame& frame, const SampleRows& rows,
                                    std::span<const std::uint32_t> triangles) {
   std::vector<Fragment> fragments;
@@ -43,8 +43,8 @@ std::vector<Fragment> fragments_of(const CardSurface& surface, const PictureFram
   return fragments;
 }
 
-/// Sample by sample, each one's front to back; at one depth as they came. Counting puts those of a sample together, of
-/// which there are few: sorting all at once takes longer.
+/// Sorts by sample, and front to back within each; at one depth the order stays. Counting groups the fragments of a
+/// sample, of which there are few; one sort over all takes longer.
 std::vector<Fragment> sorted(const std::vector<Fragment>& fragments, std::size_t samples) {
   std::vector<std::uint32_t> end(samples + 1, 0);
   for (const Fragment& fragment : fragments) ++end[fragment.sample + 1];
@@ -59,7 +59,7 @@ std::vector<Fragment> sorted(const std::vector<Fragment>& fragments, std::size_t
   return out;
 }
 
-/// What all fragments of one sample come to.
+/// The sum of all fragments of one sample.
 struct SampleSum {
   float coverage = 0, shade = 0;
   float depth = std::numeric_limits<float>::infinity();
@@ -98,7 +98,7 @@ void develop_band(std::span<const Fragment> fragments, const SampleRows& rows, H
   for (std::size_t begin = 0, end = 0; begin < fragments.size(); begin = end) {
     while (end < fragments.size() && fragments[end].sample == fragments[begin].sample) ++end;
     const std::uint32_t sample = fragments[begin].sample, x = sample % rows.width, y = sample / rows.width;
-    // Those of a pixel together.
+    // Fragments of a pixel are processed together.
     const std::size_t pixel = std::size_t(y / kCardSide) * picture.size + x / kCardSide;
     sums[pixel * kSamplesOfPixel + (y % kCardSide) * kCardSide + x % kCardSide] =
         sum_of(fragments.subspan(begin, end - begin));

@@ -11,7 +11,7 @@ namespace {
 
 /// Between two neighbouring edges of a strip.
 struct Gap {
-  float cost = 0;  ///< What the strip loses there.
+  float cost = 0;  ///< The strip's error there.
   std::uint32_t strip = 0;
   std::uint8_t begin = 0, end = 0, worst = 0;
 
@@ -36,9 +36,9 @@ Gap gap_of(const Wisp& wisp, std::uint32_t strip, std::uint8_t begin, std::uint8
   return gap;
 }
 
-constexpr float kEndsCount = 4;  // so many times as much as a station between: roots stay on the skin
+constexpr float kEndsCount = 4;  // Weight relative to other stations: roots stay on the skin.
 
-/// Row k: what each edge of the strip has a share of in station k's place, where the strip is straight in between.
+/// Row k: the share of each edge of the strip in station k's place, where the strip is straight in between.
 Eigen::MatrixXf shares_of_edges(const CardStrip& strip) {
   const auto edges = Eigen::Index(strip.stations.size());
   Eigen::MatrixXf shares = Eigen::MatrixXf::Zero(Eigen::Index(Ribbon::kStations), edges);

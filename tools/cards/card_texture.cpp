@@ -10,7 +10,7 @@ namespace coif::cards {
 namespace {
 
 constexpr int kAcross = 8, kAlong = 4;  // samples of a texel
-constexpr float kLeastUpright = 0.1f;   // cosine from along the card: what lies across it has no width in a row
+constexpr float kLeastUpright = 0.1f;   // Cosine from along the card: a strand across it has no width in a row.
 constexpr std::size_t kOnCard = Ribbon::kStations;
 
 /// A place on a flat card: u from -1 to 1 across, v from 0 to 1 along, and metres in front.
@@ -18,7 +18,7 @@ struct OnCard {
   float u = 0, v = 0, front = 0;
 };
 
-/// A ribbon whose stations are looked up in between.
+/// A ribbon with interpolation between its stations.
 class FlatRibbon {
  public:
   explicit FlatRibbon(const Ribbon& ribbon) : ribbon_(ribbon) {}
@@ -56,7 +56,7 @@ class FlatRibbon {
   const Ribbon& ribbon_;
 };
 
-/// A piece of a strand, flattened: what is the same all over it, and colours at its ends.
+/// A piece of a flattened strand: values that are constant over it, and colours at its ends.
 struct FlatPiece {
   OnCard a, b;
   float half_a = 0, half_b = 0;  ///< Half its width, in samples across.
@@ -65,11 +65,11 @@ struct FlatPiece {
   Eigen::Vector3f color_a = Eigen::Vector3f::Zero(), color_b = Eigen::Vector3f::Zero();
 };
 
-/// What a sample sees in front.
+/// The front piece at a sample.
 struct CardSample {
   float front = -std::numeric_limits<float>::infinity();
   std::uint32_t piece = 0;
-  float share = 0;  ///< Between the piece's ends.
+  float share = 0;  ///< Place between the piece's ends, 0..1.
 };
 
 /// Samples of a card.
@@ -80,7 +80,7 @@ class CardSamples {
         height_(int(along) * kAlong),
         samples_(std::size_t(width_) * std::size_t(height_)) {}
 
-  /// Where a piece lies aslant a row cuts it wider than it is.
+  /// A piece at a slant cuts a row in a wider range than its width.
   void draw(const FlatPiece& piece) {
     const OnCard &a = piece.a, &b = piece.b;
     const float ya = a.v * float(height_), yb = b.v * float(height_), xa = column(a.u), xb = column(b.u);
@@ -141,8 +141,8 @@ class CardSamples {
   std::vector<FlatPiece> pieces_;
 };
 
-/// Gives texels without strands the mean of those that have one beside them, in their row: what is made to cover there
-/// later is like its neighbours. Where there is none, `otherwise`.
+/// Gives texels without strands the mean of those beside them in their row that have one, so that texels that are made
+/// to cover later look like their neighbours. Without such a neighbour they get `otherwise`.
 template <typename Texel>
 void fill_from_beside(const CardTexture& texture, const Texel& otherwise, std::vector<Texel>& texels) {
   const std::size_t reach = std::max(texture.width / 3, 4u);
@@ -165,7 +165,7 @@ void fill_from_beside(const CardTexture& texture, const Texel& otherwise, std::v
   }
 }
 
-/// Mean colour of all that covers.
+/// Mean colour of all covered texels.
 Eigen::Vector3f mean_color_of(const CardTexture& texture) {
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   float weight = 0;

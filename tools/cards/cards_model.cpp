@@ -11,11 +11,11 @@
 namespace coif::cards {
 namespace {
 
-const Eigen::Vector3f kBrown(0.36f, 0.24f, 0.15f);  // as screens have it
+const Eigen::Vector3f kBrown(0.36f, 0.24f, 0.15f);  // In sRGB.
 
 std::uint8_t byte_of(float value) { return std::uint8_t(std::clamp(value, 0.0f, 1.0f) * 255 + 0.5f); }
 
-/// An image of all cards, RGBA, texel by texel from their textures.
+/// An image of all cards, RGBA, from their textures.
 class AtlasPicture {
  public:
   explicit AtlasPicture(const AtlasPlan& plan) : plan_(plan), rgba_(std::size_t(plan.width) * plan.height * 4, 0) {}
@@ -37,15 +37,15 @@ class AtlasPicture {
   std::vector<std::uint8_t> rgba_;
 };
 
-/// Colour wherever a card is, so that nothing else is mixed in at edges, and how much strands cover. Strands whose
-/// groom has no colours differ a little, so that they can be told apart.
+/// Colour over the whole card, so that no other colour is mixed in at edges, and the coverage of strands. Strands
+/// without colours differ a little, so that one can see them.
 std::array<std::uint8_t, 4> color_texel(const CardTexture& texture, std::size_t i) {
   const Eigen::Vector3f color =
       texture.color.empty() ? ((0.85f + 0.3f * texture.strand[i]) * kBrown).eval() : texture.color[i];
   return {byte_of(color.x()), byte_of(color.y()), byte_of(color.z()), byte_of(texture.opacity[i])};
 }
 
-/// SourceMaterial::strand_texture. `deepest`: metres before and behind the card that are told apart.
+/// A texel of SourceMaterial::strand_texture. `deepest`: range of depths before and behind the card, metres.
 std::array<std::uint8_t, 4> strand_texel(const CardTexture& texture, float deepest, std::size_t i) {
   const Eigen::Vector2f& along = texture.along[i];
   // The double angle's cosine and sine, times how much strands of this texel run one way.
@@ -80,7 +80,7 @@ bool faces_inwards(const Ribbon& ribbon, const Eigen::Vector3f& middle) {
   return outwards < 0;
 }
 
-/// Triangles of strips whose front is the other side are turned round.
+/// Triangles of strips whose front is on the other side are reversed.
 importer::SourceLevel level_of(const Cards& cards, const Eigen::Vector3f& middle) {
   CardSurface surface = surface_of(cards);
   importer::SourceLevel level;

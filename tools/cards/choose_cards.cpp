@@ -10,14 +10,15 @@
 namespace coif::cards {
 namespace {
 
-/// Of a card on the average, to choose from: fewer bend no lock.
+/// Candidates for the mean number of quads per card; fewer bend no lock.
 constexpr double kQuads[] = {4, 5, 6.5, 9, 12};
 
-/// Bends that strips cut short count so many times what strands lie off a ribbon that bends as they do: textures make
-/// good for that.
+/// Weight of bends that strips cut short, against strands that lie off a ribbon with the same bends: textures
+/// compensate for the latter.
 constexpr double kCutShort = 2;
 
-constexpr double kWorthwhile = 0.9;  // of what others lose, for fewer cards: these are wider, and look like plates
+constexpr double kWorthwhile =
+    0.9;  // Share of the error that makes fewer cards worthwhile: these are wider, and look like plates.
 
 /// The ribbon with its middle on the strip.
 Ribbon flattened(const Ribbon& ribbon, const CardStrip& strip) {

@@ -14,9 +14,9 @@
 
 namespace coif::cards {
 
-/// Chooses `wanted` of `count` things, not none, that lie far from each other: each is drawn by the squares of
-/// distances from those drawn before (Arthur and Vassilvitskii 2007, "k-means++"). Fewer where the rest are copies of
-/// these. `squared_distance(i, k)` of two of them. Repeats for equal input.
+/// Chooses `wanted` of `count` things (at least one) that lie far from each other: each is drawn with a probability by
+/// its squared distance from those drawn before (Arthur and Vassilvitskii 2007, "k-means++"). Fewer if the rest are
+/// copies of these. `squared_distance(i, k)` is that of two things. Repeats for equal input.
 template <typename Distance>
 [[nodiscard]] std::vector<std::uint32_t> spread_seeds(std::size_t count, std::size_t wanted,
                                                       const Distance& squared_distance) {
@@ -38,15 +38,15 @@ template <typename Distance>
   return seeds;
 }
 
-/// Points in clusters by squared distance (Lloyd 1982; the first middles by spread_seeds()). Of very many points a
-/// sample finds the middles. `D`: coordinates of a point, a multiple of 8.
+/// Groups points into clusters by squared distance (Lloyd 1982; the first middles by spread_seeds()). With very many
+/// points a sample finds the middles. `D`: coordinates of a point, a multiple of 8.
 template <std::size_t D>
 class PointClusters {
  public:
   using Point = std::array<float, D>;
 
-  /// The numbers of `points` in `count` clusters at most, each ascending, none empty. Repeats for equal input, whatever
-  /// `threads` is.
+  /// The numbers of `points` in at most `count` clusters, each ascending, none empty. Repeats for equal input, with any
+  /// `threads`.
   [[nodiscard]] static std::vector<std::vector<std::uint32_t>> find(const std::vector<Point>& points, std::size_t count,
                                                                     const platform::Threads& threads) {
     if (points.empty() || count == 0) return {};
@@ -61,9 +61,9 @@ class PointClusters {
  private:
   static constexpr std::size_t kMostSample = 16384;  // points that find the middles
   static constexpr int kMostRounds = 30;
-  static constexpr float kLeastGain = 0.001f;  // of all squared distances
+  static constexpr float kLeastGain = 0.001f;  // Share of all squared distances.
 
-  /// Of each point, which middle is nearest, and how far all are from theirs.
+  /// For each point its nearest middle, and the sum of all distances.
   struct Nearest {
     std::vector<std::uint32_t> middle;
     double distance = 0;
@@ -102,7 +102,7 @@ class PointClusters {
     return found;
   }
 
-  /// Of those that are nearest to each middle; a middle that is nearest to none stays.
+  /// Moves each middle to the mean of the points nearest to it; a middle without points stays.
   static void move_to_means(const std::vector<Point>& points, const Nearest& nearest, std::vector<Point>& middles) {
     std::vector<std::array<double, D>> sums(middles.size());
     std::vector<std::size_t> counts(middles.size(), 0);

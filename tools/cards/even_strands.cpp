@@ -9,7 +9,7 @@
 namespace coif::cards {
 namespace {
 
-/// Points at even shares of a polyline's length; returns that.
+/// Writes points at even shares of a polyline's length to `out` and returns the length.
 float resample(std::span<const Eigen::Vector3f> line, bool from_end, std::span<Eigen::Vector3f> out) {
   const auto at = [&](std::size_t i) -> const Eigen::Vector3f& { return line[from_end ? line.size() - 1 - i : i]; };
   float length = 0;
@@ -31,7 +31,7 @@ float resample(std::span<const Eigen::Vector3f> line, bool from_end, std::span<E
 }
 
 constexpr int kSphereRounds = 20;      // until a sphere has settled
-constexpr double kMostOff = 0.12;      // radii that the nearer two thirds of roots lie off a scalp, at most
+constexpr double kMostOff = 0.12;      // In radii: largest distance of the nearer two thirds of roots from a scalp.
 constexpr double kLeastSpread = 0.12;  // radii, their deviation where it is least: many spheres hold a line or a ring
 constexpr double kBeyondDoubt = 0.6;   // radii of the scalp that a tip is farther from it than the root
 
@@ -39,7 +39,7 @@ struct Sphere {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   double radius = 0;
 
-  /// From its surface, in radii.
+  /// Distance from its surface, in radii.
   [[nodiscard]] double off(const Eigen::Vector3f& point) const {
     return std::abs((point.cast<double>() - center).norm() / radius - 1);
   }
@@ -94,7 +94,7 @@ double least_spread(std::span<const Eigen::Vector3f> points) {
   return std::sqrt(std::max(least.dot(sum * least), 0.0));
 }
 
-/// Both ends of all strands, and which of them lie on a scalp.
+/// Both ends of all strands, and tests of which lie on a scalp.
 class StrandEnds {
  public:
   explicit StrandEnds(const groom::Groom& groom) {
@@ -104,8 +104,8 @@ class StrandEnds {
     }
   }
 
-  /// The sphere that one end of each strand lies on: from the one through all first, all last or all ends, by taking of
-  /// each strand the end that is nearer to it.
+  /// The sphere on which one end of each strand lies. Starts with the spheres through all first, all last, and all
+  /// ends; takes the nearer end of each strand.
   [[nodiscard]] Sphere scalp() const {
     Sphere best;
     double least = 1e30;
@@ -192,9 +192,9 @@ std::vector<std::uint8_t> find_reversed_strands(const groom::Groom& groom) {
   const StrandEnds ends(groom);
   const Sphere scalp = ends.scalp();
   if (!(scalp.radius > 0)) return reversed;
-  // Hair that is tied or lies on the head has both ends near the scalp. What hangs free tells how the file has its
+  // Hair that is tied or lies on the head has both ends near the scalp. Free hair shows the order of the file's
   // strands.
-  std::vector<double> begins_nearer(ends.count());  // by how much, radii
+  std::vector<double> begins_nearer(ends.count());  // Differences in radii.
   std::size_t free = 0, free_from_root = 0;
   for (std::size_t i = 0; i < ends.count(); ++i) {
     begins_nearer[i] = scalp.off(ends.last(i)) - scalp.off(ends.first(i));
@@ -203,7 +203,7 @@ std::vector<std::uint8_t> find_reversed_strands(const groom::Groom& groom) {
     free_from_root += begins_nearer[i] > 0 ? 1 : 0;
   }
   const double share = free > 0 ? double(free_from_root) / double(free) : 1;
-  const bool is_ordered = share < 0.1 || share > 0.9;  // else somebody has put files of both kinds together
+  const bool is_ordered = share < 0.1 || share > 0.9;  // Otherwise somebody has joined files of both kinds.
   for (std::size_t i = 0; i < reversed.size(); ++i) {
     const bool is_told = !is_ordered || std::abs(begins_nearer[i]) >= kBeyondDoubt;
     reversed[i] = is_told ? begins_nearer[i] < 0 : share < 0.5;

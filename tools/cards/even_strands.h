@@ -13,13 +13,14 @@
 
 namespace coif::cards {
 
-/// Strands as points at even shares of their length, root first, the same number of each: what shapes are compared by.
+/// Strands as points at even shares of their length, root first, the same number for each, so that shapes can be
+/// compared.
 struct EvenStrands {
   static constexpr std::size_t kStations = 16;
 
-  std::vector<Eigen::Vector3f> points;  ///< kStations of each strand.
+  std::vector<Eigen::Vector3f> points;  ///< kStations points per strand.
   std::vector<float> lengths;           ///< Metres, > 0.
-  float width = 0;                      ///< Of a strand, metres: mean of all.
+  float width = 0;                      ///< Mean width of a strand, metres.
 
   [[nodiscard]] std::size_t count() const { return lengths.size(); }
   [[nodiscard]] std::span<const Eigen::Vector3f> strand(std::size_t i) const {
@@ -30,7 +31,7 @@ struct EvenStrands {
 /// Around all roots.
 [[nodiscard]] Eigen::AlignedBox3f box_of_roots(const EvenStrands& strands);
 
-/// Of the sphere that most roots lie on, metres; 0 where they lie on none, or on too little of one to tell.
+/// Radius of the sphere that most roots lie on, metres; 0 where they lie on none, or on too little of one.
 [[nodiscard]] double scalp_radius_of(const EvenStrands& strands);
 
 /// The end of a strand that grows from the skin, as find_reversed_strands() has it.
@@ -39,13 +40,13 @@ struct EvenStrands {
   return is_reversed[i] != 0 ? groom.strand(i).back() : groom.strand(i).front();
 }
 
-/// `width`: of strands whose groom says none. `is_reversed`, empty or one for each strand: it begins with its tip.
+/// `width` is for strands whose groom has none. `is_reversed`, empty or one for each strand: it begins with its tip.
 [[nodiscard]] EvenStrands even_strands(const groom::Groom& groom, float width,
                                        std::span<const std::uint8_t> is_reversed = {});
 
-/// Which strands begin with their tip, one for each. Nothing is asked of a format that begins with roots. Else: roots
-/// lie on a scalp, which is round, tips do not; where the file's own order does not tell them apart as a whole, each
-/// strand is judged by how far its ends lie from the sphere that most roots lie on.
+/// Which strands begin with their tip, one value for each. Formats that begin with roots need no test. Otherwise: roots
+/// lie on a scalp, which is round, tips do not. If the file's order does not separate them as a whole, each strand is
+/// judged by the distances of its ends from the sphere that most roots lie on.
 [[nodiscard]] std::vector<std::uint8_t> find_reversed_strands(const groom::Groom& groom);
 
 // What shapes of strands are measured by.

@@ -18,7 +18,7 @@ float off_line(const Eigen::Vector3f& point, const Eigen::Vector3f& a, const Eig
   return (a + share * way - point).norm();
 }
 
-/// Which of the points first..last have to stay, both ends too.
+/// Finds the points of first..last that must stay, both ends included.
 void find_corners(const std::vector<Eigen::Vector3f>& points, std::uint32_t first, std::uint32_t last, float tolerance,
                   std::vector<bool>& stays) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> open{{first, last}};

@@ -13,20 +13,20 @@
 namespace coif::cards {
 namespace {
 
-constexpr double kLeastFall = 0.02;      // of the error, for another round
+constexpr double kLeastFall = 0.02;      // Share of the error that makes another round worthwhile.
 constexpr float kLittleSeen = 0.3f;      // samples: texels that are seen less than this change less
-constexpr float kOnwards = 0.5f;         // of a texel's last change that it makes again
+constexpr float kOnwards = 0.5f;         // Share of a texel's last change that is repeated.
 constexpr std::size_t kSpreadAlong = 4;  // texels
-constexpr float kEdge = 0.12f;           // of a card's width and length
+constexpr float kEdge = 0.12f;           // Share of a card's width and length.
 
-/// What every texel of the atlas should change by, as views have it.
+/// The change that views request for every texel of the atlas.
 class AtlasChange {
  public:
   AtlasChange(std::uint32_t width, std::uint32_t height)
       : width_(width), asked_(std::size_t(width) * height, 0), seen_(asked_.size(), 0) {}
 
-  /// One card's share of a view: so much of each sample goes through everything else there, and so much its pixel
-  /// lacks.
+  /// Adds one card's part of a view: the share of each sample that is seen through everything else, and the coverage
+  /// that its pixel lacks.
   void add(const FitView& view, std::size_t card) {
     for (const SeenTexel& seen : view.of_card(card)) {
       const float lacking = view.lacking(seen), through = view.weight(seen) * view.through(seen);
@@ -38,7 +38,7 @@ class AtlasChange {
     }
   }
 
-  /// Of a card's texels, row by row, and nothing is left asked of them.
+  /// Returns the requested changes of a card's texels, row by row, and clears them.
   [[nodiscard]] std::vector<float> take(const AtlasPlace& place) {
     const std::vector<float> asked = spread(taken(place, asked_), place), seen = spread(taken(place, seen_), place);
     std::vector<float> change(asked.size());
@@ -63,7 +63,7 @@ class AtlasChange {
     return out;
   }
 
-  /// To the sums over the texels before and behind each, along the card.
+  /// Sums over the texels before and behind each, along the card.
   static std::vector<float> spread(const std::vector<float>& values, const AtlasPlace& place) {
     const std::size_t count = place.height, step = place.width;
     std::vector<float> sums(values.size(), 0);
@@ -77,7 +77,7 @@ class AtlasChange {
   }
 
   std::uint32_t width_;
-  std::vector<float> asked_, seen_;  ///< The gaps between cards take what their edges ask beyond them.
+  std::vector<float> asked_, seen_;  ///< The gaps between cards receive what their edges request beyond them.
 };
 
 /// Cards whose opacity changes, round by round.
@@ -95,13 +95,13 @@ class OpacityRounds {
     }
   }
 
-  /// Looks from a round's directions; returns what cards cover wrongly, of what strands cover.
+  /// Looks from a round's directions; returns the coverage error of cards, as a share of the strands' coverage.
   double look(int round) {
     const CardSurface surface = surface_of(cards_);
     constexpr std::size_t kViews = FitTarget::kViews;
     double error = 0, covered = 0;
-    // As many views at once as there are threads. Texels add them up one after the other, so that their number changes
-    // nothing.
+    // As many views at once as there are threads. Texels add them up one after the other, so the number of threads
+    // changes nothing.
     for (std::size_t first = 0; first < kViews; first += views_.size()) {
       const std::size_t count = std::min(views_.size(), kViews - first);
       parallel_for(count, threads_,
@@ -117,7 +117,7 @@ class OpacityRounds {
     return covered > 0 ? error / covered : 0;
   }
 
-  /// As the last look asks for.
+  /// Applies the changes of the last look.
   void change() {
     parallel_for(cards_.strips.size(), threads_, [&](std::size_t card) {
       change_card(change_.take(cards_.plan.places[card]), last_change_[card], cards_.textures[card]);
@@ -144,7 +144,7 @@ class OpacityRounds {
     }
   }
 
-  /// Nothing is added at a card's sides and tip, whose straight edges would show.
+  /// Adds nothing at a card's sides and tip, whose straight edges would be visible.
   static float rise(const CardTexture& texture, std::uint32_t x, std::uint32_t y) {
     const float across = (float(x) + 0.5f) / float(texture.width), along = (float(y) + 0.5f) / float(texture.height);
     return std::min(std::min({across, 1 - across, 1 - along}) / kEdge, 1.0f);
@@ -155,7 +155,7 @@ class OpacityRounds {
   platform::Threads threads_;
   std::vector<std::uint32_t> first_triangle_{0};
   AtlasChange change_;
-  std::vector<std::vector<float>> last_change_;  ///< Of each card's texels.
+  std::vector<std::vector<float>> last_change_;  ///< For each card, its texels' last change.
   std::vector<FitView> views_;
 };
 

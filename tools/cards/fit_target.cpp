@@ -7,10 +7,10 @@
 namespace coif::cards {
 namespace {
 
-constexpr std::size_t kMostPoints = std::size_t{1} << 21;  // more are drawn to no purpose: pixels are millimetres
+constexpr std::size_t kMostPoints = std::size_t{1} << 21;  // more would not show: pixels are millimetres
 constexpr std::uint32_t kPicture = 256;                    // pixels of hair, both ways
-constexpr float kTolerance = 0.1f;                         // pixels that strands may lie off where they are
-constexpr std::uint32_t kStrandSide = 6;                   // of strands
+constexpr float kTolerance = 0.1f;                         // pixels by which strands may be misplaced
+constexpr std::uint32_t kStrandSide = 6;                   // Samples of strands per pixel in each direction.
 
 /// The same spiral, turned.
 std::vector<Eigen::Vector3f> turned_directions(std::size_t turns) {

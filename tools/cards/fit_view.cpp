@@ -7,7 +7,7 @@
 namespace coif::cards {
 namespace {
 
-/// Fog outside of the hair shows more than what lacks inside.
+/// Weight of fog outside the hair, which is more visible than missing coverage inside.
 constexpr float kOutside = 4;
 
 SeenTexel seen_at(const CardSurface& surface, std::uint32_t sample, const Eigen::Vector2f& uv) {

@@ -11,44 +11,44 @@
 
 namespace coif::cards {
 
-/// What a card has at a sample, and between which texels.
+/// A card's value at a sample, and the texels between which it lies.
 struct SeenTexel {
   std::uint32_t sample = 0;
-  std::uint32_t texel = 0;    ///< Of the atlas: the first of the four.
+  std::uint32_t texel = 0;    ///< Index in the atlas: the first of the four.
   float right = 0, down = 0;  ///< 0..1, from this one to its neighbours.
   float opacity = 0;
 };
 
-/// Cards from one direction by 2 x 2 samples a pixel: what each has where, what lies before and behind it lets through,
-/// and how much more or less the picture should cover. Kept from look to look so that nothing is allocated anew.
+/// Cards from one direction by 2 x 2 samples per pixel: the value of each, the transmittance of everything before and
+/// behind it, and the missing or surplus coverage of the picture. Keeps its memory from look to look.
 class FitView {
  public:
   /// `first_triangle`: of each card; one more for the end.
   void look(const CardSurface& surface, std::span<const std::uint32_t> first_triangle, const PictureFrame& frame);
 
-  /// With what strands cover of each pixel.
+  /// Compares with the strands' coverage of each pixel.
   void compare(std::span<const float> wanted);
 
   [[nodiscard]] std::span<const SeenTexel> of_card(std::size_t card) const {
     return std::span(seen_).subspan(begin_[card], begin_[card + 1] - begin_[card]);
   }
 
-  /// Of a sample, past everything there but this texel.
+  /// Transmittance of a sample without this texel.
   [[nodiscard]] float through(const SeenTexel& seen) const {
     return clear_[seen.sample] / std::max(1 - seen.opacity, kClearest);
   }
 
-  /// What its pixel should cover more than it does, and how much that counts.
+  /// Coverage that its pixel lacks, times its weight.
   [[nodiscard]] float lacking(const SeenTexel& seen) const { return lacking_[pixel_of(seen)]; }
   [[nodiscard]] float weight(const SeenTexel& seen) const { return weight_[pixel_of(seen)]; }
 
-  /// Sums over the pixels: what cards cover wrongly, and what strands cover.
+  /// Sums over the pixels: the cards' coverage error, and the strands' coverage.
   [[nodiscard]] double error() const { return error_; }
   [[nodiscard]] double covered() const { return covered_; }
 
  private:
   static constexpr std::uint32_t kSide = 2;  // samples of a pixel, both ways
-  static constexpr float kClearest = 1e-4f;  // so that a texel behind an opaque one still has some say
+  static constexpr float kClearest = 1e-4f;  // So that a texel behind an opaque one still has some influence.
 
   [[nodiscard]] std::size_t pixel_of(const SeenTexel& seen) const {
     const std::uint32_t row = kSide * size_;
@@ -57,9 +57,9 @@ class FitView {
 
   std::uint32_t size_ = 0;               // pixels, both ways
   std::vector<SeenTexel> seen_;          // card by card
-  std::vector<std::uint32_t> begin_;     // of each card's; one more for the end
-  std::vector<float> clear_;             // of each sample
-  std::vector<float> lacking_, weight_;  // of each pixel
+  std::vector<std::uint32_t> begin_;     // Beginning of each card's; one more for the end.
+  std::vector<float> clear_;             // Per sample.
+  std::vector<float> lacking_, weight_;  // Per pixel.
   double error_ = 0, covered_ = 0;
 };
 

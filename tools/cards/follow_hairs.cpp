@@ -30,7 +30,7 @@ class GuideRoots {
     return segment.normalized();
   }
 
-  /// From a root to the next one, the median of some.
+  /// Distance between neighbouring roots, the median of some.
   [[nodiscard]] float typical_distance() const {
     constexpr std::size_t kSome = 500;
     const std::size_t count = guides_.strand_count(), step = std::max<std::size_t>(count / kSome, 1);

@@ -34,7 +34,7 @@ Model cards_of(const groom::Groom& groom, const cook::Recipe& recipe, const Hair
   return model;
 }
 
-/// The file that the recipe names; its own says what unit it is in.
+/// The body file of the recipe; its unit is its own.
 Model named_body(const cook::Recipe& recipe, const HairSourceSettings& settings) {
   importer::ImportSettings import = settings.import;
   import.metres_per_unit.reset();
@@ -42,7 +42,7 @@ Model named_body(const cook::Recipe& recipe, const HairSourceSettings& settings)
   return importer::import_model(settings.recipe_directory / recipe.cards_body, import);
 }
 
-/// Cards of a file's strands on a body, where there is one.
+/// Cards of a file's strands, on a body if there is one.
 Model cards_on(groom::Groom groom, std::optional<importer::SourceModel> body, const cook::Recipe& recipe,
                const HairSourceSettings& settings) {
   if (!recipe.cards_body.empty()) {
@@ -69,7 +69,7 @@ Model grown_hair(const fs::path& path, const cook::Recipe& recipe, const HairSou
   return model;
 }
 
-/// Whether the file may hold lines, which costs less to ask than to read them.
+/// Whether the file may hold lines; cheaper than reading them.
 bool mentions_lines(const fs::path& path) {
   const auto bytes = FileBytes::read(path);
   if (!bytes) return false;
@@ -86,7 +86,7 @@ bool has_mesh_called_hair(const importer::SourceModel& model) {
   });
 }
 
-/// Whether lines beside a mesh are hair: modelling tools leave single edges behind, which are none.
+/// Whether lines beside a mesh are hair: modelling tools leave single edges, which are not.
 bool is_hair_beside_mesh(const groom::Groom& groom) {
   constexpr std::size_t kFewestStrands = 32, kFewestPoints = 4;
   std::size_t strands = 0;
@@ -116,7 +116,7 @@ Model read_model(const fs::path& path, const cook::Recipe& recipe, const HairSou
     std::optional<importer::SourceModel> body;
     if (model) {
       body = std::move(*model);
-      // They are the hair.
+      // The lines are the hair.
       std::erase_if(body->warnings,
                     [](const Diagnostic& warning) { return warning.code == importer::source_code::kLoose; });
     }

@@ -28,7 +28,7 @@ std::size_t triangles_of(std::span<const CardStrip> strips) {
   return sum;
 }
 
-/// What a level draws, before it has textures.
+/// The triangles of a level, before it has textures.
 struct ChosenLevel {
   ChosenCards cards;
   ScalpCards scalp{};
@@ -43,7 +43,7 @@ ChosenLevel choose_level(const groom::Groom& groom, const GroomShape& shape, std
   return level;
 }
 
-/// Of its cards and behind them those of the scalp, each way `scale` times as large as they are.
+/// Sizes of its cards, followed by those of the scalp, each times `scale`.
 std::vector<CardSize> sizes_of(const ChosenLevel& level, float scalp_share, float scale) {
   std::vector<CardSize> sizes = sizes_of(level.cards.wisps);
   const std::vector<CardSize> on_scalp = scalp_card_sizes(level.scalp, sizes, scalp_share);
@@ -52,7 +52,7 @@ std::vector<CardSize> sizes_of(const ChosenLevel& level, float scalp_share, floa
   return sizes;
 }
 
-/// Cards at their places in the atlas, those of the scalp behind the others.
+/// Draws cards at their places in the atlas, those of the scalp after the others.
 Cards draw_level(const groom::Groom& groom, const GroomShape& shape, ChosenLevel level, AtlasPlan plan,
                  const platform::Threads& threads) {
   Cards cards{std::move(level.cards.wisps), std::move(level.cards.strips), std::move(plan), {}};
@@ -84,7 +84,7 @@ AtlasPlan plan_within(std::span<const CardSize> sizes, const CardsBudget& budget
   return plan;
 }
 
-/// All of them in one atlas.
+/// Draws all levels into one atlas.
 tl::expected<std::vector<Cards>, ToolError> draw_levels(const groom::Groom& groom, const GroomShape& shape,
                                                         std::vector<ChosenLevel> levels, const CardsBudget& budget,
                                                         const platform::Threads& threads) {

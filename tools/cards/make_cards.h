@@ -18,25 +18,25 @@
 
 namespace coif::cards {
 
-/// What cards may cost.
+/// The budget of cards.
 struct CardsBudget {
   std::size_t triangles = 8000;
   std::size_t texels = std::size_t{1} << 22;
-  int rounds = 6;  ///< Of fit_opacity(), at most.
-  float strand_width =
-      0;  ///< Metres, of strands whose groom says none; 0: so wide that they cover a head of their size as hair does.
-  float caps =
-      0.04f;  ///< Share of triangles and texels, at most, of cards that lie on the scalp (scalp_cards.h), 0..0.5.
-  std::size_t levels = 1;    ///< Of detail, of make_card_levels().
+  int rounds = 6;  ///< Most rounds of fit_opacity().
+  /// Metres, for strands whose groom has none; 0: so wide that they cover a head of their size as hair does.
+  float strand_width = 0;
+  /// Largest share of triangles and texels for cards that lie on the scalp (scalp_cards.h), 0..0.5.
+  float caps = 0.04f;
+  std::size_t levels = 1;    ///< Levels of detail of make_card_levels().
   double level_ratio = 0.5;  ///< Triangles of a level, against the next finer one.
-  /// Texels each way of the atlas, at most; 0: any. An atlas that would not hold all cards is larger.
+  /// Most texels of the atlas in each direction; 0: any. It is larger if it would not hold all cards.
   std::uint32_t side = 0;
 };
 
 /// A groom as cards are made from it.
 struct GroomShape {
   std::vector<std::uint8_t> is_reversed;  ///< One for each strand: it begins with its tip.
-  EvenStrands strands;                    ///< Of some width.
+  EvenStrands strands;                    ///< With a width.
 };
 
 [[nodiscard]] GroomShape shape_of(const groom::Groom& groom, float strand_width);
@@ -59,20 +59,20 @@ struct Cards {
 [[nodiscard]] tl::expected<Cards, ToolError> make_cards(const groom::Groom& groom, const GroomShape& shape,
                                                         const CardsBudget& budget, const platform::Threads& threads);
 
-/// The same for as many levels of detail as the budget says, the finest first, each made from the strands. They share
-/// the texels, in one atlas: a level is for pictures in which hair is so much smaller as it has fewer triangles, and
-/// has texels for these. Levels end before one that would have no triangles.
+/// As many levels of detail as the budget says, the finest first, each made from the strands. They share the texels, in
+/// one atlas: a level is for pictures in which hair is smaller by the ratio of triangles, and has texels for these.
+/// Levels end before one that would have no triangles.
 [[nodiscard]] tl::expected<std::vector<Cards>, ToolError> make_card_levels(const groom::Groom& groom,
                                                                            const GroomShape& shape,
                                                                            const CardsBudget& budget,
                                                                            const platform::Threads& threads);
 
-/// As they are drawn, strip by strip, two vertices at each of its stations.
+/// For drawing: strip by strip, two vertices at each of its stations.
 [[nodiscard]] CardSurface surface_of(const Cards& cards);
 
-/// A model of strips with one texture in place of the strands, as an artist would hand it in: the rest of a cook goes
-/// on from there. Levels of detail behind the finest are SourceModel::coarser. Repeats for equal input, whatever
-/// `threads` is. kOverBudget where the budget is too small for the fewest cards that hold the hair.
+/// A model of strips with one texture in place of the strands, like an artist's model: the rest of a cook starts from
+/// it. Coarser levels of detail are in SourceModel::coarser. Repeats for equal input, with any `threads`. kOverBudget
+/// where the budget is too small for the fewest cards that hold the hair.
 [[nodiscard]] tl::expected<importer::SourceModel, ToolError> model_of_cards(const groom::Groom& groom,
                                                                             const CardsBudget& budget,
                                                                             const platform::Threads& threads);

@@ -15,7 +15,7 @@ namespace coif::cards {
 /// Looks along a direction without perspective at a ball, so that pictures of one size from all around show one scale.
 struct PictureFrame {
   Eigen::Matrix3f axes;    ///< Rows: right, down, away from the eye. Unit.
-  Eigen::Vector3f center;  ///< In the picture's middle, at depth 0.
+  Eigen::Vector3f center;  ///< The picture's middle, at depth 0.
   float pixels_of_metre = 1;
   std::uint32_t size = 0;  ///< Pixels, both ways.
 
@@ -43,7 +43,7 @@ struct ShownBall {
   return ball;
 }
 
-/// From the side that `towards` points away from: (0, 0, -1) looks along -Z, from the front of a model that faces +Z.
+/// Looks in the direction `towards`: (0, 0, -1) looks along -Z, from the front of a model that faces +Z.
 [[nodiscard]] inline PictureFrame frame_along(const Eigen::Vector3f& towards, const ShownBall& ball,
                                               std::uint32_t size) {
   const Eigen::Vector3f away = towards.normalized();

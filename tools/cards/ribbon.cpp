@@ -32,8 +32,8 @@ void set_middle(const EvenStrands& strands, std::span<const std::uint32_t> membe
   }
 }
 
-/// In a plane with the axes x and y, as an angle that counts the same in both senses: (cos 2a, sin 2a) times how much
-/// it is one.
+/// Directions in a plane with the axes x and y, by doubled angles, so that both senses count the same: (cos 2a, sin 2a)
+/// times the strength.
 struct Spread {
   float x = 0, y = 0;
 };
@@ -61,7 +61,8 @@ void set_across(const EvenStrands& strands, std::span<const std::uint32_t> membe
       spread[k].y += 2 * x * y;
     }
   }
-  // A card turns slowly: each station has a share in its neighbours', which also stands in where strands run together.
+  // A card turns slowly: each station has a share of its neighbours' direction, which also replaces its own where
+  // strands run together.
   for (int pass = 0; pass < 3; ++pass) {
     const auto before = spread;
     for (std::size_t k = 0; k < kStations; ++k) {
@@ -123,7 +124,7 @@ float length_of(const Ribbon& ribbon) {
 }
 
 float distance_to(const Ribbon& ribbon, std::span<const Eigen::Vector3f> strand, float limit, float beside) {
-  // From the ends inwards, where strands of different shapes are farthest from each other.
+  // From the ends inwards, where strands of different shapes are farthest apart.
   static_assert(kStations == 16);
   constexpr std::size_t kOrder[kStations] = {15, 0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7};
   const float most = limit * float(kStations);

@@ -13,16 +13,17 @@ namespace {
 using Eigen::Vector3f;
 
 constexpr std::size_t kQuadsOfScalpCard = 2;
-constexpr std::size_t kMostScalpCards = 160;  // of half a sphere each is then a fifth of its radius wide
-constexpr float kOverlap = 0.3f;              // of a patch's usual side
-constexpr float kMostOffSkin = 0.12f;         // of it: roots that lie farther off are on no surface
+constexpr std::size_t kMostScalpCards = 160;  // Over half a sphere each is then a fifth of its radius wide.
+constexpr float kOverlap = 0.3f;              // Share of a patch's usual side.
+constexpr float kMostOffSkin = 0.12f;         // Share of it: roots that lie farther off are not on a surface.
 constexpr float kThinnest = 0.25f;            // a patch is so much longer one way than the other: lashes are in no skin
-constexpr float kLeastCovered = 0.5f;         // of a patch, by its own strands if none lay on another
-// Of the scalp's radius, that a card is lifted off it, and long or wide: few large ones would stand off it like a hat.
+constexpr float kLeastCovered = 0.5f;         // Share of a patch that its own strands would cover without overlaps.
+// Shares of the scalp's radius: largest lift and largest length of a card. A few large ones would stand off it like a
+// hat.
 constexpr float kMostLift = 0.06f, kMostLong = 0.9f;
 constexpr float kClearance = 0.5f;  // strands' widths between card and skin
 
-/// Of the rectangle in which its roots are.
+/// Size of the rectangle of its roots.
 Eigen::Vector2f size_of(const ScalpPatch& patch) { return patch.high - patch.low; }
 
 float usual_side(std::span<const ScalpPatch> patches) {
@@ -32,7 +33,7 @@ float usual_side(std::span<const ScalpPatch> patches) {
   return std::sqrt(std::max(quantile(areas, 0.5f), 0.0f));
 }
 
-/// So high above the skin that quads this much wider than the patch lie nowhere below it.
+/// Height above the skin at which quads this much wider than the patch lie nowhere below it.
 float lift_of(const ScalpPatch& patch, float overlap) {
   const Eigen::Vector2f size = size_of(patch).array() + 2 * overlap;
   const float bend = patch.skin[3], half = 0.5f * size.y(), quad = size.x() / float(kQuadsOfScalpCard);

@@ -15,14 +15,15 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kReach = 0.3f;            // of the scalp's radius
-constexpr float kLock = 15;               // its strands are so many radii of its roots long
-constexpr std::size_t kFewestRoots = 12;  // of a patch, on the average
-constexpr float kDirectionWeight =
-    0.5f;  // strands that set out at right angles are as unlike as roots so many patches apart
-constexpr float kLeastAlongSkin = 0.3f;  // of a strand's way: one that stands off the skin is laid along its neighbours
-constexpr float kStray = 0.02f;          // of the roots, on each side
-constexpr std::size_t kPiecesOnSkin = 8;  // of each strand
+constexpr float kReach = 0.3f;            // Share of the scalp's radius.
+constexpr float kLock = 15;               // Length of its strands in radii of its roots.
+constexpr std::size_t kFewestRoots = 12;  // Per patch, on average.
+/// Perpendicular strands differ as much as roots that are this many patches apart.
+constexpr float kDirectionWeight = 0.5f;
+constexpr float kLeastAlongSkin =
+    0.3f;                        // Share of a strand's way: one that stands off the skin is laid along its neighbours.
+constexpr float kStray = 0.02f;  // Share of the roots, on each side.
+constexpr std::size_t kPiecesOnSkin = 8;  // Per strand.
 
 /// The first part of a strand at even steps, with the file's points that are next to them.
 struct RootPart {
@@ -35,7 +36,7 @@ RootPart root_part(const groom::Groom& groom, bool is_reversed, std::size_t stra
   const auto number = [&](std::uint32_t k) { return is_reversed ? last - k : first + k; };
   RootPart part;
   std::uint32_t k = 0;
-  float before = 0;  // where the segment from point k on begins
+  float before = 0;  // Where the segment from point k on begins.
   for (std::size_t i = 0; i <= kPiecesOnSkin; ++i) {
     const float wanted = reach * float(i) / float(kPiecesOnSkin);
     float length = (groom.points[number(k + 1)] - groom.points[number(k)]).norm();
@@ -52,7 +53,7 @@ RootPart root_part(const groom::Groom& groom, bool is_reversed, std::size_t stra
   return part;
 }
 
-/// By place and direction.
+/// Groups by place and direction.
 std::vector<std::vector<std::uint32_t>> group_roots(const std::vector<RootPart>& parts, float reach, float apart,
                                                     std::size_t count, const platform::Threads& threads) {
   using Roots = PointClusters<8>;
@@ -112,7 +113,7 @@ void set_skin(const std::vector<RootPart>& parts, ScalpPatch& patch) {
   patch.high = {quantile(xs, 1 - kStray), quantile(ys, 1 - kStray)};
 }
 
-/// Each piece as long as it is, along the skin.
+/// Lays each piece along the skin, with its own length.
 void lay_down(const ScalpPatch& patch, RootPart& part) {
   const Vector3f root = patch.local(part.points.front());
   const Vector3f outwards = patch.normal(root.x(), root.y()), along = patch.axes.row(0).transpose();

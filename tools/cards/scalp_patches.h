@@ -13,8 +13,7 @@
 
 namespace coif::cards {
 
-/// Some roots beside each other, of strands that set out in one direction, and the skin that they are in: a cap of a
-/// sphere over a plane.
+/// Neighbouring roots of strands that start in one direction, and their skin: a cap of a sphere over a plane.
 struct ScalpPatch {
   std::vector<std::uint32_t> members;  ///< Strands, ascending.
 
@@ -24,9 +23,10 @@ struct ScalpPatch {
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();
   /// Height of the skin at (x, y) is skin . (1, x, y, x^2 + y^2).
   Eigen::Vector4f skin = Eigen::Vector4f::Zero();
-  float off_skin = 0;  ///< How far roots are from that height, root mean square.
+  float off_skin = 0;  ///< Root mean square distance of roots from that height.
   Eigen::Vector2f low = Eigen::Vector2f::Zero(),
-                  high = low;  ///< Along and across: where roots are, but for those that stray.
+                  /// Range of the roots along and across, without those that stray.
+      high = low;
 
   [[nodiscard]] Eigen::Vector3f local(const Eigen::Vector3f& point) const { return axes * (point - middle); }
   [[nodiscard]] float height(float x, float y) const { return skin.dot(Eigen::Vector4f(1, x, y, x * x + y * y)); }
@@ -37,17 +37,17 @@ struct ScalpPatch {
   [[nodiscard]] Eigen::Vector3f normal(float x, float y) const;
 };
 
-/// The skin that hair grows from, as far as its roots tell.
+/// The skin that hair grows from, as far as its roots show it.
 struct Scalp {
   float radius = 0;                 ///< Half the longest side of the box around all roots, metres.
-  float reach = 0;                  ///< As much of each strand, from its root on, is shown on the skin, metres.
-  std::vector<ScalpPatch> patches;  ///< All strands are in one each.
-  groom::Groom strands;             ///< So much of each, root first, laid down on the skin; in the order of the hair's.
+  float reach = 0;                  ///< Length of each strand, from its root on, that is shown on the skin, metres.
+  std::vector<ScalpPatch> patches;  ///< Each strand is in one of them.
+  groom::Groom strands;  ///< The beginning of each strand, root first, laid down on the skin; in the hair's order.
 };
 
-/// `count` patches at most. No patches and no strands where there is no scalp: a lock, whose strands are many times
-/// longer than its roots lie apart, or so few roots that nothing is known of the skin between them. Repeats for equal
-/// input, whatever `threads` is.
+/// At most `count` patches. No patches and no strands where there is no scalp: a lock, whose strands are many times
+/// longer than the distance of its roots, or so few roots that they do not show the skin between them. Repeats for
+/// equal input, with any `threads`.
 [[nodiscard]] Scalp find_scalp(const groom::Groom& groom, std::span<const std::uint8_t> is_reversed,
                                const EvenStrands& strands, std::size_t count, const platform::Threads& threads);
 

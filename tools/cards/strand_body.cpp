@@ -44,8 +44,8 @@ Skin skin_of(const importer::SourceModel& body) {
 /// Another unit and up axis that the strands' file may have.
 struct OtherSpace {
   float scale = 1;
-  char up =
-      'y';  ///< Of what became Y: 'y' as it is, 'z' where Z was up after all, 'x' where Y was and Z was taken for it.
+  /// The axis that became Y: 'y' unchanged, 'z' if Z was up after all, 'x' if Y was up and Z was taken for it.
+  char up = 'y';
 
   [[nodiscard]] Vector3f of(const Vector3f& p) const {
     if (up == 'z') return scale * Vector3f(p.x(), p.z(), -p.y());
@@ -64,7 +64,7 @@ std::vector<Vector3f> some_roots(const groom::Groom& groom) {
   return roots;
 }
 
-/// How far roots typically lie from the skin, metres.
+/// Typical distance of roots from the skin, metres.
 float typical_distance(const grow::BodySurface& skin, std::span<const Vector3f> roots, const OtherSpace& space) {
   std::vector<float> distances;
   for (const Vector3f& root : roots) distances.push_back(skin.distance(space.of(root), 1e6f));
@@ -75,7 +75,7 @@ bool is_open(importer::Statement said) {
   return said == importer::Statement::kUsual || said == importer::Statement::kUnsaid;
 }
 
-/// The spaces that the strands' file leaves open, its own first.
+/// The spaces that are possible for the strands' file, its own first.
 std::vector<OtherSpace> spaces_for(const importer::SourceSpace& space) {
   constexpr float kScales[] = {1, 0.01f, 100, 0.001f, 1000, 0.1f, 10, 0.0254f, 1 / 0.0254f};
   std::vector<OtherSpace> spaces;
@@ -88,13 +88,13 @@ std::vector<OtherSpace> spaces_for(const importer::SourceSpace& space) {
   return spaces;
 }
 
-/// What the file's own axis is then; as SourceSpace::up_axis.
+/// The file's own up axis then; as SourceSpace::up_axis.
 char axis_after(char before, char up) {
   if (up == 'y') return before;
   return before == 'z' ? 'y' : 'z';
 }
 
-/// The head's node, and kNoIndex where nothing is called so. Of several the one that moves most.
+/// The head's node, kNoIndex without a node of that name. Among several the one that moves most.
 std::uint32_t head_node_of(const importer::SourceModel& body) {
   if (body.head_node != importer::kNoIndex) return body.head_node;
   cook::NodeWeights weights(body.nodes.size(), 0.0);
@@ -143,7 +143,7 @@ std::uint32_t find_head_node(importer::SourceModel& body, Diagnostics& warnings)
 }  // namespace
 
 void place_on_body(const importer::SourceModel& body, groom::Groom& groom) {
-  constexpr float kOnSkin = 0.12f;  // of the roots' extent: caps and skulls are modelled loosely
+  constexpr float kOnSkin = 0.12f;  // Share of the roots' extent: caps and skulls are modelled loosely.
   constexpr float kBetter = 0.4f;
   Skin skin = skin_of(body);
   const std::vector<Vector3f> roots = some_roots(groom);
@@ -153,7 +153,7 @@ void place_on_body(const importer::SourceModel& body, groom::Groom& groom) {
   const float extent = std::max(box.sizes().maxCoeff(), 1e-6f);
   const grow::BodySurface surface(std::move(skin.positions), std::move(skin.triangles));
   const std::vector<OtherSpace> spaces = spaces_for(groom.space);
-  std::vector<float> off;  // shares of the roots' own extent, so that what is scaled down does not fit for being small
+  std::vector<float> off;  // Shares of the roots' own extent, so that scaling down does not improve the fit.
   for (const OtherSpace& space : spaces)
     off.push_back(typical_distance(surface, roots, space) / (space.scale * extent));
   if (off.front() < kOnSkin) return;
@@ -209,7 +209,8 @@ void add_body(importer::SourceModel body, importer::SourceModel& cards) {
   cards.facing = body.facing;
   cards.space = body.space;
   cards.side_files.insert(cards.side_files.end(), body.side_files.begin(), body.side_files.end());
-  for (const std::string& image : body.named_images)  // From the body's folder, which need not be that of the strands.
+  for (const std::string& image :
+       body.named_images)  // Relative to the body's folder, which may differ from that of the strands.
     cards.named_images.push_back((std::filesystem::path(body.path).parent_path() / image).string());
   cards.warnings.insert(cards.warnings.end(), body.warnings.begin(), body.warnings.end());
 }

@@ -65,7 +65,7 @@ class Band {
     const Eigen::Vector3f& low = piece.a.y() <= piece.b.y() ? piece.a : piece.b;
     const Eigen::Vector3f& high = piece.a.y() <= piece.b.y() ? piece.b : piece.a;
     const float rise = high.y() - low.y();
-    // Where its middle line is between the rows that the width reaches from here.
+    // Range of its middle line in the rows that the width reaches from here.
     const float from = rise > 1e-6f ? std::clamp((y - h - low.y()) / rise, 0.0f, 1.0f) : 0.0f;
     const float to = rise > 1e-6f ? std::clamp((y + h - low.y()) / rise, 0.0f, 1.0f) : 1.0f;
     const float x0 = low.x() + from * (high.x() - low.x()), x1 = low.x() + to * (high.x() - low.x());
@@ -98,7 +98,7 @@ std::vector<Piece> pieces_of(const groom::Groom& groom, const PictureFrame& fram
   return pieces;
 }
 
-/// Which pieces reach into each band.
+/// The pieces that reach into each band.
 std::vector<std::vector<std::uint32_t>> by_band(const std::vector<Piece>& pieces, std::size_t bands, int side) {
   std::vector<std::vector<std::uint32_t>> lists(bands);
   const float rows = float(kBand) * float(side);

@@ -24,18 +24,18 @@ struct SampleRows {
   std::uint32_t width = 0, first = 0, count = 0;
 };
 
-/// The same picture in `side` times as many pixels each way: its samples.
+/// The same picture with `side` times as many pixels in each direction: its samples.
 [[nodiscard]] inline PictureFrame finer(PictureFrame frame, int side) {
   frame.size *= std::uint32_t(side);
   frame.pixels_of_metre *= float(side);
   return frame;
 }
 
-/// Which triangles reach into each band of so many rows, in their order.
+/// The triangles that reach into each band of `rows` rows, in their order.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> triangles_by_band(const CardSurface& surface,
                                                                         const PictureFrame& frame, std::uint32_t rows);
 
-/// A triangle as it lies in a picture: weights of its corners at a pixel.
+/// A triangle in a picture: weights of its corners at a pixel.
 class SeenTriangle {
  public:
   SeenTriangle(const CardSurface& surface, const PictureFrame& frame, std::uint32_t triangle)
@@ -50,7 +50,7 @@ class SeenTriangle {
   /// Seen from its edge it covers no sample.
   [[nodiscard]] bool is_seen() const { return std::abs(area_) > 1e-9f; }
 
-  /// Pixels whose middles may be in it: first and last, both ways.
+  /// Pixels whose middles may be inside: first and last in both directions.
   struct Box {
     int left, right, top, bottom;
   };
@@ -62,14 +62,14 @@ class SeenTriangle {
             std::min(int(std::floor(bottom - 0.5f)), int(rows.first + rows.count) - 1)};
   }
 
-  /// Of its three corners at a pixel's middle; one is negative outside.
+  /// Weights of its three corners at a pixel's middle; outside one is negative.
   [[nodiscard]] Eigen::Vector3f weights(int x, int y) const {
     const Eigen::Vector2f at = Eigen::Vector2f(float(x) + 0.5f, float(y) + 0.5f) - corners_[0].head<2>();
     const float b = by_x_[1] * at.x() + by_y_[1] * at.y(), c = by_x_[2] * at.x() + by_y_[2] * at.y();
     return {1 - b - c, b, c};
   }
 
-  /// Of a row between two columns those pixels that may be inside, first and last; a pixel more than are.
+  /// First and last pixel of a row between two columns that may be inside; up to a pixel too many.
   [[nodiscard]] std::pair<int, int> span_of(int y, int left, int right) const {
     const Eigen::Vector3f begin = weights(left, y);
     float first = 0, last = float(right - left);
@@ -98,7 +98,7 @@ class SeenTriangle {
   const std::uint32_t* vertices_;
   Eigen::Vector3f corners_[3];
   float area_ = 0;
-  Eigen::Vector3f by_x_, by_y_;  // what weights grow by from pixel to pixel
+  Eigen::Vector3f by_x_, by_y_;  // Change of the weights from pixel to pixel.
 };
 
 /// Calls take(x, y, SurfacePoint) for each of the rows' samples in a triangle.
@@ -120,7 +120,7 @@ void for_each_sample(const CardSurface& surface, const PictureFrame& frame, cons
   }
 }
 
-/// Of a texture, between the four texels around a place, as a graphics card does it.
+/// A texture's value between the four texels around a place, filtered as by a graphics card.
 template <typename Texel>
 [[nodiscard]] Texel bilinear(const CardSurface& surface, const std::vector<Texel>& texels, const Eigen::Vector2f& uv) {
   const float x = std::clamp(uv.x() * float(surface.width) - 0.5f, 0.0f, float(surface.width - 1));

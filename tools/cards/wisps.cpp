@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kSample = 16384;  // strands that find the cards
 constexpr int kRounds = 12;
-constexpr float kLeastGain = 0.002f;  // of the whole distance: further rounds change nothing that shows
+constexpr float kLeastGain = 0.002f;  // Share of the whole distance: further rounds change nothing visible.
 
 float squared_distance(std::span<const Eigen::Vector3f> a, std::span<const Eigen::Vector3f> b) {
   float sum = 0;
@@ -20,7 +20,7 @@ float squared_distance(std::span<const Eigen::Vector3f> a, std::span<const Eigen
   return sum / float(a.size());
 }
 
-/// Which ribbon each strand of `which` is nearest to, and how far that is in all.
+/// The nearest ribbon of each strand of `which`, and the sum of the distances.
 struct Assignment {
   std::vector<std::uint32_t> ribbon_of;
   double distance = 0;

@@ -25,7 +25,7 @@ using nlohmann::ordered_json;
 struct BoneSetting {
   const char* name;
   float DynamicsRecord::*value;
-  double scale = 1;  ///< To the unit that is shown: the recipe's.
+  double scale = 1;  ///< Factor to the unit that is printed: the recipe's.
 };
 
 constexpr BoneSetting kBoneSettings[] = {
@@ -65,7 +65,7 @@ ordered_json dynamics_ranges(const Asset& asset) {
 constexpr const char* kTextureRoles[] = {"base_color", "shift_mask", "normal", "strand_axis"};  // as TextureRole
 constexpr const char* kTexelFormats[] = {"rgba8", "rg8", "eac_rg11"};                           // as TexelFormat
 
-/// Of the base colour with what each mip covers: hair that loses coverage gets thin with distance.
+/// The mips of the base colour with the coverage of each: hair that loses coverage gets thin with distance.
 ordered_json mip_list(const TextureRecord& texture, const std::vector<cook::AlphaCoverage>& coverage) {
   ordered_json list = ordered_json::array();
   for (std::uint32_t level = 0; level < texture.mip_count; ++level) {
@@ -108,7 +108,7 @@ ordered_json lod_list(const Asset& asset) {
   return list;
 }
 
-/// Shapes that occur, each with its count; those that keep hair inside are counted once more under that name.
+/// The shapes that occur, with their counts; colliders that keep hair inside also count under that name.
 ordered_json collider_shapes(std::span<const ColliderRecord> colliders) {
   ordered_json shapes = ordered_json::object();
   for (const ColliderRecord& collider : colliders) {
@@ -119,7 +119,7 @@ ordered_json collider_shapes(std::span<const ColliderRecord> colliders) {
   return shapes;
 }
 
-/// What hangs from the body: which bones of it, as a host finds them, and what the hair may touch there.
+/// The body bones, by the names that a host finds them by, and the body colliders that hair may touch.
 ordered_json body_json(const Asset& asset) {
   ordered_json bones = ordered_json::array();
   for (std::uint32_t i = 0; i < asset.body_bones().size(); ++i) {
@@ -154,7 +154,7 @@ std::ptrdiff_t colliding_bones(const Asset& asset) {
   return std::ranges::count_if(asset.bones(), [](const BoneRecord& bone) { return bone.colliders != 0; });
 }
 
-/// Bones that carry a twist from step to step; the frames of all others are shortest arcs.
+/// Counts the bones that carry a twist from step to step; the frames of all others are shortest arcs.
 std::size_t passive_bones(const Asset& asset) {
   std::size_t count = 0;
   for (const ChainRecord& chain : asset.chains()) count += chain.model == ChainModel::kPassive ? chain.bone_count : 0;

@@ -14,24 +14,23 @@ namespace coif::cli {
 /// Counts, chunk sizes and settings of an open asset as JSON; the keys are stable.
 [[nodiscard]] std::string asset_json(const Asset& asset);
 
-/// The same as a table for people. `name`: the file's.
+/// The summary as a table for people. `name`: the file's.
 [[nodiscard]] std::string asset_text(const std::string& name, const Asset& asset);
 
-/// How the asset wants to be simulated, errors in percent of the chain's length; null where it was not tuned. The keys
-/// are stable.
+/// The tuning of the asset, errors in percent of the chain's length; null where it was not tuned. The keys are stable.
 [[nodiscard]] nlohmann::ordered_json tuning_json(const Asset& asset);
 
 /// One entry for each frame rate and number of sub-steps that was measured. The keys are stable.
 [[nodiscard]] nlohmann::ordered_json quality_json(const Asset& asset);
 
-/// Both as lines for people; empty where the asset has neither.
+/// Tuning and quality as lines for people; empty where the asset has neither.
 [[nodiscard]] std::string tuning_text(const Asset& asset);
 
 /// The names that a recipe can speak of: meshes, materials, and nodes as a tree with the bones marked.
 [[nodiscard]] std::string list_text(const importer::SourceModel& model);
 [[nodiscard]] std::string list_json(const importer::SourceModel& model);
 
-/// The program's manual page, in roff for man(1): its own help, command by command, and what help has no room for.
+/// The program's manual page, in roff for man(1): the help of each command, and more for which help has no room.
 [[nodiscard]] std::string manual_page(const CLI::App& program);
 
 }  // namespace coif::cli

@@ -53,7 +53,8 @@ tl::expected<void, ToolError> check_options(const CookOptions& options) {
   return options.report.empty() ? tl::expected<void, ToolError>{} : check_output(options.report, {options.manifest});
 }
 
-/// What one cook writes another may name, which neither knows: only assets and empty files give way.
+/// A cook may write to a file that another one names, which neither knows. So only assets and empty files may be
+/// replaced.
 bool may_be_replaced(const fs::path& output) {
   std::error_code error;
   if (!fs::is_regular_file(output, error) || fs::file_size(output, error) == 0) return true;
@@ -62,8 +63,8 @@ bool may_be_replaced(const fs::path& output) {
   return std::memcmp(begin.data(), kAssetMagic, sizeof kAssetMagic) == 0;
 }
 
-/// No cook of a batch may write over what another reads: its source, its recipe, the manifest. What a source names each
-/// cook knows by itself.
+/// No cook of a batch may overwrite another's source or recipe, or the manifest. Each cook itself checks the files that
+/// its source names.
 tl::expected<void, ToolError> check_outputs_of(const CookOptions& options, const Requests& requests) {
   std::vector<fs::path> inputs{options.manifest, options.body};
   std::vector<NamedOutput> outputs{{"--report", options.report}};
@@ -102,15 +103,15 @@ tl::expected<Requests, ToolError> named_requests(const CookOptions& options) {
   return requests;
 }
 
-/// "K/N", K within 1 .. N. Error (kUsage): says so.
+/// Parses "K/N" with K within 1 .. N. Error (kUsage): the text has another form.
 tl::expected<cache::Share, ToolError> parse_share(const std::string& text) {
   const auto share = parse_pair<std::size_t>(text, '/');
   if (share && share->first >= 1 && share->first <= share->second) return cache::Share{share->first, share->second};
   return usage(fmt::format("--batch: '{}' is not K/N with K from 1 to N, as in 3/40", text));
 }
 
-/// What a command line with several sources or a manifest asks for: all of it, or the batch of it that is named.
-/// Errors: those of read_manifest(), and kUsage for options that do not go with many sources.
+/// The requests of a command line with several sources or a manifest: all of them, or the chosen share. Errors: those
+/// of read_manifest(), and kUsage for options that do not go with many sources.
 tl::expected<Requests, ToolError> batch_requests(const CookOptions& options) {
   if (auto checked = check_options(options); !checked) return tl::unexpected(checked.error());
   const auto share = parse_share(options.share);
@@ -148,7 +149,7 @@ std::string batch_text(const Outcomes& outcomes) {
   return text + sentence(count(outcomes)) + "\n";
 }
 
-/// Of a process that never answered.
+/// The outcome of a process that gave no answer.
 ordered_json crashed(const cache::CookRequest& request, const Messages& messages) {
   const std::string text = request.source + ": the cook crashed; cook it alone, and report it with the file";
   messages.error(text);
@@ -160,7 +161,7 @@ ordered_json crashed(const cache::CookRequest& request, const Messages& messages
           {"error", text}};
 }
 
-/// Takes kInputIdentities out of the outcomes. True where one of them is the report.
+/// Removes kInputIdentities from the outcomes. True where one of these inputs is the report's file.
 bool take_inputs(Outcomes& outcomes, const std::string& report) {
   const std::string place = file_identity(report);
   bool is_input = false;

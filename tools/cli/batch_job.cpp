@@ -54,7 +54,7 @@ SourceLimits limits_from(const Document& document) {
   return limits;
 }
 
-/// What the command line says of every source.
+/// The options of the command line that apply to every source.
 Document options_document(const CookOptions& options) {
   return {{"preset", options.preset},
           {"body", options.body},
@@ -88,7 +88,7 @@ CookOptions options_from(const Document& document) {
   return options;
 }
 
-// In the child.
+// Runs in the child.
 
 tl::expected<CookSummary, FailedCook> cook_one(const CookOptions& options, const cache::CookRequest& request,
                                                const Messages& messages) {

@@ -15,7 +15,7 @@ namespace {
 
 std::string text_of(const Outcomes& file, const char* key) { return file[key].get<std::string>(); }
 
-/// Of all paths under `key`, with a slash at its end; nothing where they share none.
+/// The longest common folder of the paths under `key`, with a slash at its end; empty where they share none.
 std::string common_folder(const std::vector<Outcomes>& files, const char* key) {
   std::string folder = files.empty() ? "" : text_of(files[0], key);
   for (const Outcomes& file : files) {
@@ -25,9 +25,9 @@ std::string common_folder(const std::vector<Outcomes>& files, const char* key) {
   return folder.substr(0, folder.rfind('/') + 1);
 }
 
-/// Long paths would push what matters off the screen.
+/// Long paths would push the important columns off the screen.
 struct Places {
-  std::string sources;  ///< The folder of all.
+  std::string sources;  ///< The common folder of all sources.
   std::string assets;
 
   std::string source(const Outcomes& file) const { return text_of(file, "source").substr(sources.size()); }
@@ -69,7 +69,7 @@ std::string undrawn_text(std::size_t count) {
 
 }  // namespace
 
-// How the page shows that: cook_page.json.
+// The layout of the page: cook_page.json.
 extern "C" const char coif_cook_page[];
 
 std::string batch_page(const Outcomes& outcomes, unsigned jobs) {

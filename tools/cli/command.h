@@ -12,20 +12,20 @@
 
 namespace coif::cli {
 
-/// What the program tells the shell. An interface: build scripts depend on the numbers.
+/// The program's exit codes. An interface: build scripts depend on the numbers.
 enum class Exit : int {
   kOk = 0,
   kUsage = 1,        ///< The command line is wrong.
   kFileAccess = 2,   ///< A file cannot be opened, read or written.
   kBadInput = 3,     ///< A source, recipe or asset is not usable.
-  kOverBudget = 4,   ///< The result exceeds a budget that was asked for.
+  kOverBudget = 4,   ///< The result exceeds a budget of the command line.
   kUnsupported = 5,  ///< A file format or version, or this machine, cannot do it.
   kInternal = 70,    ///< A bug in this program, or no memory left.
 };
 
 [[nodiscard]] Exit exit_code(ToolError::Kind kind);
 
-/// "ok", "bad input": what became of one of many.
+/// "ok", "bad input": the outcome of one source of many.
 [[nodiscard]] std::string status_word(Exit code);
 
 struct ExitMeaning {
@@ -40,7 +40,7 @@ struct ExitMeaning {
 /// Codes and names, for --help.
 [[nodiscard]] std::string exit_code_help();
 
-// The verbs of the program. Each add_<verb>() declares its options on the program and says what to run.
+// The commands of the program. Each add_<verb>() declares its options and the function to run.
 
 struct Command {
   CLI::App* app = nullptr;  ///< Owned by the program.

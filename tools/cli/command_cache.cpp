@@ -29,7 +29,7 @@ struct Unit {
 constexpr Unit kUnits[] = {{"", 1},      {"K", 1e3},      {"M", 1e6},         {"G", 1e9},           {"T", 1e12},
                            {"Ki", 1024}, {"Mi", 1048576}, {"Gi", 1073741824}, {"Ti", 1099511627776}};
 
-/// "10G", "1.5Gi", "0". Nothing for what is no size.
+/// Parses "10G", "1.5Gi", "0". None for other text.
 std::optional<std::uint64_t> parse_size(std::string_view text) {
   const std::size_t end = text.find_last_of("0123456789") + 1;
   const auto number = parse_number<double>(text.substr(0, end));

@@ -43,7 +43,7 @@ std::string preset_text() {
   return text + "'coif cook --preset NAME --print-recipe' prints all that one sets\n";
 }
 
-/// A word behind --list that is none of its own is the source.
+/// If the word behind --list is none of its choices, it is the source.
 CookOptions with_list_read(CookOptions options) {
   if (!options.list || *options.list == "source" || *options.list == "patches") return options;
   if (!options.list->empty()) options.sources.insert(options.sources.begin(), *options.list);
@@ -82,7 +82,7 @@ tl::expected<Exit, FailedCook> run_options(const CookOptions& options, const Mes
   return Exit::kOk;
 }
 
-/// Says what went wrong where results go, too.
+/// Prints the error where results go, too.
 void tell_failure(const CookOptions& options, const FailedCook& failed, const Messages& messages) {
   if (options.format == OutputFormat::kJson) print_result(json_text(failed_cook_json(options, failed)));
   report_failed_cook(options, failed, messages);

@@ -49,7 +49,7 @@ std::filesystem::path body_of(const GrowOptions& options, const RecipeChoice& ch
   return choice.recipe.cards_body.empty() ? std::filesystem::path() : choice.directory / choice.recipe.cards_body;
 }
 
-/// In a child process.
+/// Runs in a child process.
 platform::Bytes answer_grow(const platform::JobCall& call) {
   const nlohmann::json order = nlohmann::json::from_msgpack(call.request());
   const auto name = order.at("name").get<std::string>();

@@ -41,7 +41,7 @@ using nlohmann::ordered_json;
 
 double percent(float share) { return 100 * double(share); }
 
-/// What the numbers stood for before assets had names of motions (formats/SPECIFICATION.md, MOTN).
+/// The motions behind the numbers of assets without MOTN (formats/SPECIFICATION.md).
 constexpr const char* kMotionsBeforeNames[] = {"still", "nod",    "turn",     "charge", "run",
                                                "jump",  "tumble", "teleport", "bow",    "lie"};
 

@@ -26,14 +26,15 @@ struct LookOptions {
   OutputFormat format = OutputFormat::kText;
 };
 
-/// Bytes of an asset, and what was said where they were cooked here.
+/// The bytes of an asset, with the messages of its cook if it was cooked here.
 struct LookedAt {
   FileBytes bytes;
   std::vector<std::string> told;
-  std::vector<std::filesystem::path> inputs;  ///< What they were cooked from.
+  std::vector<std::filesystem::path> inputs;  ///< The inputs of that cook.
 };
 
-/// A source is cooked as far as it can be seen: the search for draw orders takes longest and changes soft edges alone.
+/// A source is cooked only as far as a picture needs: the search for draw orders takes longest and changes soft edges
+/// alone.
 tl::expected<LookedAt, ToolError> asset_of(const LookOptions& options, const Messages& messages) {
   auto bytes = FileBytes::read(options.file);
   if (!bytes) return tl::unexpected(bytes.error());

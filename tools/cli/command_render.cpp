@@ -69,7 +69,7 @@ struct RenderOptions {
 struct Body {
   importer::SourceModel model;
   render::BodyTextures textures;
-  std::vector<std::filesystem::path> files;  ///< It was read from, or that it names.
+  std::vector<std::filesystem::path> files;  ///< The file it was read from, and the files that this one names.
 };
 
 /// Whether the asset was cooked from this very file.
@@ -79,7 +79,7 @@ bool is_source_of(const Asset& asset, const std::filesystem::path& file) {
   return made != nullptr && bytes && xxh64(bytes->span()) == made->source_hash;
 }
 
-/// Without meshes where the file has none beside the hair's own.
+/// Without meshes if the file has only the hair's own.
 tl::expected<Body, ToolError> read_body(const RenderOptions& options, const Asset& asset, const Messages& messages) {
   const auto choice = choose_recipe(options.body, options.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
@@ -99,7 +99,7 @@ tl::expected<Body, ToolError> read_body(const RenderOptions& options, const Asse
   return Body{std::move(*model), std::move(textures), std::move(files)};
 }
 
-/// As many shaded samples as there may be, the rest of the driver's.
+/// Splits the limit of shaded samples: as many as possible are oversampling, the rest multisampling by the driver.
 void share_samples(const RenderOptions& options, render::PictureSettings& settings) {
   constexpr std::uint32_t kMostSamplesAcross = 8192;
   settings.oversampling = 1;

@@ -22,13 +22,13 @@
 namespace coif::cli {
 namespace {
 
-/// A report in the forms that somebody asked for.
+/// A report in the requested forms.
 struct Rendered {
-  std::string printed;  ///< For the standard output.
+  std::string printed;  ///< For standard output.
   std::string file;     ///< For the output file; empty where there is none.
 };
 
-/// Shows what is measured while it is, and writes the time it took into the heading.
+/// Shows progress while measuring, and writes the elapsed time into the heading.
 template <typename Measure>
 auto timed(const std::string& file, report::ReportHeading& heading, Measure measure) {
   ProgressLine line(file);
@@ -38,16 +38,16 @@ auto timed(const std::string& file, report::ReportHeading& heading, Measure meas
   return report;
 }
 
-/// The file, and what is asked about it.
+/// The file, and the options of its report.
 struct ReportJob {
   const ReportOptions& options;
-  const std::string& suffix;  ///< Of the output file; empty where there is none.
+  const std::string& suffix;  ///< The output file's suffix; empty where there is none.
   const std::string& view;    ///< The text of the page that the report links to; empty where there is none.
   const Asset& asset;
-  const std::optional<ReportStrands>& strands;  ///< Of a report about cards.
+  const std::optional<ReportStrands>& strands;  ///< For a report about cards.
 };
 
-/// How a report is shown.
+/// How a report is printed.
 template <typename Report>
 struct ReportForms {
   std::string (*text)(const report::ReportHeading&, const Report&);
@@ -160,7 +160,8 @@ tl::expected<void, ToolError> check_report_outputs(const ReportOptions& options)
   return check_outputs(outputs, inputs);
 }
 
-/// The page of `coif view` that the report links to; empty where none was asked for. Before the minutes of measuring.
+/// The page of `coif view` that the report links to; empty where none was requested. Made before the minutes of
+/// measuring.
 tl::expected<std::string, ToolError> linked_page(const ReportOptions& options, const std::string& suffix,
                                                  const AssetFile& file) {
   if (options.view.empty()) {

@@ -32,7 +32,7 @@ struct SimulateOptions {
   bool true_gravity = false;
   GustOptions gusts;
   std::optional<PoseChoice> pose;
-  animation::RecordingSettings recording;  ///< But for the motion.
+  animation::RecordingSettings recording;  ///< Without the motion.
   OutputFormat format = OutputFormat::kText;
 };
 

@@ -33,7 +33,7 @@ std::string in_case(std::string text, int (*letter)(int)) {
   return text;
 }
 
-/// Chunks of the format and those that only this asset has.
+/// The chunks of the format, and unknown ones that this asset has.
 Ids nameable_chunks(const Asset& asset) {
   Ids ids;
   for (const ChunkLayout& layout : kChunkLayouts) ids.push_back(layout.id);
@@ -71,9 +71,8 @@ tl::expected<Ids, ToolError> chunks_of(const std::string& word, const Ids& chunk
   return unknown_word(word, chunks);
 }
 
-/// The chunks that a list such as "textures,NAME" stands for, in letters of either case: groups, chunks of the format,
-/// and whatever else the asset has. Errors (kUsage) say which word is none of these, with the nearest one, and which
-/// chunks no asset is without.
+/// The chunks of a list such as "textures,NAME", ignoring case: groups, chunks of the format, and other chunks of the
+/// asset. Errors (kUsage) name a word that is none of these, with the nearest one, and chunks that every asset needs.
 tl::expected<Ids, ToolError> choose_chunks(const std::string& list, const Asset& asset) {
   const Ids nameable = nameable_chunks(asset);
   Ids chosen;
@@ -121,7 +120,7 @@ std::string strip_text(const StripOptions& options, std::size_t before, const St
   return text;
 }
 
-/// What the runtime would refuse must never reach a disk.
+/// A file that the runtime would refuse must never be written.
 tl::expected<void, ToolError> check_stripped(const StripOptions& options, const StrippedAsset& stripped) {
   const FileBytes bytes = FileBytes::copy(stripped.file);
   Asset asset;

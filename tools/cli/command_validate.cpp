@@ -26,10 +26,10 @@ namespace {
 namespace fs = std::filesystem;
 using Found = tl::expected<Diagnostics, ToolError>;
 
-/// What an asset should have been cooked from.
+/// The inputs that the asset should have been cooked from.
 struct OriginOptions {
   std::string source;                 ///< Empty: nothing is compared.
-  std::optional<std::string> recipe;  ///< None: the one beside the source, or the defaults.
+  std::optional<std::string> recipe;  ///< None: the recipe beside the source, or the defaults.
   std::vector<fs::path> roots;        ///< ImportSettings::roots.
   SourceLimits limits;
   bool recook = false;  ///< Compare with the bytes of a new cook, too.
@@ -55,7 +55,7 @@ Found compare_with_new_cook(const Asset& asset, std::span<const std::byte> cooke
   return validate::find_recook_issues(asset, cooked_anew);
 }
 
-/// What a child process is to make of a source, and within what limits.
+/// The order and the limits for a child process that reads a source.
 CookOrder order_of(const std::string& source, const RecipeChoice& choice, const OriginOptions& options,
                    const Messages& messages) {
   CookOrder order;
@@ -67,8 +67,8 @@ CookOrder order_of(const std::string& source, const RecipeChoice& choice, const 
   return order;
 }
 
-/// Whether the asset still is what a cook of the source would give. Errors: those of reading source and recipe; with
-/// `recook` those of the cook.
+/// Whether a cook of the source would still give this asset. Errors: those of reading source and recipe; with `recook`
+/// also those of the cook.
 Found compare_with_origin(const Asset& asset, const OriginOptions& options, const Messages& messages) {
   const auto bytes = FileBytes::read(options.source);
   if (!bytes) return tl::unexpected(bytes.error());
@@ -99,7 +99,7 @@ Found validate_asset(std::span<const std::byte> bytes, const OriginOptions& orig
   return issues;
 }
 
-/// Cooks it, but for what takes longest and warns of nothing: the search for draw orders.
+/// Cooks the source without the search for draw orders, which takes longest and gives no warnings.
 Diagnostics issues_of_a_cook(const fs::path& path, RecipeChoice choice, const OriginOptions& options,
                              const Messages& messages) {
   choice.recipe.order_method = cook::OrderMethod::kHead;
@@ -122,7 +122,7 @@ Diagnostics validate_source(const fs::path& path, const OriginOptions& options, 
   return issues;
 }
 
-/// Nothing of what is no asset, or does not open.
+/// Empty for a file that is not an asset or does not open.
 IssuePictures pictures_of(std::span<const std::byte> bytes, const validate::JudgedIssues& issues) {
   Asset asset;
   return open_whole(bytes, asset) ? picture_issues(asset, issues.shown) : IssuePictures{};
@@ -143,7 +143,7 @@ tl::expected<Verdict, ToolError> validate_file(const std::string& path, const Va
   return verdict;
 }
 
-/// What is folded is told behind the last that is shown of its code.
+/// A note that further issues of a code are left out comes after the last one that is shown.
 void tell(const Verdict& verdict, const Messages& messages) {
   std::map<std::string, std::size_t> last;
   for (std::size_t i = 0; i < verdict.issues.shown.size(); ++i) last[verdict.issues.shown[i].code] = i;
@@ -174,7 +174,7 @@ tl::expected<void, ToolError> check_usage(const ValidateOptions& options) {
   return check_ignored(options.policy.ignored, "--ignore");
 }
 
-/// Every error that the file has says that it cannot be read here.
+/// Every error of the file says that this version cannot read it.
 bool is_only_unsupported(const Verdict& verdict) {
   const auto is_error = [](const Diagnostic& issue) { return issue.severity == Severity::kError; };
   auto errors = verdict.issues.shown | std::views::filter(is_error);
@@ -191,7 +191,7 @@ Exit exit_of(std::span<const Verdict> verdicts) {
   return std::ranges::any_of(verdicts, invalid) ? Exit::kUnsupported : Exit::kOk;
 }
 
-/// Prints the verdicts, and writes the page that was asked for.
+/// Prints the verdicts and writes the page, if requested.
 tl::expected<Exit, ToolError> publish(const std::vector<Verdict>& verdicts, const ValidateOptions& options) {
   print_result(options.format == OutputFormat::kJson ? verdicts_json(verdicts) : verdicts_text(verdicts));
   if (!options.report.empty()) {

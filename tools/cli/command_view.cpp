@@ -17,7 +17,7 @@ struct ViewOptions {
   std::string output;
   std::string page;
   HeadMotion motion;
-  LiveOptions live;            ///< Of a source.
+  LiveOptions live;            ///< For a source.
   bool asks_for_cook = false;  ///< Something of `live` was given.
   OutputFormat format = OutputFormat::kText;
 };
@@ -34,7 +34,7 @@ std::string result_text(const ViewOptions& options, const std::filesystem::path&
                      (bytes + 1023) / 1024);
 }
 
-/// What has to be cooked first.
+/// True for a file that has to be cooked first.
 bool is_live(const std::string& path, const tl::expected<FileBytes, ToolError>& bytes) {
   if (std::filesystem::path(path).extension() == ".json") return true;
   return is_source(path, bytes ? bytes->span() : std::span<const std::byte>());

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// `found`: what the cook turned out to read and to name; empty before it.
+/// `found`: the files that the cook read or named; empty before the cook.
 tl::expected<void, ToolError> check_cook_outputs(const CookOptions& options, const RecipeChoice& choice,
                                                  const cook::CookInputs& found) {
   std::vector<fs::path> inputs = files_of(choice, found);
@@ -34,7 +34,7 @@ tl::expected<void, ToolError> check_cook_outputs(const CookOptions& options, con
   return check_outputs(outputs, inputs);
 }
 
-/// The version alone would not tell apart two builds of it.
+/// The version alone would not distinguish two builds of it.
 std::string tool_identity() {
   const auto program = FileBytes::read(platform::program_path());
   return fmt::format("coif {} {}", COIF_VERSION, program ? cache::content_digits(program->span()) : "");
@@ -45,7 +45,7 @@ struct FinishedCook {
   bool from_cache = false;
 };
 
-/// Cooks as if there were no cache.
+/// Cooks without a cache.
 tl::expected<cook::CookResult, FailedCook> cook_source(const CookOptions& options, const RecipeChoice& choice,
                                                        std::span<const std::byte> bytes, const Messages& messages) {
   std::optional<ProgressLine> progress;

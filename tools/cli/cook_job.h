@@ -22,21 +22,22 @@
 
 namespace coif::cli {
 
-/// A cook as it is told to people and programs.
+/// A cook's result for people and programs.
 struct CookSummary {
   std::string output;                        ///< Path of the asset.
   std::size_t bytes = 0;                     ///< Its size.
   cook::CookReport report;                   ///< Passes include the import; warnings include the importer's.
   bool draft = false;                        ///< CookSettings::draft.
-  bool from_cache = false;                   ///< The report's times are those of the cook that filled the cache.
-  std::vector<std::filesystem::path> files;  ///< What was read beside the source, or looked for in vain.
+  bool from_cache = false;                   ///< The report's times are then those of the cook that filled the cache.
+  std::vector<std::filesystem::path> files;  ///< Files that were read besides the source, or looked for in vain.
   std::vector<std::filesystem::path> named;  ///< CookInputs::named_files.
 };
 
 /// The result as JSON; the keys are stable.
 [[nodiscard]] nlohmann::ordered_json cook_json(const CookSummary& summary);
 
-/// What was made and what to do next; `in_full` with all notes, what was left out, the passes' times and the files.
+/// The result and the next command to use. `in_full`: also all notes, what was left out, the passes' times and the
+/// files.
 [[nodiscard]] std::string cook_text(const CookSummary& summary, bool in_full);
 
 /// The command line of `coif cook`.
@@ -44,8 +45,8 @@ struct CookOptions {
   std::vector<std::string> sources;
   std::string output;  ///< A file for one source, a folder for several.
   std::optional<std::string> recipe;
-  const char* preset = "";    ///< Before the recipe's "look.preset".
-  std::string body;           ///< Before the recipe's "cards.body".
+  const char* preset = "";    ///< Overrides the recipe's "look.preset".
+  std::string body;           ///< Overrides the recipe's "cards.body".
   std::string manifest;       ///< Instead of sources.
   std::string share = "1/1";  ///< The batch of the manifest that is cooked here, as K/N.
   std::string report;
@@ -56,60 +57,59 @@ struct CookOptions {
   bool list_presets = false;
   std::optional<std::string> list;  ///< "source" or "patches": print it, and cook nothing.
   unsigned jobs = platform::all_threads();
-  std::optional<unsigned> threads;  ///< Of each cook.
+  std::optional<unsigned> threads;  ///< Threads of each cook.
   SourceLimits limits;
   OutputFormat format = OutputFormat::kText;
   bool shows_progress = true;
-  bool quiet = false;  ///< Errors and warnings only, and what was asked for as JSON.
+  bool quiet = false;  ///< Print only errors, warnings, and requested JSON.
   bool verbose = false;
   bool durable = false;
   bool draft = false;         ///< CookSettings::draft.
   bool list_patches = false;  ///< CookSettings::list_patches.
   bool warnings_as_errors = false;
-  std::vector<std::string> ignored;  ///< Codes, beside the recipe's "warnings.acknowledged".
+  std::vector<std::string> ignored;  ///< Codes in addition to the recipe's "warnings.acknowledged".
 
   [[nodiscard]] const std::string& source() const { return sources.front(); }
 };
 
-/// Why there is no asset, with the issues that `coif validate` has of the same source. They include the warnings that
-/// were found first.
+/// The reason for a failed cook, with the issues that `coif validate` has for the same source. They include warnings
+/// that were found before.
 struct FailedCook : ToolError {
-  /// The source cannot be read, or takes too much; or there is no issue, because the command line or an output is at
-  /// fault.
+  /// For a source that cannot be read or takes too much; and, without issues, for a wrong command line or output.
   FailedCook(ToolError error);
   FailedCook(ToolError error, Diagnostics found) : ToolError(std::move(error)), issues(std::move(found)) {}
 
   Diagnostics issues;
 };
 
-/// By what the recipe says, or by its file.
+/// A failure because of a recipe's value, or of its file.
 [[nodiscard]] FailedCook failed_by_recipe(const ToolError& error);
 
 /// A cook that failed as JSON: source, output, status, exit_code, error, issues; the keys are stable.
 [[nodiscard]] nlohmann::ordered_json failed_cook_json(const CookOptions& options, const FailedCook& failed);
 
-/// Writes that to --report, where one is asked for: in place of an earlier report or where there is no file, and never
-/// over anything else, since a failed cook does not know all that its source names.
+/// Writes the failure to --report, if requested: over an earlier report or a new file, and never over anything else,
+/// since a failed cook does not know all files that its source names.
 void report_failed_cook(const CookOptions& options, const FailedCook& failed, const Messages& messages);
 
 struct CookOrder;
 
-/// What a child process is asked to make of the first of `options.sources`, but for its hash. Says once in the process
+/// The order to a child process that cooks the first of `options.sources`, without its hash. Prints once per process
 /// that models are read without a sandbox, where that is so.
 [[nodiscard]] CookOrder order_of(const CookOptions& options, const RecipeChoice& choice, const Messages& messages);
-/// Within what limits.
+/// The limits of that child process.
 [[nodiscard]] LimitedCall limited_call(const CookOptions& options);
 
-/// Adds the codes that the command line ignores to those that the recipe does. Error (kUsage, kBadInput): one is no
+/// Adds the codes that the command line ignores to the recipe's. Error (kUsage, kBadInput): a code is not that of a
 /// warning.
 tl::expected<void, ToolError> acknowledge(const CookOptions& options, RecipeChoice& choice);
 
-/// Of the first of `options.sources`: cooks within the limits, without a cache, and writes nothing.
+/// Cooks the first of `options.sources` within the limits, without a cache, and writes nothing.
 tl::expected<cook::CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice,
                                                      const Messages& messages);
 
-/// Cooks the first of `options.sources`, or takes the result from the cache, tells the warnings, and writes asset,
-/// report and depfile, each whole or not at all and none without the asset.
+/// Cooks the first of `options.sources` or takes the result from the cache, prints the warnings, and writes asset,
+/// report and depfile. Each file is written whole or not at all, and none without the asset.
 tl::expected<CookSummary, FailedCook> run_cook_job(const CookOptions& options, const RecipeChoice& choice,
                                                    const Messages& messages);
 

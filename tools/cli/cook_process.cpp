@@ -37,7 +37,7 @@ platform::Bytes encode_order(const CookOrder& order) {
   return std::move(encoder.bytes);
 }
 
-/// Throws where the bytes are not those of encode_order(), which is of the same program.
+/// Throws where the bytes are not those of encode_order(), which runs in the same program.
 CookOrder decode_order(std::span<const std::uint8_t> bytes) {
   ByteDecoder decoder(bytes);
   platform::Bytes packed;
@@ -96,7 +96,7 @@ CookOutcome decode_outcome_of_cook(std::span<const std::uint8_t> bytes) {
   return answer;
 }
 
-// In the child.
+// Runs in the child.
 
 /// A model that came along takes no time.
 importer::ImportOutcome model_of_order(const CookOrder& order, const platform::Threads& threads,

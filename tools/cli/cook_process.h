@@ -15,7 +15,7 @@
 
 namespace coif::cli {
 
-/// What a child process is to make of a source.
+/// The work of a child process on a source.
 struct CookOrder {
   std::string source;
   cook::Recipe recipe;
@@ -27,20 +27,20 @@ struct CookOrder {
   bool list_patches = false;  ///< CookSettings::list_patches.
   bool cooks = true;          ///< false: the source is read, and that is all.
   bool keeps_model = false;   ///< The answer brings the model along.
-  bool finds_issues = false;  ///< The answer brings what `coif validate` says of the source and its cook.
+  bool finds_issues = false;  ///< The answer includes the issues that `coif validate` has for the source and its cook.
   platform::Bytes model{};    ///< CookAnswer::model of an earlier answer about this source, which is not read then.
 };
 
 struct CookAnswer {
   cook::CookResult result;        ///< Passes include the import. Empty unless CookOrder::cooks.
-  ProvenanceRecord provenance{};  ///< The source's with this recipe, as an asset of a cook would tell it.
-  Diagnostics issues;             ///< Found where CookOrder::finds_issues asks for them.
-  platform::Bytes model;          ///< For decode_model(), of CookOrder::keeps_model.
+  ProvenanceRecord provenance{};  ///< The provenance of an asset cooked from this source with this recipe.
+  Diagnostics issues;             ///< Filled if CookOrder::finds_issues is set.
+  platform::Bytes model;          ///< For decode_model(); filled if CookOrder::keeps_model is set.
 };
 
-/// Reads a source and cooks it in a child process that keeps to the limits of `call`. Errors: those of
-/// read_hair_source(), cook() and run_within_limits(), with the issues of a cook that failed. Throws Stopped, the child
-/// gone, where the token of `call` is requested.
+/// Reads and cooks a source in a child process that keeps the limits of `call`. Errors: those of read_hair_source(),
+/// cook() and run_within_limits(), with the issues of a failed cook. Throws Stopped, after the child has ended, where
+/// the token of `call` is requested.
 tl::expected<CookAnswer, FailedCook> cook_in_child(const CookOrder& order, const LimitedCall& call);
 
 }  // namespace coif::cli

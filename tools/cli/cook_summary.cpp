@@ -29,7 +29,7 @@ std::string next_step(const CookSummary& summary) {
   return fmt::format("coif render {} -o picture.png", summary.output);
 }
 
-/// Decibels are those that are expected.
+/// Decibels are expected values.
 nlohmann::ordered_json draw_order_json(const cook::OrderFigures& order) {
   return {{"orders", order.orders},       {"psnr_db", order.psnr},          {"median_psnr_db", order.median},
           {"worst_psnr_db", order.worst}, {"moving_psnr_db", order.moving}, {"crossings", order.crossings},
@@ -48,7 +48,7 @@ nlohmann::ordered_json left_out_json(const cook::CookReport& report) {
   return list;
 }
 
-/// All that was found, what each pass took, and what was read.
+/// All findings, the time of each pass, and the files that were read.
 std::string details(const CookSummary& summary) {
   const cook::CookReport& report = summary.report;
   std::string text;
@@ -118,7 +118,7 @@ nlohmann::ordered_json failed_cook_json(const CookOptions& options, const Failed
 
 namespace {
 
-/// A JSON object with what each report has: "output", and beside it the passes or the error.
+/// Whether the file is a JSON object with the members of a report: "output", and the passes or the error.
 bool is_report(const std::filesystem::path& file) {
   const auto bytes = FileBytes::read(file);
   if (!bytes) return false;

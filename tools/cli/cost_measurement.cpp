@@ -14,7 +14,7 @@
 namespace coif::cli {
 namespace {
 
-constexpr double kSimulationShare = 0.3;  // of the time, where there is something to draw
+constexpr double kSimulationShare = 0.3;  // Share of the time for simulation, where there is something to draw.
 constexpr std::uint64_t kMostCrowdBytes = std::uint64_t{1} << 30;
 
 bool is_simulated(const Asset& asset) { return asset.skeleton().simulated_count > 0 && !asset.dynamics().empty(); }
@@ -126,7 +126,7 @@ tl::expected<void, ToolError> add_drawing(const Asset& asset, const CostChoice& 
   return add_thesis_table(asset, choice, make, report);
 }
 
-/// Errors that only say that nothing can be drawn become the report's note.
+/// An error that only says that nothing can be drawn becomes a note of the report.
 tl::expected<void, ToolError> add_drawing_or_note(const Asset& asset, const CostChoice& choice,
                                                   const report::ReportProgress& progress, report::CostReport& report) {
   report.rendering.width = choice.width;

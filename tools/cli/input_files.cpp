@@ -172,7 +172,7 @@ tl::expected<importer::SourceModel, ToolError> keep_body(importer::SourceModel m
       model.meshes.clear();
       return model;
     }
-    // Another model without a sign of hair is taken for hair as a whole; who gives it as a body knows better.
+    // A model without a sign of hair counts as hair; a caller who passes it as a body knows better.
     if (leaves_body) remove_hair(*hair, model);
   }
   std::erase_if(model.meshes, [&](const importer::SourceMesh& mesh) {

@@ -25,8 +25,8 @@ namespace coif::cli {
 /// An open asset together with the memory it looks into. Moving it leaves the asset's spans valid.
 class AssetFile {
  public:
-  /// Errors: those of FileBytes::read(), and kBadInput or kUnsupported (another format version) for what the reader
-  /// refuses, with its evidence.
+  /// Errors: those of FileBytes::read(); kBadInput or kUnsupported (another format version) where the reader refuses
+  /// the file, with its evidence.
   static tl::expected<AssetFile, ToolError> open(const std::filesystem::path& path);
   /// Bytes that are in hand already; the path is for messages.
   static tl::expected<AssetFile, ToolError> open(const std::filesystem::path& path, FileBytes bytes);
@@ -47,20 +47,21 @@ class AssetFile {
 
 struct RecipeChoice {
   cook::Recipe recipe;
-  std::filesystem::path directory;  ///< Where its texture paths start: the recipe's folder, else the source's.
+  std::filesystem::path directory;  ///< The folder of its texture paths: the recipe's, else the source's.
   std::filesystem::path file;       ///< Empty: the defaults, no file.
-  bool is_found = false;  ///< It lies beside the source, and nobody named it: it comes from whom the source does.
+  bool is_found = false;            ///< It lies beside the source and nobody named it, so it has the source's author.
 };
 
-/// The source itself where it is a recipe; the recipe named on the command line; else SOURCE-stem.recipe.json beside
-/// the source, with a note; else defaults. An empty `source` has nothing beside it. Each begins from `beginning`.
+/// Chooses a recipe: the source itself if it is one; the one named on the command line; else SOURCE-stem.recipe.json
+/// beside the source, with a note; else the defaults. An empty `source` has no recipe beside it. Each starts from
+/// `beginning`.
 tl::expected<RecipeChoice, ToolError> choose_recipe(const std::filesystem::path& source,
                                                     const std::optional<std::string>& named, const Messages& messages,
                                                     const cook::RecipeBeginning& beginning = {});
 
-/// For whoever takes sources from strangers (--require-sandbox): the files that a recipe names which was found beside
-/// its source really lie in its folder or in one of the `roots`. One that the command line names is the caller's own
-/// word, and names any. Error: kBadInput.
+/// For hosts that take sources from strangers (--require-sandbox): checks that the files named by a recipe beside its
+/// source really lie in its folder or in one of the `roots`. A recipe from the command line is the caller's own and may
+/// name any file. Error: kBadInput.
 [[nodiscard]] tl::expected<void, ToolError> check_named_files(const RecipeChoice& choice,
                                                               std::span<const std::filesystem::path> roots);
 
@@ -71,9 +72,9 @@ tl::expected<RecipeChoice, ToolError> held_recipe(const std::filesystem::path& s
                                                   const Messages& messages,
                                                   const cook::RecipeBeginning& beginning = {});
 
-/// The files that the choice's recipe names, and its own; what no output may be written over.
+/// The files that the choice's recipe names, and the recipe's own; no output may overwrite them.
 [[nodiscard]] std::vector<std::filesystem::path> files_of(const RecipeChoice& choice);
-/// The same, and what a cook with it read and found to be named.
+/// These files, and those that a cook with the recipe read or named.
 [[nodiscard]] std::vector<std::filesystem::path> files_of(const RecipeChoice& choice, const cook::CookInputs& inputs);
 /// The files that a model was read from and that it names.
 [[nodiscard]] std::vector<std::filesystem::path> files_of(const importer::SourceModel& model);
@@ -81,14 +82,14 @@ tl::expected<RecipeChoice, ToolError> held_recipe(const std::filesystem::path& s
 /// Puts a body named on the command line in place of the recipe's; nothing where `body` is empty.
 void choose_body(const std::filesystem::path& body, RecipeChoice& choice);
 
-/// What a recipe says about reading the source, and ImportSettings::roots.
+/// The recipe's settings for reading the source, and ImportSettings::roots.
 [[nodiscard]] importer::ImportSettings import_settings(const cook::Recipe& recipe,
                                                        std::vector<std::filesystem::path> roots);
 
-/// Leaves the body alone, so that hair is not drawn twice. `pattern`: with * and ?, of the meshes to keep; empty:
+/// Keeps only the body's meshes, so that hair is not drawn twice. `pattern`: meshes to keep, with * and ?; empty:
 /// everything that a cook with this recipe would not take for hair. `is_hairs_own`: the hair was cooked from this
-/// model, which is left without meshes where it has nothing else. Errors: kBadInput where nothing is left, with the
-/// names that there are; those of choose_hair().
+/// model; if it has nothing else, it is left without meshes. Errors: kBadInput with all names where nothing is left;
+/// those of choose_hair().
 tl::expected<importer::SourceModel, ToolError> keep_body(importer::SourceModel model, const std::string& pattern,
                                                          const cook::Recipe& recipe, bool is_hairs_own);
 

@@ -24,7 +24,7 @@ std::string stem_of_recipe(const fs::path& recipe) {
   return stem.ends_with(".recipe") ? stem.substr(0, stem.size() - 7) : stem;
 }
 
-/// The one model that lies beside a recipe and is called like it.
+/// The only model beside a recipe that has the recipe's stem.
 tl::expected<fs::path, ToolError> source_beside(const fs::path& recipe) {
   std::error_code error;
   if (!fs::exists(recipe, error))

@@ -23,8 +23,8 @@
 namespace coif::cli {
 namespace {
 
-/// A result that did not reach its reader (a full disk behind a redirection) is a failure, too. Whoever closed the pipe
-/// wants no more, and is told nothing.
+/// A result that did not reach its reader (a full disk behind a redirection) is a failure, too. A reader that closed
+/// the pipe wants no more, and gets no message.
 Exit flush_results(Exit code, const Messages& messages) {
   const bool is_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (is_written) return code;
@@ -46,7 +46,7 @@ Exit report_usage(const CLI::App& program, const CLI::ParseError& error) {
   return Exit::kUsage;
 }
 
-/// What the command line names without an option's name: the files that a command is about.
+/// The files on the command line that have no option's name: the ones that a command is about.
 std::string named_files(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
@@ -101,7 +101,7 @@ Exit run_program(int argc, char** argv) {
     CLI::App& app = *commands.back().app;
     app.footer(app.get_footer().empty() ? exit_code_help() : app.get_footer() + "\n" + exit_code_help());
   }
-  program.footer(exit_code_help());  // Now, for commands begin with a copy of what the program has.
+  program.footer(exit_code_help());  // Set now, since commands start with a copy of the program's settings.
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -63,7 +63,7 @@ Draws it.
 Measures what it costs on this machine.
 )";
 
-/// Words as they are: without what roff would take for commands, special characters and breakable hyphens.
+/// Escapes everything that roff would read as commands, special characters or breakable hyphens.
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -80,12 +80,12 @@ std::string escaped(std::string_view text) {
   return result.starts_with('.') ? "\\&" + result : result;
 }
 
-/// A definition: a bold term on a line of its own, what it means beneath.
+/// A definition: a bold term on a line of its own, with its meaning beneath.
 std::string term(std::string_view name, std::string_view meaning) {
   return fmt::format(".TP\n\\fB{}\\fR\n{}\n", escaped(name), escaped(meaning));
 }
 
-/// Text of the help: its lines are sentences, and the indented ones a table of words with what they mean.
+/// Text of the help: its lines are sentences; indented lines are a table of words with their meanings.
 std::string prose(const std::string& text) {
   std::string result;
   std::istringstream lines(text);
@@ -124,7 +124,7 @@ std::string options(const CLI::App& app, bool positional) {
   return result;
 }
 
-/// What it is for, and what its help says at the end, without the exit codes, which have a section of their own.
+/// The command's purpose and the footer of its help, without the exit codes, which have a section of their own.
 std::string text_of(const CLI::App& command) {
   const std::string footer = command.get_footer(), codes = exit_code_help();
   if (footer == codes || !footer.ends_with(codes)) return command.get_description();

@@ -41,7 +41,8 @@ Messages Messages::without_notes() const {
 }
 
 void Messages::write(std::string_view severity, std::string_view text) const {
-  // Names of files and of what is in them may hold what a terminal obeys. What cannot be printed changes nothing.
+  // Names from files may contain control characters that a terminal obeys. Replacing them does not change printable
+  // text.
   const std::string line =
       fmt::format("{}: {}: {}\n", program_, severity, printable_text(text, std::string_view::npos));
   (void)std::fwrite(line.data(), 1, line.size(), stderr);

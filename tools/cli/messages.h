@@ -9,8 +9,8 @@
 
 namespace coif::cli {
 
-/// What a command says to people, on the standard error: `coif cook: warning: braid.glb: ...`. Results go to the
-/// standard output and never pass here.
+/// A command's messages for people, on standard error: `coif cook: warning: braid.glb: ...`. Results go to standard
+/// output instead.
 class Messages {
  public:
   /// `verb`: the command's name; empty before one is known.
@@ -25,7 +25,7 @@ class Messages {
   /// One line of that severity.
   void tell(Severity severity, std::string_view text) const;
 
-  /// The same, silent about what is only worth knowing.
+  /// The same without notes.
   [[nodiscard]] Messages without_notes() const;
 
  private:
@@ -35,11 +35,11 @@ class Messages {
   bool tells_notes_ = true;
 };
 
-/// What the program is doing, on one line of a terminal that is written over and erased at the end. Writes nothing
-/// where the stream is not a terminal, so that logs and pipes see messages only.
+/// The program's present work, on one line of a terminal that is overwritten and erased at the end. Writes nothing
+/// where the stream is not a terminal, so logs and pipes get messages only.
 class ProgressLine {
  public:
-  /// `what`: what all of it is about, for example the file. The stream outlives this object.
+  /// `what`: the subject of the work, for example the file. The stream must outlive this object.
   explicit ProgressLine(std::string what, std::FILE* stream = stderr);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
@@ -57,11 +57,11 @@ class ProgressLine {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-// What goes to the standard output.
+// Writing to standard output.
 
 void print_result(std::string_view text);
 
-/// Whose works the program has in it, and their licences. Made by third_party.cmake.
+/// The third-party works in the program, and their licences. Made by third_party.cmake.
 extern const char* const kThirdPartyNotices;
 
 }  // namespace coif::cli

@@ -31,14 +31,14 @@ enum class OutputFormat { kText, kJson };
 /// --format text|json
 void add_format(CLI::App& app, OutputFormat& format);
 
-/// One word of the command line and what it stands for.
+/// A word of the command line and its value.
 template <typename Value>
 struct Choice {
   const char* name;
   Value value;
 };
 
-/// Choices among things that have a name, each of which stands for itself.
+/// Choices among named things; each name stands for its thing.
 template <typename Named>
 [[nodiscard]] std::vector<Choice<const char*>> name_choices(std::span<const Named> things) {
   std::vector<Choice<const char*>> choices;
@@ -73,7 +73,7 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, Number& value, L
   return app.add_option(name, value, help)->check(CLI::Range(low, high))->capture_default_str();
 }
 
-/// All of the text.
+/// Parses the whole text as a number.
 template <typename Number>
 std::optional<Number> parse_number(std::string_view text) {
   Number number{};
@@ -93,7 +93,7 @@ std::optional<std::pair<Number, Number>> parse_pair(std::string_view text, char 
   return std::pair{*first, *second};
 }
 
-/// Numbers with commas between them and nothing else; none where one of them is not a number.
+/// Parses numbers separated by commas; none where one of them is not a number.
 template <typename Number>
 std::optional<std::vector<Number>> parse_numbers(std::string_view text) {
   std::vector<Number> numbers;
@@ -115,7 +115,7 @@ struct PixelSize {
 /// --ignore CODE, any number.
 CLI::Option* add_ignored(CLI::App& app, std::vector<std::string>& codes);
 
-/// Error (kUsage): one of them is no code of a warning or note. `who`: what names them.
+/// Error (kUsage): a code is not that of a warning or note. `who`: the option that names them.
 [[nodiscard]] tl::expected<void, ToolError> check_ignored(const std::vector<std::string>& codes,
                                                           const std::string& who);
 
@@ -131,7 +131,7 @@ CLI::Option* add_solver(CLI::App& app, const Solver*& solver);
 /// --wind X,Y,Z: velocity of the air in m/s, world axes, at most 1000.
 CLI::Option* add_wind(CLI::App& app, Vec3& wind);
 
-/// What --gusts asks for; what it leaves out follows the wind.
+/// The options of --gusts; those left out follow the wind.
 struct GustOptions {
   float amplitude = 0;
   std::optional<float> length, speed;
@@ -140,7 +140,7 @@ struct GustOptions {
 /// --gusts AMPLITUDE[,LENGTH[,SPEED]] in the ranges of Gusts.
 CLI::Option* add_gusts(CLI::App& app, GustOptions& gusts);
 
-/// They run with the wind, as fast as it blows, where there is any and nothing else was asked for.
+/// By default gusts move with the wind, at its speed, if there is any.
 [[nodiscard]] Gusts gusts_in(const Vec3& wind, const GustOptions& options);
 
 struct ViewAngles {
@@ -164,10 +164,10 @@ struct ClipChoice {
 struct HeadClip {
   std::string name;                              ///< "walk.glb:head", printable.
   std::shared_ptr<const motion::HeadPath> path;  ///< Not null.
-  std::vector<motion::ClipKey> keys;             ///< What it goes through.
+  std::vector<motion::ClipKey> keys;             ///< The clip's keys.
 };
 
-/// Reads it; `messages` gets what was taken otherwise than the file says. Errors: as read_clip().
+/// Reads the clip; `messages` gets deviations from the file. Errors: as read_clip().
 [[nodiscard]] tl::expected<HeadClip, ToolError> open_clip(const ClipChoice& choice, const Messages& messages);
 
 /// A built-in motion or a clip.
@@ -176,7 +176,7 @@ struct HeadMotion {
   std::optional<ClipChoice> clip{};  ///< Instead of `motion`.
 };
 
-/// Of the clip; empty where there is none.
+/// The file of the clip; empty where there is none.
 [[nodiscard]] inline std::filesystem::path clip_file(const HeadMotion& motion) {
   return motion.clip ? motion.clip->file : std::filesystem::path();
 }
@@ -184,7 +184,7 @@ struct HeadMotion {
 /// --motion NAME|CLIP[:NODE]; `motion` must outlive the parsing.
 CLI::Option* add_motion(CLI::App& app, HeadMotion& motion, const std::string& help);
 
-/// --fps and --seconds; `what` is recorded.
+/// --fps and --seconds; `what`: the thing that is recorded.
 void add_recording(CLI::App& app, animation::RecordingSettings& recording, const std::string& what);
 
 /// A paragraph with each motion and its figures, for --help.

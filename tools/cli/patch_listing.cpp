@@ -17,7 +17,7 @@ std::string root_text(const cook::PatchListing& patch) {
   return patch.root + (patch.is_unsure ? " ?" : "");
 }
 
-/// "3+7": what was said of the patch in the recipe, if anything.
+/// "3+7": the recipe's entry for the patch, if any.
 std::string said_text(const cook::PatchListing& patch) {
   std::string text;
   for (const std::uint32_t o : patch.overrides) text += fmt::format("{}[{}]", text.empty() ? "" : " ", o);

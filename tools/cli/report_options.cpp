@@ -13,7 +13,7 @@ constexpr Choice<ReportSubject> kSubjects[] = {
     {"accuracy", ReportSubject::kAccuracy}, {"stability", ReportSubject::kStability}, {"order", ReportSubject::kOrder},
     {"shadows", ReportSubject::kShadows},   {"cost", ReportSubject::kCost},           {"cards", ReportSubject::kCards}};
 
-/// May stand several times, with one value or several between commas each time.
+/// The option may occur several times, each time with one value or several separated by commas.
 CLI::Option* as_list(CLI::Option* option) {
   return option->allow_extra_args(false)->delimiter(',')->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }

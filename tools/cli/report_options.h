@@ -22,7 +22,7 @@
 
 namespace coif::cli {
 
-/// What `coif report cost` measures.
+/// The settings of `coif report cost`.
 struct CostChoice {
   report::CostSettings simulation;          ///< Its time is set from `seconds`.
   std::uint32_t width = 512, height = 384;  ///< Pixels of a drawn frame.
@@ -32,17 +32,17 @@ struct CostChoice {
   std::uint32_t thesis_width = 1024, thesis_height = 768;  ///< Pixels of its frames.
 };
 
-/// Simulation by tools/report and drawing by tools/render as one report. Hair that cannot be drawn, here or at all, is
-/// no error: the report says why. Errors: those of measure_cost(), and kBadInput for an asset with neither simulated
-/// bones nor a mesh.
+/// Measures simulation (tools/report) and drawing (tools/render) in one report. Hair that cannot be drawn is no error:
+/// the report says why. Errors: those of measure_cost(), and kBadInput for an asset with neither simulated bones nor a
+/// mesh.
 tl::expected<report::CostReport, ToolError> measure_all_cost(const Asset& asset, const CostChoice& choice,
                                                              const report::ReportProgress& progress);
 
-/// What `coif report cards` compares with.
+/// The settings of `coif report cards`.
 struct CardsChoice {
   std::string source;                 ///< The file of the strands.
-  std::optional<std::string> recipe;  ///< None: what lies beside the source, or the defaults.
-  report::CardsSettings settings;     ///< But for what the recipe says.
+  std::optional<std::string> recipe;  ///< None: the recipe beside the source, or the defaults.
+  report::CardsSettings settings;     ///< Without the recipe's values.
   SourceLimits limits;
 };
 
@@ -59,19 +59,19 @@ struct ReportOptions {
   std::string file;
   ReportSubject subject = ReportSubject::kAccuracy;
   std::string output;  ///< Empty: the terminal only.
-  std::string view;    ///< The page of `coif view` to write beside it and to link to; empty: none.
-  std::string page;    ///< What that is made of; empty: as installed.
+  std::string view;    ///< The page of `coif view` to write beside the report and link to; empty: none.
+  std::string page;    ///< The template of that page; empty: the installed one.
   OutputFormat format = OutputFormat::kText;
   report::AccuracySettings accuracy;
-  std::optional<ClipChoice> clip;  ///< To be opened as accuracy.clip.
+  std::optional<ClipChoice> clip;  ///< Opened later, as accuracy.clip.
   report::StabilitySettings stability;
-  CostChoice cost;              ///< But for the size of its pictures.
-  report::OrderSettings order;  ///< But for the size of its pictures, where one was asked for.
+  CostChoice cost;              ///< Without the size of its pictures.
+  report::OrderSettings order;  ///< Without the size of its pictures, if one was given.
   report::ShadowSettings shadows;
-  CardsChoice cards;  ///< But for the size of its pictures, where one was asked for.
+  CardsChoice cards;  ///< Without the size of its pictures, if one was given.
   PixelSize size{512, 384};
   std::vector<SubjectOptions> only;          ///< One for each subject that has options of its own.
-  const CLI::Option* size_option = nullptr;  ///< For subjects with pictures.
+  const CLI::Option* size_option = nullptr;  ///< Applies to subjects with pictures.
 };
 
 /// Declares the options of `coif report`; `options` must outlive the parsing.
@@ -80,14 +80,14 @@ void add_report_options(CLI::App& app, ReportOptions& options);
 /// Error (kUsage): an option that is not for this subject or this output.
 tl::expected<void, ToolError> check_subject(const ReportOptions& options);
 
-/// What `coif report cards` compares with, and how.
+/// The strands and the settings of `coif report cards`.
 struct ReportStrands {
   groom::Groom groom;
   std::uint64_t hash = 0;          ///< XXH64 of its file.
-  report::CardsSettings settings;  ///< Those asked for, with what the recipe says.
+  report::CardsSettings settings;  ///< The settings of the command line and of the recipe.
 };
 
-/// Reads the strands as a cook with the recipe does. Errors: kUsage for a file that is of no format with strands or
+/// Reads the strands as a cook with the recipe does. Errors: kUsage for a file of a format without strands, or for
 /// pictures that are not square; those of choose_recipe() and read_groom(). Blocks; costs a fork.
 [[nodiscard]] tl::expected<ReportStrands, ToolError> read_report_strands(const ReportOptions& options,
                                                                          const Messages& messages);

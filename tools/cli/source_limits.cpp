@@ -69,7 +69,7 @@ constexpr std::uint64_t kBytesOfAThread = std::uint64_t{80} << 20;
 platform::ChildLimits child_limits(const LimitedCall& call) {
   const std::uint32_t whole = call.limits.max_seconds.value_or(kUsualSeconds);
   const std::uint32_t part = call.limits.max_pass_seconds.value_or(whole);
-  const std::uint64_t threads = call.threads.count + 1;  // and the one that JobCall::stop() starts
+  const std::uint64_t threads = call.threads.count + 1;  // One more for the thread that JobCall::stop() starts.
   return {.memory_bytes = (call.limits.max_memory_mb << 20) + threads * kBytesOfAThread,
           .seconds = whole,
           .part_seconds = part < whole ? part : platform::ChildLimits::kForever};

@@ -26,7 +26,7 @@ CLI::Option* add_scale(CLI::App& app, float& scale);
 /// --frame-lengths S[,S...] and --jitter SHARE[,SEED].
 void add_frame_lengths(CLI::App& app, animation::FrameLengths& lengths);
 
-/// "60 per second", or how frames go by turns and at random.
+/// "60 per second", or how frame lengths alternate and vary at random.
 [[nodiscard]] std::string pace_text(const animation::RecordingSettings& recording);
 
 }  // namespace coif::cli

@@ -99,7 +99,7 @@ ordered_json file_json(const Verdict& verdict) {
 
 }  // namespace
 
-// How the page shows files: validate_page.json.
+// The layout of the page: validate_page.json.
 extern "C" const char coif_validate_page[];
 
 std::string verdict_page(std::span<const Verdict> verdicts) {

@@ -22,19 +22,19 @@ struct IssuePicture {
 };
 
 struct IssuePictures {
-  std::vector<IssuePicture> pictures;  ///< One of each patch that has an issue; of the first dozen.
+  std::vector<IssuePicture> pictures;  ///< One picture for each patch with an issue; the first dozen.
   std::string why_none;                ///< Set where nothing can be drawn here.
 };
 
-/// Every patch that `issues` name, red among grey ones, seen from its own side.
+/// Draws every patch that `issues` name, red among grey ones, seen from its own side.
 [[nodiscard]] IssuePictures picture_issues(const Asset& asset, std::span<const Diagnostic> issues);
 
-/// What `coif validate` found out about one file.
+/// The findings of `coif validate` about one file.
 struct Verdict {
   std::string path;
   bool readable = true;
   validate::JudgedIssues issues;
-  IssuePictures pictures;  ///< Where a page was asked for.
+  IssuePictures pictures;  ///< Filled where a page was requested.
 };
 
 /// The result as JSON; its keys are stable, and tools/validate/verdicts.schema.json describes them.
@@ -43,7 +43,7 @@ struct Verdict {
 /// One line per file.
 [[nodiscard]] std::string verdicts_text(const std::vector<Verdict>& verdicts);
 
-/// All verdicts as one HTML document: a table of each file's issues with their meaning and cure, and its pictures.
+/// All verdicts as one HTML document: a table of each file's issues with their meanings and cures, and its pictures.
 [[nodiscard]] std::string verdict_page(std::span<const Verdict> verdicts);
 
 }  // namespace coif::cli

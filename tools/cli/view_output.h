@@ -19,27 +19,27 @@
 
 namespace coif::cli {
 
-inline constexpr const char* kPageSuffix = ".html";  ///< Of files that are opened in a browser.
+inline constexpr const char* kPageSuffix = ".html";  ///< Suffix of files that are opened in a browser.
 
 /// --page VIEW.html: the page of `coif view` without an asset; empty where nobody names one.
 CLI::Option* add_page(CLI::App& app, std::string& page);
 
-/// An asset that `coif view` can show, of bytes that are in hand already. Errors: those of AssetFile::open() and
+/// Opens an asset that `coif view` can show, from bytes in memory. Errors: those of AssetFile::open() and
 /// check_drawable().
 [[nodiscard]] tl::expected<AssetFile, ToolError> open_drawable(const std::string& path, FileBytes bytes);
 
-/// `page`, which was read at `place`, with this asset, by its file's name, and view_page()'s `sheet`. Errors: those of
-/// view_page().
+/// `page`, which was read at `place`, with this asset under its file's name, and view_page()'s `sheet`. Errors: those
+/// of view_page().
 [[nodiscard]] tl::expected<std::string, ToolError> filled_page(const std::filesystem::path& place,
                                                                std::string_view page, const AssetFile& file,
                                                                const std::string& path, std::string_view sheet = {});
 
-/// The same of the page that is found as --page says. Errors: those of find_view_page() and FileBytes::read() too.
+/// The same with the page that --page chooses. Errors also: those of find_view_page() and FileBytes::read().
 [[nodiscard]] tl::expected<std::string, ToolError> filled_page(const std::string& page, const AssetFile& file,
                                                                const std::string& path, std::string_view sheet = {});
 
-/// The page of `coif view` that lies at `place`, read, which begins with this motion if there is one. Errors: those of
-/// a clip, of a file that cannot be read, and of a page without a place for motions.
+/// Reads the page of `coif view` at `place` and lets it begin with this motion, if there is one. Errors: those of a
+/// clip, of a file that cannot be read, and of a page without a place for motions.
 [[nodiscard]] tl::expected<std::string, ToolError> moved_page(const std::filesystem::path& place,
                                                               const std::optional<HeadMotion>& motion,
                                                               const Messages& messages);
@@ -50,15 +50,15 @@ struct LiveOptions {
   std::optional<std::string> recipe;
   std::vector<std::filesystem::path> roots;
   std::filesystem::path page;        ///< As find_view_page() found it.
-  std::optional<HeadMotion> motion;  ///< That it begins with.
+  std::optional<HeadMotion> motion;  ///< The page begins with it.
   SourceLimits limits;
   bool draft = true;
   std::uint16_t port = 0;
   OutputFormat format = OutputFormat::kText;
 };
 
-/// Serves a page of it until somebody ends the program (SIGINT, SIGTERM, SIGHUP). Prints the address; what becomes of
-/// cooks goes to `messages`.
+/// Serves the page until the program is ended (SIGINT, SIGTERM, SIGHUP). Prints the address; the outcomes of cooks go
+/// to `messages`.
 tl::expected<Exit, ToolError> view_live(LiveOptions options, const Messages& messages);
 
 }  // namespace coif::cli

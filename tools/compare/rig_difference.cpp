@@ -15,7 +15,7 @@ Vector3d rest_position(const Asset& asset, std::uint32_t vertex) {
   return Eigen::Map<const Eigen::Vector3f>(asset.vertices()[vertex].position).cast<double>();
 }
 
-/// How far skinning moves a vertex, head space; what a renderer draws less the place at rest.
+/// Displacement of a vertex by skinning, head space: its drawn place minus its place at rest.
 Vector3d displacement(const Asset& asset, const animation::RecordedFrame& frame, std::uint32_t vertex) {
   const Vector3d rest = rest_position(asset, vertex);
   const SkinRecord& skin = asset.skin()[vertex];

@@ -12,11 +12,11 @@
 
 namespace coif::compare {
 
-/// Which points of two surfaces are the same.
+/// Corresponding points of two surfaces.
 struct SurfaceMatch {
   std::vector<std::uint32_t> vertex_a;  ///< Vertices of A's finest level, ascending.
-  std::vector<std::uint32_t>
-      vertex_b;              ///< For each the nearest of B's at rest; at one place that with nearest texture.
+  /// For each the nearest vertex of B at rest; among those at one place the one with the nearest texture coordinates.
+  std::vector<std::uint32_t> vertex_b;
   std::vector<double> area;  ///< Share of A's surface around it; all add up to one.
   double rest_rms = 0;       ///< Metres between the two at rest.
 };
@@ -28,8 +28,8 @@ inline constexpr double kSameSurface = 1.0e-3;
 /// asset without a skinned mesh, kBadInput for surfaces that are not the same. Near-linear time.
 tl::expected<SurfaceMatch, ToolError> match_surfaces(const Asset& a, const Asset& b);
 
-/// How differently two rigs move one surface. A point's displacement is from its place at rest, in head space; RMS is
-/// over the surface and all frames.
+/// The difference between the motions of one surface by two rigs. A point's displacement is from its place at rest, in
+/// head space; RMS is over the surface and all frames.
 struct RigDifference {
   double rms = 0;    ///< Metres, between the displacements by A and by B.
   double max = 0;    ///< Metres, at the worst point and frame.

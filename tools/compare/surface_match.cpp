@@ -17,7 +17,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kReach = 2 * kSameSurface;  ///< Farther vertices count as this far apart.
-constexpr double kTextureMetres = 1.0e-5;    ///< What the texture's whole width counts: it decides only at one place.
+/// Metres that the texture's whole width counts as: it decides only between vertices at one place.
+constexpr double kTextureMetres = 1.0e-5;
 
 Vector3d position(const Asset& asset, std::uint32_t vertex) {
   const float* p = asset.vertices()[vertex].position;

@@ -73,21 +73,21 @@ tl::expected<CookResult, ToolError> cook(const importer::SourceModel& source, co
   CookLog log(settings, result.report);
   const Recipe used = settings.draft ? draft_of(recipe) : recipe;
 
-  // What of the source is hair, of how many metres, and what it is coloured by.
+  // The source's hair, its unit of length, and its base texture.
   auto hair = find_hair(source, used, used, settings, log);
   if (!hair) return tl::unexpected(hair.error());
   const importer::SourceModel& model = hair->model(source);
   result.inputs = inputs_of(model, hair->color, used, settings);
 
-  // Its strips, which way their strands run, and the head that it grows on.
+  // The hair's strips, the direction of their strands, and the head that it grows on.
   auto strips = find_strips(model, std::move(hair->mesh), hair->color, used, used, settings, log);
   if (!strips) return tl::unexpected(strips.error());
 
-  // What moves it, and how.
+  // Bones and dynamics.
   auto rig = make_rig(model, *strips, used, settings, log);
   if (!rig) return tl::unexpected(rig.error());
 
-  // What it looks like, near and far.
+  // Levels of detail, draw orders, textures and material.
   auto drawn = draw_hair(model, std::move(hair->color), std::move(*strips), std::move(*rig), used, used, settings, log);
   if (!drawn) return tl::unexpected(drawn.error());
 

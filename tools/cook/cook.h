@@ -19,18 +19,18 @@
 
 namespace coif::cook {
 
-/// What a cook's result depends on beside the source's and the recipe's own bytes.
+/// The inputs of a cook besides the source's and the recipe's own bytes.
 struct CookInputs {
-  std::vector<std::filesystem::path>
-      source_files;  ///< What the source names, side files and images; some may be absent.
-  std::vector<std::filesystem::path> recipe_files;  ///< What the recipe names, found from the recipe's folder.
-  std::vector<TextureQuestion> questions;           ///< To the TextureFolder of the source.
-  /// Images that the source names for any use, read or not (named_image_files()). No result depends on those that were
-  /// not read, but none of them may be written over.
+  /// Side files and images that the source names; some may be absent.
+  std::vector<std::filesystem::path> source_files;
+  std::vector<std::filesystem::path> recipe_files;  ///< Files that the recipe names, found from its folder.
+  std::vector<TextureQuestion> questions;           ///< Questions to the source's TextureFolder.
+  /// Images that the source names for any use, read or not (named_image_files()). The result does not depend on unread
+  /// ones, but no output may overwrite any of them.
   std::vector<std::filesystem::path> named_files;
 };
 
-/// The patches as people know them: by numbers that do not depend on what else is said in the recipe.
+/// The patches by numbers for people, which do not depend on other values of the recipe.
 struct ListedPatches {
   std::vector<PatchListing> patches;           ///< By number.
   std::vector<std::uint32_t> number_of_place;  ///< For each PatchRecord::file_place of the asset.
@@ -40,7 +40,7 @@ struct CookResult {
   std::vector<std::byte> asset;  ///< The bytes of a .coif; opens without error.
   CookReport report;
   CookInputs inputs;
-  ListedPatches patches;  ///< Empty unless asked for.
+  ListedPatches patches;  ///< Empty unless requested.
 };
 
 /// Runs the five stages on a source model (cook/stages). Pure: same model, recipe and settings give the same bytes.
@@ -48,8 +48,8 @@ struct CookResult {
 tl::expected<CookResult, ToolError> cook(const importer::SourceModel& source, const Recipe& recipe,
                                          const CookSettings& settings);
 
-// What a cook gave, as bytes: on its way from a child process, and in a cache. The documents go into MessagePack, whose
-// texts may hold any bytes, as names in artists' files do.
+// A cook's result as bytes: on its way from a child process, and in a cache. The documents are stored as MessagePack,
+// whose texts may hold any bytes, as names in artists' files do.
 
 [[nodiscard]] nlohmann::json report_document(const CookReport& report);
 /// Throws a std::exception where the document has another shape.
@@ -59,9 +59,9 @@ tl::expected<CookResult, ToolError> cook(const importer::SourceModel& source, co
 /// Throws a std::exception where the document has another shape.
 [[nodiscard]] std::vector<TextureQuestion> questions_from(const nlohmann::json& document);
 
-/// All of a result, for another process of this program.
+/// Encodes a whole result, for another process of this program.
 [[nodiscard]] std::vector<std::uint8_t> encode_result(const CookResult& result);
-/// What encode_result() made. Throws a std::exception for any other bytes.
+/// Decodes the bytes of encode_result(). Throws a std::exception for any other bytes.
 [[nodiscard]] CookResult decode_result(std::span<const std::uint8_t> bytes);
 
 }  // namespace coif::cook

@@ -133,7 +133,7 @@ tl::expected<std::span<const std::byte>, std::string> GltfBuffers::bytes(std::si
   return read_.emplace(buffer, std::move(*bytes)).first->second;
 }
 
-/// Of a bufferView, or of an extension that takes its place.
+/// The bytes of a bufferView, or of an extension that replaces it.
 tl::expected<std::span<const std::byte>, std::string> GltfBuffers::part(const json& place) {
   const json& offset = member(place, "byteOffset");
   const auto buffer = index_of(member(place, "buffer"), kMostBufferBytes);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The bytes that a glTF document speaks of: buffers, and the views of them, which may be compressed.
+// The bytes of a glTF document: buffers, and the views of them, which may be compressed.
 // Source: Khronos, "glTF 2.0 Specification", chapters 3.6 and 4.4; "EXT_meshopt_compression".
 
 #include "base/json.h"
@@ -22,17 +22,17 @@ namespace coif::gltf {
 
 inline constexpr std::size_t kMostBufferBytes = std::size_t{1} << 30;
 
-/// A bufferView's bytes, and how far apart its elements lie; 0: as close as they fit.
+/// A bufferView's bytes, and the stride of its elements; 0: tightly packed.
 struct GltfView {
   std::span<const std::byte> bytes;
   std::size_t stride = 0;
 };
 
-/// The buffers of a document, read when somebody asks for them: the binary chunk of a .glb, base64 in the document, or
-/// a file in its folder or in one of the `roots`.
+/// The buffers of a document, read at the first use: the binary chunk of a .glb, base64 in the document, or a file in
+/// its folder or in one of the `roots`.
 class GltfBuffers {
  public:
-  /// All must outlive the object; `document` needs the members `buffers` and `bufferViews`.
+  /// All arguments must outlive the object; `document` needs the members `buffers` and `bufferViews`.
   GltfBuffers(const std::filesystem::path& path, const nlohmann::json& document,
               std::span<const std::filesystem::path> roots = {})
       : path_(path), document_(document), roots_(roots) {}
@@ -41,10 +41,10 @@ class GltfBuffers {
   /// file's name. Files elsewhere, or above 1 GiB, are refused.
   [[nodiscard]] tl::expected<std::span<const std::byte>, std::string> bytes(std::size_t buffer);
 
-  /// A bufferView, with what compressed it undone; valid as long as the object. The error is a sentence.
+  /// A bufferView, decompressed; valid as long as the object. The error is a sentence.
   [[nodiscard]] tl::expected<GltfView, std::string> view(const nlohmann::json& index);
 
-  /// Paths of the files beside the document that were looked for, whether they are there or not.
+  /// Paths of the files beside the document that were looked for, found or not.
   [[nodiscard]] const std::set<std::string>& side_files() const { return side_files_; }
 
   /// Files that lie there under other names than the document has.
@@ -66,10 +66,10 @@ class GltfBuffers {
   std::vector<Respelled> respelled_;
 };
 
-/// What a "data:" URI holds (RFC 2397), in base64 or with %XX in place of bytes; none where it is damaged.
+/// The content of a "data:" URI (RFC 2397), in base64 or with %XX for bytes; none where it is damaged.
 [[nodiscard]] std::optional<std::vector<std::byte>> bytes_of_data_uri(std::string_view uri);
 
-/// What EXT_meshopt_compression made of a bufferView, undone. `compression` is the extension's object. The error is a
+/// Decompresses a bufferView with EXT_meshopt_compression. `compression` is the extension's object. The error is a
 /// sentence.
 [[nodiscard]] tl::expected<std::vector<std::byte>, std::string> decompress_meshopt(const nlohmann::json& compression,
                                                                                    std::span<const std::byte> bytes);

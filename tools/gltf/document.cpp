@@ -23,7 +23,7 @@ struct GlbStart {
 };
 static_assert(sizeof(GlbStart) == 20);
 
-// The document's text: the whole file, or what the first chunk of a binary one says it is.
+// The document's text: the whole file, or the first chunk of a binary one with the length that it states.
 tl::expected<std::string, std::string> read_text(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   GlbStart start{};

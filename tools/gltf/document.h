@@ -17,15 +17,15 @@
 
 namespace coif::gltf {
 
-/// What is wrong, as a sentence without the file's name.
+/// The fault as a sentence without the file's name.
 template <class... Args>
 [[nodiscard]] tl::unexpected<std::string> fault(fmt::format_string<Args...> text, Args&&... args) {
   return tl::unexpected(fmt::format(text, std::forward<Args>(args)...));
 }
 
-/// The document of a .gltf, or the JSON chunk of a .glb or .vrm: an object, whose `asset.version` is 2. What is nested
-/// deeper than any extension needs is left out, so that nothing that walks the result can exhaust the stack. The error
-/// is a sentence without the file's name.
+/// The document of a .gltf, or the JSON chunk of a .glb or .vrm: an object whose `asset.version` is 2. Parts that are
+/// nested deeper than any extension needs are left out, so that no recursion over the result can exhaust the stack. The
+/// error is a sentence without the file's name.
 [[nodiscard]] tl::expected<nlohmann::json, std::string> read_gltf_json(const std::filesystem::path& path);
 
 /// `extensions.NAME` of any object of a document; null where it has none.

@@ -28,7 +28,7 @@ class DracoMesh {
   ~DracoMesh();
 
   [[nodiscard]] std::vector<std::uint32_t> triangles() const;  ///< Three each.
-  /// Of the attribute of that unique id, as an accessor of it would have them. The error is a sentence's end.
+  /// Numbers of the attribute with that unique id, like those of an accessor. The error is the end of a sentence.
   [[nodiscard]] tl::expected<std::vector<float>, std::string> numbers(std::uint32_t id, std::size_t width,
                                                                       bool normalized) const;
   [[nodiscard]] tl::expected<std::vector<std::uint32_t>, std::string> integers(std::uint32_t id,

@@ -14,7 +14,7 @@ using Bytes = tl::expected<std::vector<std::byte>, std::string>;
 
 constexpr std::size_t kMostStride = 256;
 
-/// What the extension says of the bytes that come out.
+/// The extension's description of the decompressed bytes.
 struct Packing {
   std::size_t count = 0;
   std::size_t stride = 0;

@@ -15,7 +15,7 @@ using nlohmann::json;
 using Numbers = tl::expected<std::vector<float>, std::string>;
 using Integers = tl::expected<std::vector<std::uint32_t>, std::string>;
 
-constexpr std::size_t kMostInfluenceSets = 4;  // of four each; exporters write one or two
+constexpr std::size_t kMostInfluenceSets = 4;  // Four influences each; exporters write one or two sets.
 
 const char* type_of_width(std::size_t width) { return width == 2 ? "VEC2" : width == 3 ? "VEC3" : "VEC4"; }
 
@@ -58,7 +58,7 @@ class PrimitiveReader {
     return {};
   }
 
-  /// Where the attribute is compressed, its unique id there.
+  /// The unique id of the attribute in the compressed data; none where it is not compressed.
   [[nodiscard]] std::optional<std::uint32_t> id_of(const char* name) const {
     return draco_ ? index_of(member(member(compression_, "attributes"), name), kMostPrimitiveVertices) : std::nullopt;
   }

@@ -19,26 +19,26 @@ namespace coif::gltf {
 
 inline constexpr std::size_t kMostPrimitiveVertices = std::size_t{1} << 25;
 
-/// What a primitive's vertices are: glTF 2.0, 3.7.2.1.
+/// The topology of a primitive: glTF 2.0, 3.7.2.1.
 enum class GltfMode : std::uint8_t { kPoints, kLines, kLineLoop, kLineStrip, kTriangles, kStrip, kFan };
 
-/// kTriangles where the primitive names none; none where it names one that there is not.
+/// kTriangles where the primitive has no mode; none for an unknown one.
 [[nodiscard]] std::optional<GltfMode> gltf_mode(const nlohmann::json& primitive);
 
 /// Arrays are empty or have an element for each position. Numbers need not be finite, nor indices in range.
 struct GltfPrimitive {
   std::vector<Eigen::Vector3f> positions;
   std::vector<Eigen::Vector3f> normals;
-  std::vector<Eigen::Vector2f> uvs;     ///< Of the set that was asked for.
+  std::vector<Eigen::Vector2f> uvs;     ///< The requested set.
   std::vector<Eigen::Vector4f> colors;  ///< COLOR_0, linear; alpha 1 where the file gives none.
-  std::size_t influences = 0;           ///< Of each vertex: a multiple of four.
+  std::size_t influences = 0;           ///< Per vertex: a multiple of four.
   std::vector<std::uint32_t> joints;    ///< Places in the skin's list.
   std::vector<float> weights;
-  std::vector<std::uint32_t> triangles;  ///< Three each; of strips and fans too.
+  std::vector<std::uint32_t> triangles;  ///< Three each; also from strips and fans.
 };
 
-/// `uv_set` is the N of TEXCOORD_N. Targets are added as their `morph_weights` say, as far as there are any. The error
-/// is a sentence's beginning that names the attribute: "NORMAL: accessor 3 is cut off". `primitive` has triangles.
+/// `uv_set` is the N of TEXCOORD_N. Targets are added with their `morph_weights`. The error is the beginning of a
+/// sentence that names the attribute: "NORMAL: accessor 3 is cut off". `primitive` must have triangles.
 [[nodiscard]] tl::expected<GltfPrimitive, std::string> read_gltf_primitive(const nlohmann::json& document,
                                                                            GltfBuffers& buffers,
                                                                            const nlohmann::json& primitive,

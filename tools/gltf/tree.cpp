@@ -14,7 +14,7 @@ using nlohmann::json;
 
 constexpr std::size_t kMostLevels = 256;
 
-/// False where there is a list that is not `count` finite numbers; without one, `numbers` stays as it is.
+/// False for a list that is not `count` finite numbers; without a list `numbers` is unchanged.
 bool read_list(const json& list, double* numbers, std::size_t count) {
   if (list.is_null()) return true;
   if (!list.is_array() || list.size() != count) return false;
@@ -26,7 +26,7 @@ bool read_list(const json& list, double* numbers, std::size_t count) {
   return true;
 }
 
-/// The nodes that no other names as a child, for documents without a scene.
+/// The nodes that are not children of any other, for documents without a scene.
 json roots_of(const json& document) {
   const GltfTree tree(document);
   json roots = json::array();

@@ -1,5 +1,6 @@
 #pragma once
-// The nodes of a glTF document: which hang on which, and where each stands in its parent.
+
+// The nodes of a glTF document: their hierarchy and their local transforms.
 // Source: Khronos, "glTF 2.0 Specification", chapter 3.5; "KHR_node_visibility".
 
 #include "base/json.h"
@@ -19,7 +20,7 @@ namespace coif::gltf {
 
 /// A node's place in its parent, as its translation, rotation and scale or as a matrix.
 struct GltfPlace {
-  bool is_matrix = false;  ///< Then the other three are as without any.
+  bool is_matrix = false;  ///< Then the other three have their defaults.
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< Unit.
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
@@ -32,7 +33,7 @@ struct GltfPlace {
 /// Null unless the node's numbers are finite and its rotation has a length.
 [[nodiscard]] std::optional<GltfPlace> gltf_place(const nlohmann::json& node);
 
-/// Who is whose parent among a glTF document's nodes. `document` needs the member `nodes` and must outlive the object.
+/// The parents of a glTF document's nodes. `document` needs the member `nodes` and must outlive the object.
 class GltfTree {
  public:
   explicit GltfTree(const nlohmann::json& document);
@@ -41,7 +42,7 @@ class GltfTree {
   [[nodiscard]] const nlohmann::json& node(std::uint32_t index) const;
   /// Printable, for messages; "node 3" for one without a name.
   [[nodiscard]] std::string label(std::uint32_t index) const;
-  /// All of that name, as the file writes it.
+  /// All nodes with that name, in the file's spelling.
   [[nodiscard]] std::vector<std::uint32_t> named(std::string_view name) const;
   /// The node and all that it hangs on, the root last. The error is a sentence: too many levels, or a loop.
   [[nodiscard]] tl::expected<std::vector<std::uint32_t>, std::string> with_parents(std::uint32_t index) const;
@@ -55,8 +56,8 @@ class GltfTree {
 struct GltfSceneNode {
   std::uint32_t in_file = 0;
   std::optional<std::uint32_t> parent;  ///< Place of an earlier one in the list.
-  bool is_hidden = false;               ///< By KHR_node_visibility, of its own or of one that it hangs on.
-  bool is_placed = true;                ///< False where its numbers are no place: it stands where its parent does.
+  bool is_hidden = false;               ///< By KHR_node_visibility of the node or of one above it.
+  bool is_placed = true;  ///< False where its numbers are no valid transform: it stands where its parent does.
   Eigen::Affine3d model_from_node = Eigen::Affine3d::Identity();
 };
 
@@ -70,7 +71,7 @@ struct GltfSceneNode {
 
 inline constexpr std::size_t kMostInstances = 65536;
 
-/// Where each instance of the node's mesh stands in the node; one that does nothing where the node has no instances.
+/// The transform of each instance of the node's mesh in the node; a single identity where the node has no instances.
 /// The error is a sentence.
 [[nodiscard]] tl::expected<std::vector<Eigen::Affine3d>, std::string> read_gltf_instances(
     const nlohmann::json& document, GltfBuffers& buffers, const nlohmann::json& node);

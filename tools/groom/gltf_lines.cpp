@@ -24,7 +24,7 @@ class LineScene {
   LineScene(const json& document, gltf::GltfBuffers& buffers, Groom& groom)
       : document_(document), buffers_(buffers), builder_(groom), nodes_(list_of(member(document, "nodes"))) {}
 
-  /// Of the scene's nodes, but for hidden ones.
+  /// Reads the scene's nodes except hidden ones.
   std::string read() {
     for (const gltf::GltfSceneNode& entry : gltf::gltf_scene_nodes(document_)) {
       if (entry.is_hidden) continue;
@@ -92,8 +92,8 @@ class LineScene {
     }
   }
 
-  /// Exporters may give each segment two vertices of its own: a segment that begins where the one before it ended goes
-  /// on.
+  /// Exporters may give each segment two vertices of its own: a segment that begins where the one before it ended
+  /// continues it.
   static void weld(VertexLines& lines, const std::vector<Eigen::Vector3f>& places) {
     for (std::size_t i = 3; i < lines.vertices.size(); i += 2) {
       std::uint32_t& begin = lines.vertices[i - 1];

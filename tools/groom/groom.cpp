@@ -73,7 +73,7 @@ void warn_of(std::size_t count, const char* what, Diagnostics& warnings) {
 }  // namespace
 
 float usual_strand_width(float head_radius, std::size_t strands) {
-  constexpr float kHairsOfHead = 100000;  // of people, each kHairWidth of the head's radius wide
+  constexpr float kHairsOfHead = 100000;  // A human head's, each kHairWidth of the head's radius wide.
   constexpr float kHairWidth = 0.0008f;
   return kHairWidth * head_radius * std::pow(std::max(kHairsOfHead / float(strands), 1.0f), 0.75f);
 }

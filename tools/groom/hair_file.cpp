@@ -12,7 +12,7 @@ using HairBytes = std::span<const std::byte>;
 
 constexpr std::size_t kHairHeader = 128;
 
-// What the header's bits announce, in the order in which it follows.
+// Arrays that the header's bits announce, in their order in the file.
 enum Arrays : std::uint32_t { kSegments = 1, kPoints = 2, kThickness = 4, kTransparency = 8, kColors = 16 };
 
 struct HairHeader {
@@ -30,7 +30,7 @@ class ArrayReader {
  public:
   ArrayReader(HairBytes bytes, std::uint32_t announced) : bytes_(bytes), announced_(announced) {}
 
-  /// Empty where the file has none of it.
+  /// Empty where the file has no such array.
   template <class Number>
   std::vector<Number> read(Arrays which, std::uint64_t count, const char* what) {
     if ((announced_ & which) == 0 || !fault_.empty()) return {};
@@ -60,7 +60,7 @@ std::vector<Eigen::Vector3f> vectors(const std::vector<float>& numbers) {
 
 float within(float value, float low, float high) { return value >= low ? std::min(value, high) : low; }
 
-/// Attributes as a groom has them; what is no such number becomes the nearest one, NaN the least.
+/// Attributes in a groom's form; invalid numbers become the nearest valid one, NaN the smallest.
 struct PointArrays {
   std::vector<Eigen::Vector3f> points, colors;
   std::vector<float> widths, opacities;
@@ -95,7 +95,7 @@ struct PointArrays {
   }
 };
 
-/// Points of each strand. The error: they are not those that the file has.
+/// Number of points of each strand. The error: they do not add up to those of the file.
 tl::expected<std::vector<std::uint32_t>, std::string> strand_sizes(const HairHeader& header,
                                                                    const std::vector<std::uint16_t>& segments) {
   std::uint64_t end = 0;

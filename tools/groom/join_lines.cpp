@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint32_t kNothing = std::numeric_limits<std::uint32_t>::max();
 
-/// One of a line's two ends: twice its number, and one more for its last vertex.
+/// One of a line's two ends: twice its number, plus one for its last vertex.
 using LineEnd = std::uint32_t;
 
 class Joiner {
@@ -53,12 +53,12 @@ class Joiner {
     return (end & 1) != 0 ? line.back() : line.front();
   }
 
-  /// The end of another line that goes on where this one ends.
+  /// The end of the other line that continues at this end.
   [[nodiscard]] LineEnd other_at(std::uint32_t vertex, LineEnd end) const {
     const auto& ends = ends_[vertex];
     if (uses_[vertex] != 2 || ends[1] == kNothing) return kNothing;
     const LineEnd other = ends[0] == end ? ends[1] : ends[0];
-    return other / 2 == end / 2 ? kNothing : other;  // a line whose ends are one vertex
+    return other / 2 == end / 2 ? kNothing : other;  // A line whose ends are one vertex.
   }
 
   /// Back from the beginning of a line to the first of its strand, which is given by the end that it begins with.
@@ -75,14 +75,14 @@ class Joiner {
   void append(LineEnd from, std::vector<std::uint32_t>& strand) {
     const auto line = lines_.line(from / 2);
     done_[from / 2] = true;
-    const std::size_t skipped = strand.empty() ? 0 : 1;  // the vertex where they meet
+    const std::size_t skipped = strand.empty() ? 0 : 1;  // The vertex where they meet.
     for (std::size_t k = skipped; k < line.size(); ++k)
       strand.push_back((from & 1) != 0 ? line[line.size() - 1 - k] : line[k]);
   }
 
   const VertexLines& lines_;
   std::vector<std::array<LineEnd, 2>> ends_;  ///< The first and the last line end noted at each vertex.
-  std::vector<std::uint8_t> uses_;            ///< By all lines, three for three or more.
+  std::vector<std::uint8_t> uses_;            ///< Uses by all lines, three for three or more.
   std::vector<bool> done_;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMostVertices = kMostStrandPoints;
 
-/// One line of the document, taken apart from its left.
+/// The words of one line of the document, from its left.
 class Words {
  public:
   explicit Words(std::string_view line) : left_(line) {}
@@ -53,7 +53,7 @@ class LineDocument {
   /// The error names the line of text.
   tl::expected<void, std::string> read(std::string_view text) {
     std::size_t number_of_line = 0;
-    std::string joined;  // of lines that end in a backslash
+    std::string joined;  // Joins lines that end in a backslash.
     while (!text.empty()) {
       const std::size_t end = std::min(text.find('\n'), text.size());
       std::string_view line = text.substr(0, end);
@@ -75,7 +75,7 @@ class LineDocument {
 
   [[nodiscard]] const std::vector<Eigen::Vector3f>& vertices() const { return vertices_; }
   [[nodiscard]] const VertexLines& lines() const { return lines_; }
-  /// What object or group a line is of.
+  /// The object or group of a line.
   [[nodiscard]] std::uint32_t part_of(std::uint32_t line) const { return part_of_line_[line]; }
   [[nodiscard]] const std::string& part_name(std::uint32_t part) const { return part_names_[part]; }
 

@@ -57,7 +57,7 @@ importer::UpAxis axis_of(char letter) {
   return letter == 'x' ? importer::UpAxis::kX : letter == 'z' ? importer::UpAxis::kZ : importer::UpAxis::kY;
 }
 
-/// From the file's unit and axes to metres, Y up.
+/// Converts from the file's unit and axes to metres, Y up.
 void place(Groom& groom, const importer::ImportSettings& settings) {
   if (settings.metres_per_unit) {
     groom.space.metres_per_unit = *settings.metres_per_unit;

@@ -21,17 +21,17 @@ namespace coif::groom {
 /// ".hair, .tfx, ..." for messages.
 [[nodiscard]] std::string strand_suffixes();
 
-/// Reads the strands of a file, in a child process under the limits of `settings`, whose unit and up axis go before the
+/// Reads the strands of a file in a child process under the limits of `settings`, whose unit and up axis override the
 /// file's. Never throws. Errors: kFileAccess (absent, unreadable), kBadInput (damaged, a limit, no strand),
-/// kUnsupported (suffix). Blocks; costs a fork, so call it before starting threads where you can.
+/// kUnsupported (suffix). Blocks; costs a fork, so call it before starting threads if possible.
 tl::expected<Groom, ToolError> read_groom(const std::filesystem::path& path,
                                           const importer::ImportSettings& settings = {});
 
-/// As Cem Yuksel's .hair (strand_files.h), with all that the strands have; Z up, as such files mostly are, in metres.
-/// The error is a sentence without the file's name: a strand of more segments than the format counts.
+/// Writes Cem Yuksel's .hair (strand_files.h), with all attributes of the strands; Z up, as in most such files, in
+/// metres. The error is a sentence without the file's name: a strand has more segments than the format can count.
 [[nodiscard]] tl::expected<std::vector<std::byte>, std::string> hair_file_of(const Groom& groom);
 
-/// As lines of a Wavefront OBJ, Y up, in metres, an object for each group. It has no place for widths and colours.
+/// Writes lines of a Wavefront OBJ, Y up, in metres, an object for each group. The format has no widths and colours.
 [[nodiscard]] std::string obj_lines_of(const Groom& groom);
 
 /// Either, by the suffix of `path`, as the bytes of a file. Errors: kUsage for another suffix, kBadInput as above.

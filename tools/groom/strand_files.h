@@ -1,8 +1,8 @@
 #pragma once
-// One reader for each format that strands come in. Each takes the file's bytes, which may be damaged or hostile, and
-// fills a groom's strands, attributes, groups, format and space; lengths stay in the file's unit and axes. The error is
-// a sentence without the file's name that says what is wrong and where. Nothing is allocated that the file does not
-// hold.
+
+// One reader for each format of strands. Each takes the file's bytes, which may be damaged or hostile, and fills a
+// groom's strands, attributes, groups, format and space; lengths stay in the file's unit and axes. The error is a
+// sentence without the file's name, with the fault and its place. Memory is bounded by the file's size.
 
 #include "groom/groom.h"
 
@@ -28,8 +28,8 @@ namespace coif::groom {
 /// number of points each, at offsets that the header names; in 4 a point has a fourth number, 0 where it is fixed.
 [[nodiscard]] tl::expected<Groom, std::string> read_tressfx(std::span<const std::byte> bytes);
 
-/// Lines of a Wavefront OBJ; faces, materials and curves are not looked at. Blender writes a curve as segments of two
-/// points, others as one line: what meets end to end is one strand. Objects and groups become groups.
+/// Lines of a Wavefront OBJ; faces, materials and curves are ignored. Blender writes a curve as segments of two points,
+/// others as one line: lines that meet end to end are one strand. Objects and groups become groups.
 [[nodiscard]] tl::expected<Groom, std::string> read_obj_lines(std::string_view text);
 
 /// Primitives of lines and line strips of a glTF 2.0 at rest, of all nodes of its scene; a node is a group. Its buffers
@@ -40,7 +40,7 @@ namespace coif::groom {
 /// Lines of a document as lists of its vertices, one after the other.
 struct VertexLines {
   std::vector<std::uint32_t> vertices;
-  std::vector<std::uint32_t> begin{0};  ///< Of each line, and one more.
+  std::vector<std::uint32_t> begin{0};  ///< First index of each line, and one more.
 
   [[nodiscard]] std::size_t count() const { return begin.size() - 1; }
   [[nodiscard]] std::span<const std::uint32_t> line(std::size_t i) const {
@@ -54,12 +54,12 @@ struct VertexLines {
 
 struct JoinedLines {
   VertexLines strands;
-  std::vector<std::uint32_t> first_line;  ///< Of each strand, the smallest number of a line in it.
+  std::vector<std::uint32_t> first_line;  ///< For each strand the smallest number of a line in it.
 };
 
-/// What the lines are once those that meet end to end are one: at a vertex that is the end of exactly two lines and in
-/// no other, they go on. In the order of the first line of each, and in its direction; a closed ring begins where its
-/// first line does. Lines have two vertices or more, each below `vertex_count`.
+/// Joins lines that meet end to end: at a vertex that is the end of exactly two lines and in no other. The result has
+/// the order of the first line of each, and its direction; a closed ring begins where its first line does. Lines have
+/// two vertices or more, each below `vertex_count`.
 [[nodiscard]] JoinedLines joined_lines(const VertexLines& lines, std::size_t vertex_count);
 
 // Arrays in a binary file of little-endian numbers, as this machine has them.
@@ -72,7 +72,7 @@ template <class Number>
   return number;
 }
 
-/// `count` numbers from the byte `at` on; `what` they are is named where the file ends before they do.
+/// Reads `count` numbers from the byte `at` on; the error names `what` they are where the file ends too early.
 template <class Number>
 [[nodiscard]] tl::expected<std::vector<Number>, std::string> numbers_at(std::span<const std::byte> bytes,
                                                                         std::uint64_t at, std::uint64_t count,

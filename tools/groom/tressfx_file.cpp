@@ -8,7 +8,7 @@ namespace {
 
 using TfxBytes = std::span<const std::byte>;
 
-// Of both versions, all words of four bytes: the version, numbers, offsets of arrays from the file's begin (0: absent).
+// In both versions all words have four bytes: the version, counts, offsets of arrays from the file's start (0: absent).
 constexpr std::size_t kLeastHeader = 160;
 constexpr std::size_t kHeaderOf3 = 296;
 constexpr std::uint32_t kMostPointsOfStrand = 4096;  // 64 in all that TressFX draws
@@ -53,7 +53,7 @@ tl::expected<TfxHeader, std::string> tfx_header(TfxBytes bytes) {
   return header;
 }
 
-/// One of each point of all strands.
+/// One colour for each point of all strands.
 std::vector<Eigen::Vector3f> tfx_colors(const std::vector<float>& numbers) {
   std::vector<Eigen::Vector3f> colors;
   colors.reserve(numbers.size() / 4);

@@ -21,7 +21,7 @@ class HairBytesWriter {
     bytes_.resize(end + sizeof number);
     std::memcpy(&bytes_[end], &number, sizeof number);
   }
-  /// Axes of which Z points up from those of which Y does.
+  /// Converts to axes with Z up.
   void add_place(const Eigen::Vector3f& p) {
     add(p.x());
     add(-p.z());

@@ -26,7 +26,8 @@ BodyField::BodyField(const BodySurface& surface, const Eigen::AlignedBox3f& box,
     bool inside = false;
     for (std::size_t x = 0; x < std::size_t(size_[0]); ++x, at.x() += spacing_) {
       const BodySurface::Nearest here = surface.nearest(at, before.triangle);
-      // Where the surface runs between two samples, both together are no farther from it than from each other.
+      // If the surface runs between two samples, the sum of their distances from it is at most their distance from each
+      // other.
       if (x == 0 || here.distance + before.distance <= 1.01f * spacing_) inside = surface.is_inside(at);
       samples_[row * std::size_t(size_[0]) + x] = inside ? -here.distance : here.distance;
       before = here;

@@ -11,14 +11,15 @@
 
 namespace coif::grow {
 
-/// The signed distance from a body, sampled: what a growing strand asks thousands of times.
+/// The sampled signed distance from a body, which a growing strand needs thousands of times.
 class BodyField {
  public:
-  /// In `box`, every `spacing` metres, more where that were too many samples. Repeats, whatever `threads` is.
+  /// In `box`, every `spacing` metres, or more if that were too many samples. Repeats, with any `threads`.
   BodyField(const BodySurface& surface, const Eigen::AlignedBox3f& box, float spacing,
             const platform::Threads& threads);
 
-  /// Metres from the surface, negative inside; beyond the box that of the nearest place in it and the way there.
+  /// Metres from the surface, negative inside. Outside the box: the distance at the nearest place in it, plus the way
+  /// there.
   [[nodiscard]] float distance(const Eigen::Vector3f& point) const;
 
   /// Unit, the way out.

@@ -36,7 +36,7 @@ BodySurface::BodySurface(std::vector<Vector3f> positions, std::vector<std::uint3
   for (std::uint32_t node = 0; node < nodes_.size(); ++node) build(node);
 }
 
-/// Its figures, and its two children where it is no leaf.
+/// Computes the node's values, and its two children if it is no leaf.
 void BodySurface::build(std::uint32_t node) {
   Node& n = nodes_[node];
   float whole = 0;

@@ -16,7 +16,7 @@ class BodySurface {
   /// `triangles`: three indices of `positions` each, counter-clockwise seen from outside; one at least.
   BodySurface(std::vector<Eigen::Vector3f> positions, std::vector<std::uint32_t> triangles);
 
-  /// Metres to the nearest triangle; `most` where none is nearer.
+  /// Metres to the nearest triangle; `most` if none is nearer.
   [[nodiscard]] float distance(const Eigen::Vector3f& point, float most) const;
 
   /// The nearest triangle and how far it is, sooner found where `guess` is one near it.
@@ -26,7 +26,7 @@ class BodySurface {
   };
   [[nodiscard]] Nearest nearest(const Eigen::Vector3f& point, std::uint32_t guess) const;
 
-  /// By the generalized winding number (Jacobson, Kavan and Sorkine-Hornung 2013), of far triangles by their dipole
+  /// By the generalized winding number (Jacobson, Kavan and Sorkine-Hornung 2013), with dipoles for far triangles
   /// (Barill et al. 2018).
   [[nodiscard]] bool is_inside(const Eigen::Vector3f& point) const;
 
@@ -35,10 +35,10 @@ class BodySurface {
   [[nodiscard]] const std::vector<std::uint32_t>& triangles() const { return triangles_; }
 
  private:
-  /// Of a tree of boxes, children behind each other; the triangles from `first` on are those of a node.
+  /// A node in a tree of boxes, children after each other; its triangles begin at `first`.
   struct Node {
     Eigen::AlignedBox3f box;
-    Eigen::Vector3f middle = Eigen::Vector3f::Zero();  ///< Of the triangles' areas.
+    Eigen::Vector3f middle = Eigen::Vector3f::Zero();  ///< Mean of the triangles, weighted by area.
     Eigen::Vector3f area = Eigen::Vector3f::Zero();    ///< Sum of the triangles' areas as vectors.
     float radius = 0;                                  ///< About the middle.
     std::uint32_t first = 0, count = 0;
@@ -47,7 +47,7 @@ class BodySurface {
 
   void build(std::uint32_t node);
   [[nodiscard]] float squared_distance_to(const Eigen::Vector3f& point, std::size_t triangle) const;
-  /// Of those nearer than the square root of `least`, which becomes that triangle's; kNone where there is none.
+  /// The nearest triangle below the square root of `least`, which is updated; kNone where there is none.
   std::uint32_t search(const Eigen::Vector3f& point, float& least) const;
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
   [[nodiscard]] const Eigen::Vector3f& corner(std::size_t triangle, std::size_t k) const {

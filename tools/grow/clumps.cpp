@@ -43,7 +43,8 @@ class Middles {
   }
 
  private:
-  /// Of roots, and less of the places half way to the tips and there: hair that a shoulder parts is no clump.
+  /// Squared distance of the roots, plus, with less weight, those of the middles and of the tips: hair that a shoulder
+  /// parts is not a clump.
   [[nodiscard]] float squared_distance(std::uint32_t a, std::uint32_t b) const {
     const auto first = paths_.strand(a), second = paths_.strand(b);
     const std::size_t half = paths_.stations / 2;

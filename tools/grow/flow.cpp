@@ -61,7 +61,7 @@ Vector3f Flow::from_crown(const Vector3f& direction) const {
   return Eigen::AngleAxisf(turned, direction) * away.normalized();
 }
 
-/// How far the parting has a say: before the crown.
+/// The strength of the parting, which acts before the crown.
 float Flow::parted(const Vector3f& direction) const {
   const Vector3f before = along(Vector3f::UnitZ(), crown_).normalized();
   const Vector3f in_plane = along(direction, parting_);
@@ -75,7 +75,7 @@ Vector3f Flow::at(const Vector3f& place, const Vector3f& normal, float side, boo
   if (is_fringe) return along(Vector3f(0.35f * direction.x(), -0.8f, 1), normal).normalized();
   Vector3f way = along(from_crown(direction), normal);
   if (side != 0) {
-    // To the side at first, and soon down: squarely away from a parting aside, hair of the temple would end up behind
+    // To the side at first, and soon down: straight away from a side parting, hair of the temple would end up behind
     // the ear.
     const float share = parted(direction), falls = ramp(0.05f, 0.75f, side * direction.dot(parting_));
     const Vector3f aside = along(side * (parting_ + Vector3f::UnitX()) / 2, normal);

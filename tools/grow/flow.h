@@ -9,22 +9,22 @@
 
 namespace coif::grow {
 
-/// Which way hair is combed where it lies on the head.
+/// The direction in which hair is combed on the head.
 class Flow {
  public:
   Flow(const cook::HairStyle& style, const HeadFrame& head);
 
-  /// Which side of the parting root `number` is on, 1 at the model's left, -1 at its right, 0 without a parting. It
-  /// never changes along a strand: hair that crosses the parting lies over it and does not turn back.
+  /// The side of the parting of root `number`, 1 at the model's left, -1 at its right, 0 without a parting. It is
+  /// constant along a strand: hair that crosses the parting lies over it and does not turn back.
   [[nodiscard]] float side_of(const Eigen::Vector3f& root_direction, std::size_t number) const;
-  /// How far hair goes any way where it grows, 1 at the crown, from which it would leave a bare spot otherwise.
+  /// How much hair grows in random directions, 1 at the crown, which would otherwise have a bare spot.
   [[nodiscard]] float tangled_at(const Eigen::Vector3f& root_direction) const;
-  /// How far hair parts here, at the crown and along a parting: 1 where it leaves the scalp to all sides, 0 where hair
+  /// How much hair parts here, at the crown and along a parting: 1 where it leaves the scalp to all sides, 0 where hair
   /// from above lies over it.
   [[nodiscard]] float leaves_bare(const Eigen::Vector3f& root_direction) const;
 
-  /// At a place, along the skin of which `normal` is given; unit, or nearly zero where hair goes any way. `side`: as
-  /// side_of() has it.
+  /// The direction at a place, along the skin with this `normal`; unit, or nearly zero where directions are random.
+  /// `side`: from side_of().
   [[nodiscard]] Eigen::Vector3f at(const Eigen::Vector3f& place, const Eigen::Vector3f& normal, float side,
                                    bool is_fringe) const;
 
@@ -35,7 +35,8 @@ class Flow {
   const cook::HairStyle& style_;
   const HeadFrame& head_;
   Eigen::Vector3f crown_,
-      parting_;  ///< Unit; the parting's plane goes through the middle, at right angles to `parting_`.
+      /// Unit; the parting's plane goes through the middle, perpendicular to `parting_`.
+      parting_;
   Eigen::Vector3f comb_ = Eigen::Vector3f::Zero();
 };
 

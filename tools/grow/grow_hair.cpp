@@ -25,7 +25,7 @@ constexpr float kPointSpacing = 0.008f;
 constexpr float kPointsOfTurn = 9;
 constexpr std::size_t kFewestPoints = 12, kMostPoints = 160;
 
-/// All of the body that is not hair, turned so that it looks along +Z.
+/// The body without hair, turned so that it looks along +Z.
 grow::BodySurface surface_of(const importer::SourceModel& body, float turn) {
   std::vector<Vector3f> positions;
   std::vector<std::uint32_t> triangles;
@@ -57,7 +57,7 @@ float longest_of(const cook::HairStyle& style) {
       {style.grow_length_top, style.grow_length_front, style.grow_length_sides, style.grow_length_back, fringe}));
 }
 
-/// Points of each strand.
+/// Number of points per strand.
 std::size_t stations_for(const cook::HairStyle& style) {
   const float longest = longest_of(style);
   float spacing = std::min(kPointSpacing, longest / float(kFewestPoints - 1));
@@ -66,7 +66,7 @@ std::size_t stations_for(const cook::HairStyle& style) {
   return std::clamp(std::size_t(longest / spacing) + 1, kFewestPoints, kMostPoints);
 }
 
-/// What strands are beside their places.
+/// Widths and colours of strands.
 class Looks {
  public:
   Looks(const cook::HairStyle& style, const grow::HeadFrame& head, std::size_t strands)

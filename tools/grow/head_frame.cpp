@@ -10,12 +10,12 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr int kSections = 600;  // of a whole body, 3 mm each
+constexpr int kSections = 600;  // Sections of a whole body, 3 mm each.
 // The widest place of a skull lies 0.53 of its mean width below the top; a little farther down face and ears begin.
 constexpr float kMiddle = 0.53f;
 constexpr float kFaceBegins = 0.62f;
 
-/// Boxes of what a body's surface has at heights, one below the other.
+/// Boxes of a body's surface in horizontal sections, one below the other.
 std::vector<Eigen::AlignedBox2f> sections_of(std::span<const Vector3f> positions,
                                              std::span<const std::uint32_t> triangles, float top, float step) {
   std::vector<Eigen::AlignedBox2f> sections(kSections);

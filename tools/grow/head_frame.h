@@ -16,17 +16,17 @@ namespace coif::grow {
 inline constexpr float kRadians = std::numbers::pi_v<float> / 180;
 inline constexpr float kUsualRadius = 0.0885f;  ///< Metres, of a head.
 
-/// The skull as an ellipsoid, face towards +Z: what places on any head are named by.
+/// The skull as an ellipsoid, face towards +Z, by which places on any head are described.
 struct HeadFrame {
   Eigen::Vector3f center = Eigen::Vector3f::Zero();
   Eigen::Vector3f radii = Eigen::Vector3f::Ones();
 
-  /// Of a place, as seen from the middle of a round head; unit.
+  /// The direction of a place from the middle of a round head; unit.
   [[nodiscard]] Eigen::Vector3f direction(const Eigen::Vector3f& point) const {
     return (point - center).cwiseQuotient(radii).normalized();
   }
   [[nodiscard]] float mean_radius() const { return radii.mean(); }
-  /// What lengths of a style, which are those on a head of usual size, are multiplied with.
+  /// Factor for the lengths of a style, which are for a head of usual size.
   [[nodiscard]] float scale() const { return mean_radius() / kUsualRadius; }
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 
-// Random numbers that are the same on every platform and with any number of threads: each is a function of what it is
-// for.
+// Random numbers that are the same on every platform and with any number of threads: each is a function of its purpose.
 
 #include <Eigen/Core>
 
@@ -10,7 +9,7 @@
 
 namespace coif::grow {
 
-/// What a number is for: two purposes of one strand have nothing to do with each other.
+/// The purpose of a number; numbers of one strand for two purposes are independent.
 enum class Purpose : std::uint64_t {
   kRoot,
   kFade,

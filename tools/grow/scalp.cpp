@@ -39,7 +39,7 @@ Vector3f spread_on_sphere(std::size_t i, std::size_t count, const Dice& dice) {
   return (even + 0.45f * spacing * dice.in_cube(i)).normalized();
 }
 
-/// The outermost skin in a direction; the ray from the head's middle meets it from outside.
+/// The outermost skin in a direction; the ray to the head's middle meets it from outside.
 Vector3f skin_in(const Vector3f& direction, const HeadFrame& head, const BodyField& body) {
   constexpr int kSteps = 48;
   constexpr float kBeginning = 1.7f;  // head radii
@@ -56,7 +56,7 @@ Vector3f skin_in(const Vector3f& direction, const HeadFrame& head, const BodyFie
 
 bool grows_at(const Vector3f& direction, std::size_t i, const cook::HairStyle& style, const Flow& flow,
               const Dice& dice) {
-  constexpr float kElsewhere = 0.4f;  // of how dense roots are where nothing lies over them
+  constexpr float kElsewhere = 0.4f;  // Density of roots relative to places where no other hair lies over them.
   const float above = elevation_of(direction) - hairline(style, azimuth_of(direction));
   const auto fade = float(style.grow_hairline_fade);
   if (above < -0.3f * fade) return false;
@@ -64,7 +64,7 @@ bool grows_at(const Vector3f& direction, std::size_t i, const cook::HairStyle& s
   return dice.unit(i) <= dense * (0.12f + 0.88f * ramp(-0.3f * fade, fade, above));
 }
 
-/// Of `count` directions all around those in which hair grows.
+/// Those of `count` directions all around in which hair grows.
 std::vector<std::uint32_t> hairy(std::size_t count, const cook::HairStyle& style, const Flow& flow) {
   const Dice roots(style.grow_seed, Purpose::kRoot), fade(style.grow_seed, Purpose::kFade);
   std::vector<std::uint32_t> found;
@@ -88,7 +88,7 @@ void settle(const cook::HairStyle& style, const HeadFrame& head, std::size_t i, 
   const float ragged = float(style.grow_fringe_depth) * (1 + 0.15f * dice.signed_unit(i, 1));
   root.is_fringe =
       std::abs(azimuth) < float(style.grow_fringe_width) * (1 + 0.06f * dice.signed_unit(i, 2)) && above < ragged;
-  // As long below the hairline, wherever it begins.
+  // Equal lengths below the hairline, wherever the hair begins.
   if (root.is_fringe) root.length = float(style.grow_fringe_length) + kUsualRadius * kRadians * std::max(above, 0.0f);
   root.length *= head.scale() * (1 - float(style.grow_length_random) * dice.unit(i));
 }
@@ -109,7 +109,7 @@ std::vector<Root> spread_roots(const cook::HairStyle& style, const HeadFrame& he
   const Flow flow(style, head);
   const std::size_t wanted = style.grow_strands, sample = hairy(kTrial, style, flow).size();
   if (sample == 0) return {};
-  // A few more than are wanted, of which the last ones of a random order are left out.
+  // Makes a few more than wanted, and leaves out the last ones of a random order.
   std::size_t all = kTrial * wanted / sample + kTrial / 8;
   std::vector<std::uint32_t> found = hairy(all, style, flow);
   while (found.size() < wanted) found = hairy(all += all / 8, style, flow);

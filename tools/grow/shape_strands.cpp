@@ -19,7 +19,8 @@ using Eigen::Vector3f;
 constexpr float kTurn = 2 * std::numbers::pi_v<float>;
 constexpr float kOfParent = 0.36f;  // size of a clump within a clump
 
-/// Moves a strand towards its middle, by places at equal lengths; beyond its tip the middle goes straight on.
+/// Moves a strand towards its middle strand, comparing points at equal lengths; beyond its tip the middle continues
+/// straight.
 void draw_together(std::span<Vector3f> strand, float length, std::span<const Vector3f> middle, float middle_length,
                    float strength, float shape) {
   const std::size_t last = strand.size() - 1;
@@ -30,7 +31,7 @@ void draw_together(std::span<Vector3f> strand, float length, std::span<const Vec
     const auto m = std::min(std::size_t(at), last - 1);
     const Vector3f apart = strand[k] - (middle[m] + (at - float(m)) * (middle[m + 1] - middle[m]));
     const float weight = strength * ramp(0, shape, t);
-    // A lock is never a thread: some of how roots lie beside each other is left.
+    // A lock is never a thread: a part of the distance between roots stays.
     strand[k] -= weight * (apart - 0.08f * between_roots);
   }
 }
@@ -105,7 +106,7 @@ class Shaper {
     });
   }
 
-  /// Locks do not hang in line: each goes its own way a little, all of its strands alike.
+  /// Locks do not hang in parallel: each strays a little, with all of its strands.
   void wander(std::size_t i, std::uint32_t clump, float size) {
     constexpr float kPeriod = 0.11f, kShare = 0.4f;
     if (flies_away(i)) return;
@@ -119,7 +120,7 @@ class Shaper {
     }
   }
 
-  /// Waves and curls about the strand as it lies.
+  /// Adds waves and curls about the strand's own course.
   void bend(std::size_t i, std::uint32_t clump, std::uint32_t child) {
     const float curl = scale_ * float(style_.grow_curl_radius), wave = scale_ * float(style_.grow_wave_height);
     if (curl == 0 && wave == 0) return;
@@ -144,7 +145,8 @@ class Shaper {
       const float waved = ramp(0, 0.5f, t) * (0.4f + 0.6f * t) * wave,
                   wave_angle = wave_phase + kTurn * at / wave_length;
       strand[k] += curled * (std::cos(angle) * frames.first(k) + std::sin(angle) * frames.second(k));
-      // Flat, and half as deep as it is wide: each lock's own way, so that some show their waves to every side.
+      // Flat, half as deep as wide, with another orientation for each lock, so that some show their waves to every
+      // side.
       const Vector3f across = std::cos(wave_side) * frames.second(k) + std::sin(wave_side) * frames.first(k);
       const Vector3f deep = std::cos(wave_side) * frames.first(k) - std::sin(wave_side) * frames.second(k);
       strand[k] += waved * (std::sin(wave_angle) * across + 0.5f * std::cos(wave_angle) * deep);
@@ -167,7 +169,7 @@ class Shaper {
     }
   }
 
-  /// Points, and what lies half way between two of them.
+  /// Treats the points, and the middles between them.
   void keep_out(std::size_t i) {
     constexpr int kRounds = 6;
     const auto strand = paths_.strand(i);

@@ -16,7 +16,7 @@ using Eigen::Vector3f;
 
 constexpr float kStep = 0.003f;  // metres on a head of usual size
 
-/// One strand of hair that hangs open.
+/// One strand of open hair.
 class OpenStrand {
  public:
   OpenStrand(const Ground& ground, const Flow& flow, const Root& root, std::size_t number)
@@ -65,14 +65,14 @@ class OpenStrand {
     advance(ground_, turn / radius, length, wanted, tip_);
   }
 
-  /// Up to where it lies or down to there, by what it is short of that: the skull's hair follows its roundness.
+  /// Moves up or down to where it should lie, by the missing distance: hair follows the skull's curvature.
   [[nodiscard]] float settling(float short_of) const {
     constexpr float kFrom = 0.01f, kSteepest = 0.45f;
     const float height = ground_.head.direction(tip_.place).y();
     return ramp(-0.35f, 0.15f, height) * kSteepest * std::clamp(short_of / kFrom, -1.0f, 1.0f);
   }
 
-  /// Before the shoulder or behind it: what lies on top of it would slide outwards and stand over its end.
+  /// Moves it before or behind the shoulder: hair on top of it would slide outwards and stand over its end.
   [[nodiscard]] Vector3f drape(float away) const {
     const float below = (ground_.head.center.y() - tip_.place.y()) / ground_.head.radii.y();
     const float near = ramp(0.3f, 1.2f, below) * (1 - ramp(0.02f * scale_, 0.17f * scale_, away));
@@ -112,14 +112,14 @@ float clearance(const Ground& ground, const Root& root, float lift, const Tip& t
   const float scale = ground.head.scale();
   const float below = (ground.head.center.y() - tip.place.y()) / ground.head.radii.y();
   const float on_head = 1 - 0.85f * ramp(0.7f, 1.7f, below);
-  // What is beneath grows with the way: at the root there is but the skin.
+  // The hair beneath grows with the way: at the root there is only the skin.
   const float volume = float(style.grow_volume) * ramp(0, 0.05f * scale, tip.grown) +
                        float(style.grow_layers) * root.height * ramp(0, 0.13f * scale, tip.grown);
   return scale * (kLeastClearance + on_head * lift * volume);
 }
 
 void advance(const Ground& ground, const Vector3f& turn, float length, float wanted_clearance, Tip& tip) {
-  constexpr float kSoftly = 0.12f;  // share of what is missing, of each step
+  constexpr float kSoftly = 0.12f;  // Share of the missing distance per step.
   const Vector3f before = tip.place;
   tip.way = (tip.way + length * turn).normalized();
   Vector3f place = before + length * tip.way;

@@ -35,7 +35,7 @@ class Tail {
   [[nodiscard]] const Vector3f& tie() const { return tie_; }
   [[nodiscard]] float tie_radius() const { return scale_ * float(style_.grow_tie_radius); }
 
-  /// Where a strand goes through the tie, across the tail's direction there, in tie radii: from above on top.
+  /// The place of a strand in the tie's cross section, in tie radii: strands from above are on top.
   [[nodiscard]] Vector2f slot_of(const Root& root, float share) const {
     const Vector3f from = root.place - tie_;
     const Vector3f across = from - from.dot(frames_.front().col(2)) * frames_.front().col(2);
@@ -89,7 +89,7 @@ class Tail {
   std::vector<Matrix3f> frames_;  ///< Columns: two across, one along.
 };
 
-/// From the root along the skin to its slot in the tie; every step's place.
+/// The places of each step from the root along the skin to its slot in the tie.
 std::vector<Vector3f> way_to_tie(const Ground& ground, const Root& root, const Vector3f& slot, std::size_t number) {
   const float scale = ground.head.scale(), step = kTiedStep * scale;
   const Dice dice(ground.style.grow_seed, Purpose::kLift);
@@ -135,7 +135,7 @@ StrandPaths grow_tied(const Ground& ground, std::span<const Root> roots, std::si
     const Vector2f slot = tail.slot_of(root, dice.unit(i));
     const std::vector<Vector3f> way = way_to_tie(ground, root, tail.place(slot, 0), i);
     const float to_tie = length_of(way);
-    // What does not reach the tie as long as it is grows so long that it does.
+    // A strand that would not reach the tie grows long enough to do so.
     const float length = std::max(root.length, to_tie + 0.25f * root.length);
     const std::span<Vector3f> points = paths.strand(i);
     float before = 0;

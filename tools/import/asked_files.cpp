@@ -63,7 +63,7 @@ Assimp::IOStream* AskedFiles::open_plainly(const std::string& name, const char* 
   return has_mark ? stream_of(text) : DefaultIOSystem::Open(name.c_str(), mode);
 }
 
-/// `name`: what the statement says behind the model's folder.
+/// `name`: the statement's path without the model's folder.
 Assimp::IOStream* AskedFiles::open_library(const std::string& name) {
   const fs::path folder = model_.parent_path();
   const std::string before = folder.empty() ? "" : folder.string() + '/';

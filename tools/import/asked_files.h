@@ -1,6 +1,6 @@
 #pragma once
 
-// What assimp gets to see of the files beside a model.
+// The files beside a model that assimp may read.
 
 #include "base/side_file.h"
 
@@ -15,21 +15,21 @@
 
 namespace coif::importer {
 
-/// What assimp asked for beside the model, by name.
+/// The files beside the model that assimp asked for, by name.
 struct Asked {
   std::set<std::string>
       names;  ///< Looked for or opened, whether there was such a file or not: a model changes with each.
-  std::vector<std::string> not_opened;  ///< In their order.
-  std::vector<std::string> libraries;   ///< plain_library_text() of each that an OBJ opened, in their order.
+  std::vector<std::string> not_opened;  ///< In the order of the requests.
+  std::vector<std::string> libraries;   ///< plain_library_text() of each library that an OBJ opened, in their order.
   std::vector<Respelled> respelled;     ///< Libraries with another name than is written.
 };
 
-/// Files as assimp sees them, with a record: the model, and what really lies in its folders. Nothing else is there for
-/// it. Of an OBJ the model is without a byte order mark and text_with_even_colors(), and a library is what
-/// find_libraries() and plain_library_text() make of it.
+/// The file system that assimp sees, with a record: only the model, and files that really lie in its folders. The model
+/// of an OBJ is text_with_even_colors() without a byte order mark, and a library is the result of find_libraries() and
+/// plain_library_text().
 class AskedFiles : public Assimp::DefaultIOSystem {
  public:
-  /// `text`: what the model holds for assimp, where that is not what the file holds. `asked` outlives this object.
+  /// `text`: the model's content for assimp, if it differs from the file's. `asked` must outlive this object.
   AskedFiles(std::filesystem::path model, std::optional<std::string> text, std::vector<std::filesystem::path> folders,
              bool is_obj, Asked& asked)
       : model_(std::move(model)),
@@ -57,23 +57,23 @@ class AskedFiles : public Assimp::DefaultIOSystem {
 
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// Lines as the format means them: without a byte order mark, ended by \n, continued ones in one, without blanks at
-/// their ends. What assimp 5.2 does not know is taken away: quotes around the names of images, capital letters of
-/// keywords, "-halo", and statements without a number where it wants one, for which it would refuse the whole model.
+/// Normalises the lines of a library: no byte order mark, lines end with \n, continued lines are joined, no blanks at
+/// their ends. Removes what assimp 5.2 cannot read: quotes around the names of images, capital letters of keywords,
+/// "-halo", and statements that lack a number, for which it would refuse the whole model.
 [[nodiscard]] std::string plain_library_text(std::string_view bytes);
 
 /// Files that one mtllib statement names.
 struct ObjLibraries {
-  std::vector<std::filesystem::path> paths;  ///< Which are there; empty: none.
+  std::vector<std::filesystem::path> paths;  ///< Existing files; empty: none.
   bool is_respelled = false;                 ///< find_side_file().
 };
 
 /// `written`: the rest of the statement's line: a name with blanks in it or behind it, within quotes, or several names.
 [[nodiscard]] ObjLibraries find_libraries(const std::filesystem::path& folder, std::string_view written);
 
-/// The text of an OBJ in which some vertices have a colour and others none, with white for those; assimp 5.2 would give
-/// colours to the wrong vertices, and read memory that is none of theirs. A vertex's alpha, which is no part of the
-/// format, and for which it would leave the vertex out, is taken away. None where nothing is to be changed.
+/// The text of an OBJ in which only some vertices have a colour, with white for the others; assimp 5.2 would give
+/// colours to the wrong vertices, and read memory out of range. Removes alphas of vertices, which are not part of the
+/// format and for which it would drop the vertex. None where nothing has to change.
 [[nodiscard]] std::optional<std::string> text_with_even_colors(std::string_view text);
 
 /// The file's bytes; none where it cannot be read.

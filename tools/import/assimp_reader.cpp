@@ -34,8 +34,8 @@ namespace {
 // JoinIdenticalVertices is left out on purpose: in 5.2 it leaves bone weights of vertices that it has removed.
 constexpr unsigned kPostProcess = aiProcess_Triangulate | aiProcess_SortByPType;
 
-// assimp guesses from the content when the suffix's reader declines, with any of its fifty readers. Only those that
-// the suffix asks for stay: fewer parsers for a hostile file, and messages about the format that the artist meant.
+// When the suffix's reader declines, assimp guesses from the content with any of its fifty readers. Keeping only those
+// of the suffix means fewer parsers for a hostile file, and messages about the format that the artist meant.
 void keep_readers_of(Assimp::Importer& importer, const std::string& suffix) {
   for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
     Assimp::BaseImporter* const reader = importer.GetImporter(i);
@@ -49,14 +49,14 @@ void keep_readers_of(Assimp::Importer& importer, const std::string& suffix) {
 
 void configure(Assimp::Importer& importer, const SourceSuffix& suffix, const ImportSettings& settings) {
   keep_readers_of(importer, suffix.suffix + 1);
-  // Pivots as nodes of their own, which flatten_nodes() folds again: assimp's own folding lets children inherit what is
-  // meant for a mesh alone.
+  // Pivots become nodes of their own, which flatten_nodes() folds again: assimp's own folding lets children inherit
+  // transforms that are meant for a mesh alone.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, settings.up_axis.has_value());
 }
 
-/// The material libraries that a model names and that were not opened, each once. After each of them assimp tries one
-/// of the model's own name, which nobody may have named.
+/// The material libraries that a model names and that were not opened, each once. After each of them assimp also tries
+/// a library with the model's own name, which the model may not name.
 std::vector<std::string> lost_libraries(const Asked& asked, const std::string& model) {
   const std::string own = std::filesystem::path(model).replace_extension(".mtl").filename().string();
   std::vector<std::string> lost;
@@ -67,7 +67,7 @@ std::vector<std::string> lost_libraries(const Asked& asked, const std::string& m
   return lost;
 }
 
-/// Of a material library that was not read. assimp goes on without, and the hair would be brown without a word.
+/// Warns of a material library that was not read. assimp goes on without it, and the hair would silently be brown.
 void warn_of_lost_library(const std::string& library, bool lies_outside, const aiScene& scene, SourceModel& model) {
   const std::string name =
       std::filesystem::path(library).lexically_proximate(std::filesystem::path(model.path).parent_path()).string();
@@ -121,11 +121,11 @@ void give_own_names(const UniqueFbxBones& bones, SceneNodes& nodes) {
   }
 }
 
-/// What the file itself says, beside what assimp reads of it: of an FBX or a COLLADA document alone.
+/// Data of the file that assimp does not read: for FBX and COLLADA documents.
 struct SourceText {
   std::vector<char> bytes = {};
   std::optional<UniqueFbxBones> unique_bones = {};
-  std::optional<FbxObjects> objects = {};  ///< With the bones' unique names, as assimp has them.
+  std::optional<FbxObjects> objects = {};  ///< With the bones' unique names, as in assimp's scene.
 
   [[nodiscard]] std::string_view file() const { return {bytes.data(), bytes.size()}; }
 };
@@ -175,7 +175,7 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
 tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::path& path, const SourceSuffix& suffix,
                                                       const ImportSettings& settings) try {
   std::optional<std::string> plain;
-  Diagnostics warnings;  // of what is made plain
+  Diagnostics warnings;  // Warnings about what was normalised.
   SourceText text;
   if (suffix.format == SourceFormat::kDae) {
     text.bytes = bytes_of(path);

@@ -29,7 +29,7 @@ using Expected = tl::expected<T, std::string>;  ///< The error without the file'
 
 constexpr double kLeastSpan = 1.0e-4;  ///< Seconds; the promise of ClipFile::keys.
 
-/// A clip being read: one node and its parents, and what moves them.
+/// Reads a clip: one node and its parents, and the channels that move them.
 class ClipReader {
  public:
   ClipReader(const fs::path& path, const json& document)
@@ -52,7 +52,7 @@ class ClipReader {
   }
 
  private:
-  /// What a channel moves, where that is a node's place.
+  /// The property of a node's transform that a channel moves.
   struct Target {
     std::uint32_t node;
     NodeProperty property;
@@ -74,7 +74,7 @@ class ClipReader {
     return nodes;
   }
 
-  /// Some of them, for a message.
+  /// Some of the labels, for a message.
   [[nodiscard]] std::string list_of_labels(const std::set<std::uint32_t>& nodes) const {
     constexpr std::size_t kShown = 8;
     std::vector<std::string> labels;
@@ -219,7 +219,7 @@ class ClipReader {
   gltf::GltfTree tree_;
   gltf::GltfBuffers buffers_;
   std::vector<std::uint32_t> chain_;
-  std::vector<ClipNode> nodes_;  ///< Of chain_.
+  std::vector<ClipNode> nodes_;  ///< The nodes of chain_.
   std::size_t numbers_ = 0;
   ClipFile clip_;
 };

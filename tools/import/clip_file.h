@@ -1,5 +1,5 @@
 #pragma once
-// Animations of model files, as what one node does.
+// Animations in model files, reduced to the motion of one node.
 
 #include "base/tool_error.h"
 #include "import/clip_track.h"
@@ -27,16 +27,16 @@ struct NodeKey {
 };
 
 struct ClipFile {
-  std::string node;                ///< Its name, printable.
+  std::string node;                ///< The node's name, printable.
   std::vector<NodeKey> keys;       ///< At least one, 0.1 ms or more apart, ascending from 0 or later; finite numbers.
-  std::vector<std::string> notes;  ///< What was taken otherwise than the file says, with the file's name.
+  std::vector<std::string> notes;  ///< Deviations from the file, with the file's name.
 };
 
 /// Reads how a node of a .gltf, .glb or .vrm moves in the world, parents included, at all their keys together. `node`:
-/// its name; empty: the file's only animated one. Rotations count from the pose that the file gives the nodes beside
-/// the animation, since a head's bone may lie in its head as it likes. Of several animations the first that moves the
-/// node is read. Steps and splines are read as straight lines between their values. Errors: kFileAccess (absent,
-/// unreadable), kBadInput (damaged, no animation, no such node, more than 100,000 keys), kUnsupported (another format).
+/// its name; empty: the file's only animated node. Rotations are relative to the file's pose without the animation,
+/// since a head's bone may have any axes. Among several animations the first that moves the node is read. Steps and
+/// splines are read as straight lines between their values. Errors: kFileAccess (absent, unreadable), kBadInput
+/// (damaged, no animation, no such node, more than 100,000 keys), kUnsupported (another format).
 [[nodiscard]] tl::expected<ClipFile, ToolError> read_clip(const std::filesystem::path& path, std::string_view node);
 
 // Animations of model files, as how the bones of hair turn.
@@ -47,15 +47,15 @@ struct PosedBone {
   int parent = -1;  ///< Among the bones, before it; -1: none.
 };
 
-/// How bones turn in the course of an animation.
+/// The rotations of bones during an animation.
 class PoseClip {
  public:
-  /// For each bone how it is turned in its parent's frame, from rest, as Hair::set_pose() wants it: in the model's
-  /// axes, Y up. As at the nearest key outside the animation. The identity for bones that the clip lacks.
+  /// The rotation of each bone in its parent's frame, from rest, as Hair::set_pose() takes it: in the model's axes, Y
+  /// up. Outside the animation that of the nearest key. The identity for bones that the clip lacks.
   [[nodiscard]] std::vector<Eigen::Quaterniond> at(double seconds) const;
 
   [[nodiscard]] std::size_t found() const;  ///< Bones that the clip has, moved or not; at least one.
-  /// What was taken otherwise than the file says, with the file's name.
+  /// Deviations from the file, with the file's name.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
  private:
@@ -68,16 +68,16 @@ class PoseClip {
   };
   [[nodiscard]] std::vector<Eigen::Quaterniond> turns(double seconds) const;
 
-  std::vector<Node> nodes_;                ///< Those of bones and all that they hang on.
+  std::vector<Node> nodes_;                ///< The nodes of bones and all nodes above them.
   std::vector<Eigen::Quaterniond> rests_;  ///< World rotation of each at rest.
-  std::vector<std::uint32_t> of_bone_;     ///< Its node, or kNoNode.
+  std::vector<std::uint32_t> of_bone_;     ///< The bone's node, or kNoNode.
   std::vector<std::uint32_t> from_;        ///< The node that its parent's frame turns with, or kNoNode: the world.
   std::vector<std::string> notes_;
 };
 
-/// Reads the rotations of those nodes of a .gltf, .glb or .vrm that have a bone's name. Rotations count from the pose
-/// that the file gives the nodes beside the animation. Of several animations the first that turns one of the bones is
-/// read; places and scales of bones are not. A bone whose parent the clip lacks turns in its node's own parent. Errors:
+/// Reads the rotations of those nodes of a .gltf, .glb or .vrm that have a bone's name. Rotations are relative to the
+/// file's pose without the animation. Among several animations the first that turns one of the bones is read; positions
+/// and scales of bones are ignored. A bone whose parent the clip lacks turns in its node's own parent. Errors:
 /// kFileAccess (absent, unreadable), kBadInput (damaged, no node with a bone's name, none that turns), kUnsupported
 /// (another format).
 [[nodiscard]] tl::expected<std::shared_ptr<const PoseClip>, ToolError> read_pose_clip(const std::filesystem::path& path,

@@ -19,15 +19,16 @@
 
 namespace coif::importer {
 
-/// Of all tracks, so that one buffer named often fills no memory.
+/// Over all tracks, so that a buffer that is named often does not fill memory.
 inline constexpr std::size_t kMostClipNumbers = 16'000'000;
 inline constexpr const char* kExportAgain =
     "export the clip again as .glb";  ///< The cure for most of what ails a clip.
 
-/// What animations need of the document. Errors: those of check_readable(), kUnsupported for another format, kBadInput.
+/// The parts of the document that animations need. Errors: those of check_readable(), kUnsupported for another format,
+/// kBadInput.
 [[nodiscard]] tl::expected<nlohmann::json, ToolError> read_clip_document(const std::filesystem::path& path);
 
-// How one property of one node changes: a sampler of a glTF animation.
+// The changes of one property of one node: a sampler of a glTF animation.
 // Source: Khronos, "glTF 2.0 Specification", chapter 3.11 and appendix C.
 
 enum class NodeProperty : std::uint8_t { kTranslation, kRotation, kScale };
@@ -41,7 +42,7 @@ inline constexpr std::size_t kMostClipKeys = 100'000;
 struct ClipTrack {
   std::vector<float> seconds;  ///< Ascending; at least one, none before 0.
   std::vector<float> values;   ///< 3 per key, or 4 (x, y, z, w) for rotations.
-  bool was_linear = true;      ///< False: the file asks for steps or splines through these values.
+  bool was_linear = true;      ///< False: the file has steps or splines through these values.
 
   [[nodiscard]] Eigen::Vector3d vector_at(double time) const;
   /// Unit, by the shortest way.

@@ -21,14 +21,14 @@ namespace {
 
 constexpr std::uint64_t kMostArrayNumbers = std::uint64_t{1} << 32;  // more are in no file that is read
 
-constexpr double kLeastWeight = 1e-4;  // what exporters leave of a weight of 0 may be as far below
+constexpr double kLeastWeight = 1e-4;  // Exporters leave values this far below 0 for a weight of 0.
 
-/// As assimp reads it, which has pugixml too.
+/// As assimp reads it, which also uses pugixml.
 std::uint64_t number_in(const pugi::xml_node& node, const char* attribute, std::uint64_t absent) {
   return std::min<std::uint64_t>(node.attribute(attribute).as_ullong(absent), kMostArrayNumbers);
 }
 
-/// Arrays by their names and how long they are; who reads them.
+/// Collects the names and lengths of arrays, and their accessors.
 class Arrays : public pugi::xml_tree_walker {
  public:
   bool for_each(pugi::xml_node& node) override {
@@ -44,7 +44,7 @@ class Arrays : public pugi::xml_tree_walker {
   std::vector<pugi::xml_node> accessors;
 };
 
-/// How many numbers of its array the accessor's reader may touch.
+/// Number of values of its array that the accessor may read.
 std::uint64_t reach(const pugi::xml_node& accessor) {
   const std::uint64_t count = number_in(accessor, "count", 0), stride = number_in(accessor, "stride", 1);
   if (count == 0) return 0;
@@ -69,7 +69,7 @@ std::optional<std::string> overrun_array(std::string_view document) {
 
 namespace {
 
-/// How many of an array's numbers are no weights; `text` has them.
+/// Number of values of an array that are not valid weights; `text` has the values.
 std::size_t unusable_weights(const char* text) {
   std::size_t count = 0;
   for (char* end = nullptr;; text = end) {

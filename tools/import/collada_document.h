@@ -1,7 +1,6 @@
 #pragma once
 
-// A COLLADA document as the tree of its elements: what assimp 5.2 passes over is taken from there, all of it in one
-// parse.
+// A COLLADA document as the tree of its elements. Everything that assimp 5.2 ignores is read from it, after one parse.
 
 #include "base/diagnostic.h"
 
@@ -18,8 +17,8 @@ namespace coif::importer {
 
 struct SceneNodes;
 
-/// Parses with the library that assimp has, too. What is no XML gives an empty document. Throws std::bad_alloc where
-/// memory runs out.
+/// Parses with the library that assimp also uses. Text that is not XML gives an empty document. Throws std::bad_alloc
+/// where memory runs out.
 [[nodiscard]] inline pugi::xml_document parse_collada(std::string_view text) {
   pugi::xml_document parsed;
   const pugi::xml_parse_result result = parsed.load_buffer(text.data(), text.size());
@@ -38,16 +37,16 @@ struct SceneNodes;
 /// without the latter. None where it is that already. Throws std::bad_alloc where memory runs out.
 [[nodiscard]] std::optional<std::string> plain_collada(std::string_view text, Diagnostics& warnings);
 
-/// Takes each <morph> out of the document: its mesh gets the shape that its targets give it, as far as their weights
-/// are on, of which a warning tells, and stands for it wherever that is referred to. False where there is none.
+/// Removes each <morph> from the document: its mesh gets the shape of its targets with their weights (with a warning),
+/// and replaces it in all references. False where there is none.
 bool apply_collada_morphs(pugi::xml_document& document, Diagnostics& warnings);
 
-/// Marks nodes that the document hides (<visibility> in an <extra> of theirs), and what is below them.
+/// Marks nodes that the document hides (<visibility> in their <extra>), and the nodes below them.
 void mark_hidden_by_collada(const pugi::xml_document& document, SceneNodes& nodes);
 
-/// What the artist called nodes and meshes; assimp 5.2 calls them by their ids. All as printable text.
+/// The artist's names of nodes and meshes; assimp 5.2 uses their ids. All as printable text.
 struct ColladaNames {
-  std::map<std::string, std::string> nodes, geometries;  ///< By id, of those that have a name.
+  std::map<std::string, std::string> nodes, geometries;  ///< By id; only those with a name.
 
   explicit ColladaNames(const pugi::xml_document& document);
   /// `id` where it has no name.
@@ -57,7 +56,7 @@ struct ColladaNames {
   }
 };
 
-/// Warns of each skin that has weights below zero or that are no numbers, which assimp 5.2 drops.
+/// Warns of each skin with weights below zero or weights that are not numbers, which assimp 5.2 drops.
 void warn_of_weights(const pugi::xml_document& document, Diagnostics& warnings);
 
 }  // namespace coif::importer

@@ -71,7 +71,7 @@ class Morphs {
   }
 
  private:
-  /// Adds what the targets differ from the mesh by, each as far as it is on.
+  /// Adds the differences of the targets from the mesh, times their weights.
   void add_targets(const pugi::xml_node& morph, const pugi::xml_node& geometry) {
     const Numbers weights = numbers_in(source_of(morph, "targets", "MORPH_WEIGHT").child("float_array").child_value());
     const pugi::xml_node names = source_of(morph, "targets", "MORPH_TARGET");
@@ -118,7 +118,7 @@ class Morphs {
 
   pugi::xml_document& document_;
   Diagnostics& warnings_;
-  std::map<std::string, pugi::xml_node> geometries_;  // by id
+  std::map<std::string, pugi::xml_node> geometries_;  // By id.
   std::map<std::string, std::string> mesh_of_;        // the geometry's id, by the controller's
 };
 

@@ -37,7 +37,7 @@ bool write_as_version_14(pugi::xml_document& document) {
   return true;
 }
 
-/// What programs write into the <extra> of a node that they hide.
+/// Whether the <extra> of a node says that it is hidden, as programs write it.
 bool is_off(const pugi::xml_node& node) {
   for (const pugi::xml_node& extra : node.children("extra")) {
     for (const pugi::xml_node& technique : extra.children("technique")) {
@@ -69,7 +69,7 @@ ColladaNames::ColladaNames(const pugi::xml_document& document) {
 }
 
 void mark_hidden_by_collada(const pugi::xml_document& document, SceneNodes& nodes) {
-  std::set<std::string> hidden;  // by id, which is what assimp calls a node that has one
+  std::set<std::string> hidden;  // By id, which assimp uses as the name of a node that has one.
   for (const pugi::xpath_node& found : document.select_nodes("//node[extra/technique/visibility]")) {
     if (is_off(found.node())) hidden.insert(printable_text(found.node().attribute("id").value()));
   }

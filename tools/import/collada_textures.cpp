@@ -29,7 +29,7 @@ std::optional<TextureWrap> wrap_in(const pugi::xml_node& sampler, const char* el
 
 }  // namespace
 
-/// Takes the document apart in one walk; what refers to something else is looked up when the walk has ended.
+/// Reads the document in one walk; references are resolved at the end of the walk.
 class ColladaTextures::Walk : public pugi::xml_tree_walker {
  public:
   explicit Walk(ColladaTextures& out) : out_(out) {}
@@ -63,13 +63,13 @@ class ColladaTextures::Walk : public pugi::xml_tree_walker {
   }
 
  private:
-  /// Which UV sets a mesh's triangles of one material have, and those that assimp gives them: it goes on with those of
+  /// The UV sets of a mesh's triangles of one material, and those that assimp gives them: it continues with the sets of
   /// the triangles after them.
   struct UvSets {
     std::set<unsigned> own, given;
   };
 
-  /// By the symbol of the material.
+  /// By the material's symbol.
   static std::map<std::string, UvSets> uv_sets_of(const pugi::xml_node& geometry) {
     std::vector<std::pair<std::string, std::set<unsigned>>> parts;
     for (const pugi::xml_node& part : geometry.child("mesh").children()) {
@@ -106,7 +106,7 @@ class ColladaTextures::Walk : public pugi::xml_tree_walker {
     Effect& effect = out_.effects_[effect_id()];
     effect.opacity = texture_in(use);
     const std::string_view opaque = use.attribute("opaque").as_string("A_ONE");
-    // Where alpha is meant and the image has none, its luminance is what the exporter had.
+    // Where alpha is meant and the image has none, the exporter used its luminance.
     effect.opacity_channel = opaque.starts_with("RGB") ? TextureChannel::kLuminance : TextureChannel::kAuto;
     effect.opacity_inverted = opaque.ends_with("ZERO");
   }
@@ -151,9 +151,9 @@ class ColladaTextures::Walk : public pugi::xml_tree_walker {
   ColladaTextures& out_;
   pugi::xml_node effect_;
   std::map<std::string, pugi::xml_node> samplers_;
-  std::map<std::string, std::string> effect_of_, name_of_;        // by the material's id
-  std::map<std::string, std::string> sources_;                    // by the controller's id
-  std::map<std::string, std::map<std::string, UvSets>> uv_sets_;  // by the geometry's id
+  std::map<std::string, std::string> effect_of_, name_of_;        // By the material's id.
+  std::map<std::string, std::string> sources_;                    // By the controller's id.
+  std::map<std::string, std::map<std::string, UvSets>> uv_sets_;  // By the geometry's id.
   std::vector<pugi::xml_node> bindings_;
 };
 

@@ -24,7 +24,7 @@ namespace {
 struct LevelName {
   std::string thing;
   unsigned level = 0;
-  bool is_sure = false;  ///< By the letters LOD. An L may be the left side, whose locks are numbered.
+  bool is_sure = false;  ///< Has the letters LOD. An L may mean the left side, whose locks are numbered.
 };
 
 constexpr std::size_t kMostDigits = 2;
@@ -47,7 +47,7 @@ std::string between_marks(std::string text) {
   return text;
 }
 
-/// What the mark at `begin`..`end` stands in: before it, else after it.
+/// The name around the mark at `begin`..`end`: the part before it, else the part after it.
 std::string thing_around(const std::string& low, std::size_t begin, std::size_t end) {
   const std::string before = between_marks(low.substr(0, begin));
   return before.empty() ? between_marks(std::string(
@@ -76,7 +76,7 @@ std::optional<LevelName> level_after_lod(std::string_view name, const std::strin
   return std::nullopt;
 }
 
-/// Where a letter stands by itself or with digits alone behind it, as a word; none where it does not.
+/// A letter that is a word by itself or with digits after it; none otherwise.
 struct Mark {
   std::size_t begin, digits, end;
 };
@@ -90,7 +90,7 @@ std::optional<Mark> find_mark(std::string_view name, const std::string& low, cha
   return std::nullopt;
 }
 
-/// In small letters; none where the name says nothing of a level.
+/// In lower case; none where the name has no level.
 std::optional<LevelName> level_in(std::string_view name) {
   const std::string low = lower_case(std::string(name));
   if (auto sure = level_after_lod(name, low)) return sure;
@@ -101,7 +101,7 @@ std::optional<LevelName> level_in(std::string_view name) {
   return found;
 }
 
-/// "lock" of "Lock_R1" or "Lock_R": what is there on the right side, so that an L beside it is the left one.
+/// "lock" of "Lock_R1" or "Lock_R": the name on the right side, so that an L in a similar name means left.
 std::optional<std::string> thing_on_the_right(std::string_view name) {
   const std::string low = lower_case(std::string(name));
   const auto mark = find_mark(name, low, 'r');
@@ -127,14 +127,14 @@ struct Thing {
   std::map<int, Level> levels;  ///< By number, kUnnumbered for "Hair" beside "Hair_LOD1".
   bool is_sure = false;         ///< LevelName::is_sure.
 };
-using Things = std::map<std::pair<std::string, bool>, Thing>;  // by name and whether that is sure
+using Things = std::map<std::pair<std::string, bool>, Thing>;  // By name and certainty.
 
 const std::string& shown_name(const SourceModel& model, std::size_t m) {
   const std::string& node = model.nodes[model.meshes[m].node].name;
   return node.empty() ? model.meshes[m].name : node;
 }
 
-/// By the node that carries it, those above that one, or its own name. What is sure goes before what is not.
+/// By the name of its node, of the nodes above, or its own. Certain names take precedence.
 std::optional<LevelName> level_of(const SourceModel& model, const SourceMesh& mesh) {
   std::optional<LevelName> unsure;
   const auto look_at = [&](const std::string& name) {
@@ -149,7 +149,7 @@ std::optional<LevelName> level_of(const SourceModel& model, const SourceMesh& me
   return unsure;
 }
 
-/// Whether two boxes are those of one shape, one of them simplified.
+/// Whether two boxes can be those of one shape and its simplification.
 bool are_of_one_place(const Eigen::AlignedBox3f& a, const Eigen::AlignedBox3f& b) {
   constexpr float kLeastShare = 0.75f, kLeastExtent = 0.02f;
   const float thin = kLeastExtent * a.merged(b).diagonal().norm();
@@ -200,7 +200,7 @@ bool looks_like_levels(const Thing& thing) {
 
 bool has_wildcard(const std::string& pattern) { return pattern.find_first_of("*?") != std::string::npos; }
 
-/// What the caller names of a thing's levels.
+/// The levels of a thing that the caller names.
 class Wanted {
  public:
   Wanted(std::span<const std::string> patterns, const SourceModel& model) : model_(model) {
@@ -223,8 +223,7 @@ std::vector<std::string> names_of(const SourceModel& model, std::span<const std:
   return names;
 }
 
-/// Numbers begin with 0 for the finest in most tools, and with 0 for the coarsest in some: triangles tell. Of equals
-/// the first.
+/// In most tools 0 is the finest level, in some the coarsest: the number of triangles decides. Among equals the first.
 const Level& finest_of(const Thing& thing, const Wanted& wanted, bool& is_chosen) {
   const Level* finest = nullptr;
   for (const bool is_for_all : {false, true}) {

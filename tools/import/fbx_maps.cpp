@@ -16,8 +16,8 @@
 namespace coif::importer {
 namespace {
 
-// What programs call the properties of their materials: the last part, without "file", in small letters and without
-// underlines.
+// Programs' names for the properties of their materials: the last part, without "file", in lower case and without
+// underscores.
 constexpr std::string_view kColorProperties[] = {"diffusecolor", "diffuse",      "diffusemap",  "diffusetexture",
                                                  "basecolor",    "basecolormap", "texcolormap", "color",
                                                  "colormap",     "albedo",       "albedomap",   "maincolor"};
@@ -27,7 +27,7 @@ constexpr std::string_view kOpacityProperties[] = {
     "cutoutmap",        "cutoutopacity",      "geometryopacity", "alpha",
     "alphamap"};
 
-/// "3dsMax|Parameters|cutout_map", "Maya|opacity|file": what is behind the last bar that matters.
+/// The part of "3dsMax|Parameters|cutout_map" or "Maya|opacity|file" behind the last bar that matters.
 std::string property_name(std::string_view property) {
   constexpr std::string_view kFile = "|file";
   if (property.ends_with(kFile)) property.remove_suffix(kFile.size());
@@ -38,7 +38,7 @@ std::string property_name(std::string_view property) {
 }
 
 struct FbxMap {
-  const FbxObject* texture = nullptr;  ///< The first layer; null: there is none.
+  const FbxObject* texture = nullptr;  ///< The first layer; null: none.
   std::size_t layers = 0;
 };
 
@@ -54,7 +54,7 @@ FbxMap find_map(const FbxObjects& objects, const FbxObject& material, std::span<
   return {};
 }
 
-/// Which of the UV sets of the meshes that have the material is called so.
+/// The index of the UV set with this name in the meshes that have the material.
 unsigned uv_set_called(const aiScene& scene, unsigned material, std::string_view name) {
   for (const aiMesh* const mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
     if (mesh->mMaterialIndex != material || name.empty()) continue;
@@ -94,7 +94,7 @@ void warn_of_layers(const FbxMap& map, const std::string& material, const char* 
 void connect_fbx_textures(const FbxObjects& objects, const aiScene& scene, Diagnostics& warnings) {
   constexpr aiTextureType kColor[] = {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE};
   constexpr aiTextureType kOpacity[] = {aiTextureType_OPACITY};
-  std::map<std::string, const FbxObject*> named;  // of several the first
+  std::map<std::string, const FbxObject*> named;  // Among several the first.
   for (const FbxObject& object : objects.all()) {
     if (object.kind == FbxKind::kMaterial) named.emplace(printable_text(object.name), &object);
   }

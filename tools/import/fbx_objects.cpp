@@ -42,8 +42,8 @@ std::optional<FbxKind> kind_of(std::string_view record, std::string_view object_
 
 bool is_number(const FbxValue& value) { return value.kind == FbxValue::Kind::kNumber; }
 
-/// How much of a shape is in what a channel shows at `percent`, which moves between shapes that are fully on at their
-/// percents of `full`. At most two are in it. `full` ascends from above 0.
+/// The share of a shape in the result of a channel at `percent`. The channel blends between shapes that are fully on at
+/// the percents of `full`, at most two at a time. `full` ascends from above 0.
 double shape_weight(std::span<const double> full, std::size_t shape, double percent) {
   const double own = full[shape];
   const bool is_last = shape + 1 == full.size();
@@ -56,7 +56,7 @@ double shape_weight(std::span<const double> full, std::size_t shape, double perc
   return std::max(0.0, (full[shape + 1] - percent) / (full[shape + 1] - own));
 }
 
-/// What is connected to the object; `connections` are in the order of their `to`.
+/// The objects connected to this one; `connections` are sorted by `to`.
 std::span<const FbxConnection> connected_to(std::int64_t id, std::span<const FbxConnection> connections) {
   const auto found = std::ranges::equal_range(connections, id, {}, &FbxConnection::to);
   return {found.begin(), found.end()};
@@ -64,7 +64,7 @@ std::span<const FbxConnection> connected_to(std::int64_t id, std::span<const Fbx
 
 }  // namespace
 
-/// Takes from the records what is asked for.
+/// Collects the needed values from the records.
 class FbxObjects::Collector {
  public:
   explicit Collector(FbxObjects& out) : out_(out) {}
@@ -190,7 +190,7 @@ std::optional<FbxObjects> FbxObjects::read(std::string_view file) {
   return out;
 }
 
-/// Of objects with one id the last counts, as for assimp.
+/// Among objects with one id the last counts, as in assimp.
 void FbxObjects::sort() {
   std::ranges::reverse(objects_);
   std::ranges::stable_sort(objects_, {}, &FbxObject::id);
@@ -212,7 +212,7 @@ std::span<const FbxConnection> FbxObjects::on_properties(std::int64_t id) const 
   return connected_to(id, on_properties_);
 }
 
-/// Some writers say in the model's attribute alone that it is a LodGroup. A layer that is off hides its models.
+/// Some writers mark a LodGroup only in the model's attribute. A layer that is off hides its models.
 void FbxObjects::mark_models() {
   for (const FbxConnection& connection : connections_) {
     const FbxObject* const from = find(connection.from);

@@ -12,7 +12,7 @@ constexpr std::string_view kBinaryStart = "Kaydara FBX Binary";
 constexpr std::size_t kVersionAt = 23;
 constexpr std::uint32_t kFirstWideVersion = 7500;
 
-/// A binary FBX: each record says where it ends, and its parts are checked against that.
+/// A binary FBX: each record has its end, and its parts are checked against that.
 class BinaryFbx {
  public:
   BinaryFbx(std::string_view file, const FbxVisit& visit) : file_(file), visit_(visit) {}
@@ -23,7 +23,7 @@ class BinaryFbx {
     if (!read(version)) return false;
     is_wide_ = version >= kFirstWideVersion;
     std::vector<std::size_t> ends{file_.size()};
-    // A record of zeros ends a list of records. What follows the outermost list is no record.
+    // A record of zeros ends a list of records. Bytes after the outermost list are no record.
     while (at_ < ends.back() || ends.size() > 1) {
       if (at_ == ends.back()) {
         ends.pop_back();
@@ -51,7 +51,7 @@ class BinaryFbx {
 
  private:
   struct Head {
-    std::size_t end = 0;  // 0: of a record of zeros
+    std::size_t end = 0;  // 0 for a record of zeros.
     std::uint64_t value_count = 0;
     std::size_t values_end = 0;
     std::string_view name;

@@ -15,7 +15,7 @@
 namespace coif::importer {
 namespace {
 
-constexpr std::size_t kMostSearchedModels = 4096;  // Bounds the time that a file takes whose nodes are not found.
+constexpr std::size_t kMostSearchedModels = 4096;  // Bounds the time for a file whose nodes are not found.
 
 /// assimp makes a node of each model in the file's order, and keeps names.
 void match_models(const FbxObjects& objects, SceneNodes& nodes) {
@@ -38,7 +38,7 @@ void match_models(const FbxObjects& objects, SceneNodes& nodes) {
 }
 
 void mark_hidden(SceneNodes& nodes) {
-  std::vector<bool> is_hidden(nodes.nodes.size(), false);  // by Visibility alone
+  std::vector<bool> is_hidden(nodes.nodes.size(), false);  // By Visibility alone.
   for (std::size_t n = 1; n < nodes.nodes.size(); ++n) {
     const bool is_below_hidden = is_hidden[nodes.nodes[n].parent];
     const FbxObject* const model = nodes.model[n];
@@ -84,7 +84,7 @@ void add_difference(const aiVector3D& target, const aiVector3D& base, double wei
             .cast<float>();
 }
 
-/// What assimp calls an anim mesh is the whole mesh as it is with the shape fully on.
+/// An anim mesh of assimp is the whole mesh with the shape fully on.
 void add_shape(const aiMesh& mesh, const aiAnimMesh& shape, double weight, RawMesh& out) {
   if (weight == 0 || shape.mNumVertices != mesh.mNumVertices) return;
   for (unsigned v = 0; v < mesh.mNumVertices; ++v) {

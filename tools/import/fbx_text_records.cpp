@@ -38,7 +38,7 @@ class TextFbx {
  private:
   static bool is_blank(char letter) { return letter == ' ' || letter == '\t' || letter == '\r' || letter == '\n'; }
 
-  /// Whether anything follows. A comment goes to the end of its line.
+  /// Returns whether more text follows. A comment goes to the end of its line.
   bool skip_blanks() {
     while (at_ < file_.size()) {
       if (file_[at_] == ';') {
@@ -120,7 +120,7 @@ class TextFbx {
   const FbxVisit& visit_;
   std::size_t at_ = 0;
   std::size_t depth_ = 0;
-  std::size_t deepest_ = 0;  // of the records that `visit_` wants now
+  std::size_t deepest_ = 0;  // Depth of the records that `visit_` wants now.
   std::string_view name_;
   bool has_name_ = false;
   FbxValues values_;

@@ -17,7 +17,7 @@ std::string file_name(std::string_view path) {
   return slash == std::string::npos ? text : text.substr(slash + 1);
 }
 
-/// By the material's name and the image file's. Of several the first counts.
+/// By the names of the material and of the image file. Among several the first counts.
 using MaterialTextures = std::map<std::pair<std::string, std::string>, const FbxObject*>;
 
 MaterialTextures material_textures(const FbxObjects& objects) {

@@ -16,35 +16,35 @@ namespace coif::importer {
 struct FbxValue {
   enum class Kind : std::uint8_t { kNumber, kText, kArray };
   Kind kind = Kind::kText;
-  std::string_view
-      text;  ///< Of a text; of an array of a binary file that is not packed and holds doubles, its bytes; else empty.
-  double number = 0;       ///< Of a number.
-  std::int64_t whole = 0;  ///< Of a number that is whole, for example an object's id.
+  /// A text; or the bytes of a binary file's array of unpacked doubles; else empty.
+  std::string_view text;
+  double number = 0;       ///< A number's value.
+  std::int64_t whole = 0;  ///< The value of an integer, for example an object's id.
 };
 
-/// Most values of a record that are kept; those after them are passed over.
+/// Most values of a record that are kept; further ones are skipped.
 inline constexpr std::size_t kMostFbxValues = 8;
 
 struct FbxRecord {
   std::string_view name;
   unsigned depth = 0;                ///< 0: "Objects", "Connections" and their like.
-  std::span<const FbxValue> values;  ///< The first of them, kMostFbxValues at most.
+  std::span<const FbxValue> values;  ///< The first ones, at most kMostFbxValues.
 };
 
-/// Calls `visit` for each record in the file's order, a record before those within it, which follow only where `visit`
-/// returns true. What a binary file holds within the others is passed over. Returns false where the file is no FBX, is
-/// cut off or damaged; `visit` may have been called before. Takes time in proportion to the file and next to no memory,
-/// and never calls itself. Reads binary files of all versions (64-bit sizes from 7500 on) and text; records may stand
-/// 64 deep.
+/// Calls `visit` for each record in the file's order. A record comes before its children, which follow only where
+/// `visit` returns true; in a binary file the others are skipped. Returns false where the file is not an FBX, is cut
+/// off or damaged; `visit` may have been called before. Takes time in proportion to the file and next to no memory, and
+/// is not recursive. Reads binary files of all versions (64-bit sizes from 7500 on) and text; records may be nested 64
+/// deep.
 [[nodiscard]] bool walk_fbx(std::string_view file, const std::function<bool(const FbxRecord&)>& visit);
 
-// What walks of both encodings of an FBX share.
+// Shared by the readers of both encodings of an FBX.
 
 using FbxVisit = std::function<bool(const FbxRecord&)>;
 
 inline constexpr std::size_t kMostFbxDepth = 64;
 
-/// The values of one record as they are found.
+/// Collects the values of one record.
 class FbxValues {
  public:
   void clear() { count_ = 0; }

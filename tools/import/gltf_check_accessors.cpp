@@ -152,7 +152,7 @@ class AccessorChecks {
     }
   }
 
-  static constexpr double kRounding = 1e-6;  ///< Of decimal digits in JSON.
+  static constexpr double kRounding = 1e-6;  ///< Rounding of decimal digits in JSON.
 
   CheckedGltf& file_;
   std::set<std::uint32_t> needs_bounds_;

@@ -61,7 +61,7 @@ class AnimationChecks {
     const std::string path = printable_text_of(member(target, "path"));
     const std::size_t width = path == "rotation" ? 4 : path == "weights" ? 1 : 3;
     if (path != "rotation" && path != "translation" && path != "scale" && path != "weights")
-      return;  // Of an extension.
+      return;  // Belongs to an extension.
     const std::size_t of_a_key = member(sampler, "interpolation") == "CUBICSPLINE" ? 3 : 1;
     const std::size_t wanted = times->count() * of_a_key;
     const bool fits = width == 1 ? values->count() % std::max<std::size_t>(wanted, 1) == 0 : values->count() == wanted;
@@ -71,7 +71,7 @@ class AnimationChecks {
   }
 
   void check_rotations(const StoredNumbers& values, std::size_t of_a_key) {
-    constexpr double kMostOff = 0.00769;  // As the Khronos validator.
+    constexpr double kMostOff = 0.00769;  // As in the Khronos validator.
     for (std::size_t i = of_a_key / 2; i < values.count(); i += of_a_key) {
       double squares = 0;
       for (std::size_t k = 0; k < 4; ++k) squares += std::pow(values.value(4 * i + k), 2);

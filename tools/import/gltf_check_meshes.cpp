@@ -4,17 +4,17 @@
 #include <array>
 #include <cmath>
 
-// What primitives of meshes are made of.
+// Checks of the parts of meshes' primitives.
 
 namespace coif::importer {
 namespace {
 
 using nlohmann::json;
 
-/// What the specification lets an attribute be (3.7.2.1): its type, and component types that need not be normalized and
-/// that must.
+/// The allowed forms of an attribute (specification 3.7.2.1): its type, and component types that need not be normalized
+/// and that must be.
 struct AttributeRule {
-  std::string_view name;  ///< With a number behind it where it ends in '_'.
+  std::string_view name;  ///< Followed by a number if it ends in '_'.
   std::array<const char*, 2> types;
   bool floats, unsigned_integers, are_normalized;
 };
@@ -80,7 +80,7 @@ class MeshChecks {
             what, file_.list(list).size());
   }
 
-  /// How many vertices they are of; 0 where that is not known.
+  /// Number of vertices of the attributes; 0 where it is not known.
   std::size_t check_attributes(const json& attributes, const char* of) {
     const json& accessors = file_.list("accessors");
     std::optional<std::size_t> vertices;
@@ -131,9 +131,9 @@ class MeshChecks {
     if (!ok || !is_typed) wrong(gltf_code::kRules, "{} is not of a type that it may have; export it again", shown);
   }
 
-  /// How many of the vectors in an attribute, three numbers of each, are not of length one; and the first of them.
+  /// Counts the vectors of an attribute, three numbers each, that are not of length one, and finds the first.
   void check_units(const json& accessor, const char* what) {
-    constexpr double kMostOff = 0.00674;  // As the Khronos validator: a byte's rounding.
+    constexpr double kMostOff = 0.00674;  // As in the Khronos validator: a byte's rounding.
     const auto stored = file_.read(accessor);
     if (!stored || stored->width < 3) return;
     std::size_t off = 0, first = 0;

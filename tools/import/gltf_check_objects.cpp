@@ -6,7 +6,7 @@
 #include <fstream>
 #include <system_error>
 
-// Containers, and what JSON objects say of each other.
+// Checks of containers, and of references between JSON objects.
 
 namespace coif::importer {
 namespace {
@@ -44,7 +44,7 @@ constexpr const char* kGltfLists[] = {"accessors", "animations", "bufferViews", 
                                       "images",    "materials",  "meshes",      "nodes",   "samplers",
                                       "scenes",    "skins",      "textures"};
 
-/// A property that is a list of so many numbers.
+/// A property that is a list with a fixed count of numbers.
 constexpr std::pair<const char*, std::size_t> kNodeNumbers[] = {
     {"matrix", 16}, {"rotation", 4}, {"scale", 3}, {"translation", 3}};
 
@@ -150,7 +150,7 @@ class ObjectChecks {
   }
 
   void check_rotation(const json& node, const std::string& place) {
-    constexpr double kMostOff = 0.00769;  // As the Khronos validator.
+    constexpr double kMostOff = 0.00769;  // As in the Khronos validator.
     const json& rotation = list_of(member(node, "rotation"));
     if (rotation.size() != 4) return;
     double squares = 0;
@@ -169,7 +169,7 @@ class ObjectChecks {
     }
   }
 
-  /// All members that are called a texture, at whatever depth, name one.
+  /// Checks that all members with "texture" in their name refer to one, at any depth.
   void check_textures(const json& value, const std::string& place) {
     if (!value.is_object()) return;
     for (const auto& [name, inner] : value.items()) {

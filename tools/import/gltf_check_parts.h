@@ -21,10 +21,10 @@
 
 namespace coif::importer {
 
-// Codes of the table of issues; tools/validate says what each means.
+// Codes of the table of issues; tools/validate has their meanings.
 namespace gltf_code {
 inline constexpr const char* kRules = "S111";      ///< Containers, references, types, sizes.
-inline constexpr const char* kIndices = "S112";    ///< Of vertices.
+inline constexpr const char* kIndices = "S112";    ///< Indices of vertices.
 inline constexpr const char* kNumbers = "S113";    ///< Not finite, or out of their range.
 inline constexpr const char* kJoints = "S114";     ///< Twice in a vertex, or not of the skin.
 inline constexpr const char* kWeights = "S115";    ///< Sums and signs.
@@ -33,7 +33,7 @@ inline constexpr const char* kBounds = "S117";     ///< Least and largest values
 inline constexpr const char* kAnimation = "S118";  ///< Key times and values.
 }  // namespace gltf_code
 
-/// Collects sentences, each once, and no endless number of them.
+/// Collects sentences, each once, up to a limited number.
 class GltfFaults {
  public:
   void add(const char* code, std::string text);
@@ -44,18 +44,18 @@ class GltfFaults {
   [[nodiscard]] Diagnostics finish() &&;
 
  private:
-  /// How often one kind is true elsewhere, beside the places that are named.
+  /// How often one kind of fault occurs besides the places that are named.
   struct Kind {
     std::size_t named = 0;
     std::size_t more = 0;
-    std::size_t last = 0;  ///< Of told_, the last one that names a place.
+    std::size_t last = 0;  ///< Index in told_ of the last one that names a place.
   };
   Diagnostics told_;
   std::map<std::string, Kind> kinds_;
   std::size_t more_ = 0;
 };
 
-/// The numbers of an accessor as they are stored.
+/// The stored numbers of an accessor.
 struct StoredNumbers {
   gltf::GltfComponent component;
   bool normalized = false;
@@ -64,11 +64,11 @@ struct StoredNumbers {
 
   [[nodiscard]] std::size_t count() const { return numbers.size() / width; }
   [[nodiscard]] bool is_float() const { return component.largest == 0; }
-  /// The value that the stored number stands for.
+  /// The value of the stored number `i`.
   [[nodiscard]] double value(std::size_t i) const { return gltf::gltf_value(component, normalized, numbers[i]); }
 };
 
-/// A glTF document whose parts are looked at.
+/// A glTF document under check.
 class CheckedGltf {
  public:
   CheckedGltf(const nlohmann::json& parsed, gltf::GltfBuffers& buffers) : document(parsed), buffers_(buffers) {}
@@ -78,7 +78,7 @@ class CheckedGltf {
 
   [[nodiscard]] const nlohmann::json& list(const char* name) const { return list_of(member(document, name)); }
   [[nodiscard]] bool uses(std::string_view extension) const;
-  /// None where the accessor is absent, compressed, or not within its buffer; why is told by check_gltf_accessors().
+  /// None where the accessor is absent, compressed, or not within its buffer; check_gltf_accessors() reports why.
   [[nodiscard]] std::optional<StoredNumbers> read(const nlohmann::json& accessor);
   [[nodiscard]] std::optional<std::size_t> buffer_size(std::size_t buffer, std::string& why);
 

@@ -14,10 +14,10 @@ using nlohmann::json;
 
 constexpr double kSumRounding =
     5e-4;  ///< A weight's share of a vertex that nobody sees; a byte's step is 8 times that.
-constexpr double kZeroRounding = 1e-6;  ///< What is left of 0 where a program subtracted.
+constexpr double kZeroRounding = 1e-6;  ///< What subtraction leaves of 0 in some programs.
 constexpr const char* kNormalizeWeights = "normalize the weights (Blender: Weights > Normalize All) and export again";
 
-/// How often something is true of a vertex, and where first.
+/// How many vertices have a fault, and the first one.
 struct VertexTally {
   std::size_t count = 0, first = 0;
   double number = 0;

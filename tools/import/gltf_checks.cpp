@@ -11,10 +11,10 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr std::size_t kMostFaults = 40;                ///< Sentences.
-constexpr std::size_t kMostPlaces = 3;                 ///< Of one kind that are named.
-constexpr std::size_t kMostCheckedNumbers = 1u << 28;  ///< Of an accessor: more is in no file that is read.
+constexpr std::size_t kMostPlaces = 3;                 ///< Places that are named for one kind.
+constexpr std::size_t kMostCheckedNumbers = 1u << 28;  ///< Numbers of an accessor: no file that is read has more.
 
-/// What is said of a place, without the place and without numbers.
+/// The text without the place and without numbers.
 std::string kind_of(const std::string& text) {
   const std::size_t place = text.find(": ");
   std::string kind = place == std::string::npos ? text : text.substr(place);
@@ -74,7 +74,7 @@ std::optional<StoredNumbers> CheckedGltf::read(const json& accessor) {
   // Columns of matrices of small numbers are padded; no such matrix means anything to anyone.
   if (width == 0 || ((width > 4 || member(entry, "type") == "MAT2") && !is_float)) return std::nullopt;
   const json& view = member(entry, "bufferView");
-  // Without a view it is all zeros, or what an extension gives.
+  // Without a view it is all zeros, or the data of an extension.
   if (view.is_null() && !member(entry, "sparse").is_object()) return std::nullopt;
   const auto in_view = index_of(view, views.size());
   if (in_view && member(views[*in_view], "extensions").is_object()) return std::nullopt;

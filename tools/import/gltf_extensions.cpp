@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-/// What the reader undoes or follows.
+/// Extensions that the reader undoes or follows.
 constexpr std::string_view kRead[] = {"KHR_mesh_quantization",
                                       "KHR_texture_transform",
                                       "KHR_draco_mesh_compression",
@@ -25,8 +25,7 @@ constexpr std::string_view kRead[] = {"KHR_mesh_quantization",
                                       "KHR_materials_variants",
                                       "MSFT_lod",
                                       "VRM"};
-/// Families that say how light falls, how things move or what they are called: nothing of a hair's shape, texture or
-/// place.
+/// Families about light, motion or names, without effect on the shape, texture or place of hair.
 constexpr std::string_view kOfNoEffect[] = {"KHR_materials_",
                                             "KHR_lights_",
                                             "EXT_lights_",
@@ -53,7 +52,7 @@ constexpr std::string_view kOfNoEffect[] = {"KHR_materials_",
                                             "UNITY_",
                                             "EPIC_"};
 
-/// An extension that is not read, and who takes it out.
+/// An extension that is not read, and the tool that removes it.
 struct Cure {
   std::string_view name;
   const char* what;
@@ -104,7 +103,7 @@ GltfExtensions check_gltf_extensions(const json& document) {
   }
   for (const std::string& name : names_in(member(document, "extensionsUsed"))) {
     if (is_read(name) || cure_of(name) != nullptr)
-      continue;  // an image without another form is told of where it is missed
+      continue;  // An image without another form is reported where it is missed.
     warn(out.warnings, source_code::kExtensions,
          "the extension '{}' is not read; where it changes shape, texture coordinates or images the hair "
          "differs: open it in Blender and export it again as .glb",

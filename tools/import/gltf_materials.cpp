@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-/// As a sampler's wrapS and wrapT have it: glTF 2.0, 5.26.
+/// The values of a sampler's wrapS and wrapT: glTF 2.0, 5.26.
 TextureWrap wrap_of(const json& value) {
   const auto number = index_of(value, 1 << 16);
   return number == 33071u ? TextureWrap::kClamp : number == 33648u ? TextureWrap::kMirror : TextureWrap::kRepeat;
@@ -73,7 +73,7 @@ class MaterialReader {
     return color.allFinite() ? color : Eigen::Vector4f::Ones();
   }
 
-  // Files that give no number, or none that can be meant, show the map as it is painted.
+  // Files without a sensible number show the map as it is painted.
   static float strength_of(const json& value) {
     const double strength = number_of(value).value_or(1);
     return strength >= 0 && strength <= double{kMostNormalStrength} ? float(strength) : 1;
@@ -88,7 +88,7 @@ class MaterialReader {
     material.alpha_cutoff = number_or(member(entry, "alphaCutoff"), 0.5, 1);
   }
 
-  /// What shines by itself, as exporters write a material without light, has its colour there.
+  /// Exporters write a material without light as one that emits; its colour is the emission.
   void take_emission(const json& entry, SourceMaterial& material, GltfUvs& uvs) {
     const json& info = member(entry, "emissiveTexture");
     if (!info.is_object() || !material.base_color.head<3>().isZero(0)) return;

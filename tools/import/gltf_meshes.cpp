@@ -22,7 +22,7 @@ using Eigen::Affine3d;
 using nlohmann::json;
 
 constexpr std::size_t kMostJoints = 65536;
-constexpr std::size_t kMostPlacedVertices = std::size_t{1} << 26;  // of all meshes and instances together
+constexpr std::size_t kMostPlacedVertices = std::size_t{1} << 26;  // All meshes and instances together.
 
 class MeshReader {
  public:
@@ -91,8 +91,8 @@ class MeshReader {
     return {};
   }
 
-  /// The node that carries the mesh of node `n`, and how that one stands in it. Packing tools hang the mesh on a
-  /// nameless node of its own below the one that had it, which undoes the packing of its numbers.
+  /// The node that carries the mesh of node `n`, and the mesh's transform in it. Packing tools put the mesh into a
+  /// nameless node of its own, below its former node, to undo the packing of its numbers.
   [[nodiscard]] std::pair<std::uint32_t, Affine3d> carrier_of(std::uint32_t n) const {
     const json& in_file = list_of(member(document_, "nodes"));
     const auto is_named = [&](std::uint32_t at) {
@@ -136,7 +136,7 @@ class MeshReader {
     warn_of_shape_keys(name, on, model_.warnings);
   }
 
-  /// As far as the file says; one where it does not.
+  /// From the file, or one where it does not say.
   [[nodiscard]] std::size_t count_of_lines(const json& primitive, gltf::GltfMode mode) const {
     const json& accessors = list_of(member(document_, "accessors"));
     const json& indices = member(primitive, "indices");

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-// As exporters of other formats name the node that holds a whole scene.
+// Exporters of other formats use this name for the node of a whole scene.
 constexpr const char* kSceneNode = "ROOT";
 
 std::string node_name(const json& node, std::uint32_t index) {
@@ -22,7 +22,7 @@ std::string node_name(const json& node, std::uint32_t index) {
   return name.empty() ? fmt::format("nodes[{}]", index) : name;
 }
 
-/// Whether the node shows a mesh, which no bone moves, whose places are whole numbers.
+/// Whether the node shows a mesh that no bone moves and whose positions are whole numbers.
 bool undoes_quantization(const json& document, const json& node) {
   constexpr int kFloats = 5126;
   const auto at = [](const json& list, const json& index) -> const json& {

@@ -1,5 +1,6 @@
 #pragma once
-// What becomes of a glTF document's parts in a source model.
+
+// Conversion of a glTF document's parts to a source model.
 
 #include "base/json.h"
 #include "base/tool_error.h"
@@ -18,29 +19,30 @@
 
 namespace coif::importer {
 
-/// Reads a .gltf, .glb or .vrm in this process. Meant for a child process, since the file may ask for much memory.
-/// Throws std::bad_alloc where there is not that much.
+/// Reads a .gltf, .glb or .vrm in this process. Meant for a child process, since the file may need much memory. Throws
+/// std::bad_alloc where memory runs out.
 [[nodiscard]] tl::expected<SourceModel, ToolError> read_gltf_model(const std::filesystem::path& path,
                                                                    const ImportSettings& settings);
 
-/// What is said of extensions that a document asks for or uses.
+/// Messages about extensions that a document needs or uses.
 struct GltfExtensions {
   std::string refusal;  ///< A sentence with the cure, where it requires one that is not read; empty otherwise.
   Diagnostics warnings;
 };
 [[nodiscard]] GltfExtensions check_gltf_extensions(const nlohmann::json& document);
 
-/// Which nodes of the document and of the model are the same.
+/// The mapping between nodes of the document and of the model.
 struct GltfNodes {
-  std::vector<std::uint32_t> in_file;  ///< For each of the model's; kNoIndex for the one above the roots.
-  std::vector<bool> is_hidden;         ///< For each of the model's.
-  std::vector<std::uint32_t> of_file;  ///< For each of the document's: into the model's, or kNoIndex outside the scene.
+  std::vector<std::uint32_t> in_file;  ///< For each of the model's nodes; kNoIndex for the one above the roots.
+  std::vector<bool> is_hidden;         ///< For each of the model's nodes.
+  /// For each of the document's nodes: index in the model, or kNoIndex outside the scene.
+  std::vector<std::uint32_t> of_file;
 };
 /// Fills `nodes` with those of the document's scene, under a node of their own unless the scene has exactly one root.
 [[nodiscard]] GltfNodes read_gltf_nodes(const nlohmann::json& document, const Eigen::Affine3d& model_from_file,
                                         SourceModel& model);
 
-/// Which set of UVs a material's base texture is laid out in, and how they are moved on the way.
+/// The set of UVs of a material's base texture, and its transform.
 struct GltfUvs {
   std::uint32_t set = 0;
   Eigen::Affine2f image_from_uv = Eigen::Affine2f::Identity();
@@ -59,15 +61,14 @@ struct GltfUvs {
                                            const GltfNodes& nodes, const std::vector<GltfUvs>& uvs,
                                            const std::string& variant, SourceModel& model);
 
-/// What in a glTF, GLB or VRM file breaks the format's own rules of containers, references, meshes, skins and
-/// animations: what the Khronos validator calls an error there. One sentence for each kind and place, however many
-/// vertices it is true of; at most some dozens. Readers repair or skip what is told of, or refuse the file. Sums of
-/// weights that are off by rounding are none, nor is what lies in compressed buffer views. Throws std::bad_alloc alone.
-/// Reads the whole file: call it where files are parsed. Source: Khronos, "glTF 2.0 Specification", chapters 3.5
-/// to 3.11, 4.4 and 5.
+/// Finds violations of the format's own rules of containers, references, meshes, skins and animations in a glTF, GLB or
+/// VRM file, where the Khronos validator reports an error. One sentence for each kind and place, however many vertices
+/// have it; at most some dozens. Readers repair or skip these parts, or refuse the file. Sums of weights with rounding
+/// errors do not count, nor do compressed buffer views. Throws only std::bad_alloc. Reads the whole file: call it where
+/// files are parsed. Source: Khronos, "glTF 2.0 Specification", chapters 3.5 to 3.11, 4.4 and 5.
 [[nodiscard]] Diagnostics check_gltf(const std::filesystem::path& path);
-/// The same of a file whose document is read; `buffers` are its.
+/// The same for a file whose document and `buffers` have been read.
 [[nodiscard]] Diagnostics check_gltf(const std::filesystem::path& path, const nlohmann::json& document,
-                                              gltf::GltfBuffers& buffers);
+                                     gltf::GltfBuffers& buffers);
 
 }  // namespace coif::importer

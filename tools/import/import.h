@@ -17,29 +17,31 @@ namespace coif::importer {
 
 enum class UpAxis { kX, kY, kZ };
 
-/// From axes of which `up` points up to those of which Y does.
+/// The rotation from axes in which `up` points up to those in which Y does.
 [[nodiscard]] Eigen::Matrix3d y_up_from(UpAxis up);
 
 struct ImportSettings {
   std::optional<double> metres_per_unit;  ///< Overrides the file's unit.
   std::optional<UpAxis> up_axis;          ///< Overrides the file's axis.
-  /// Folders that files which the model names may lie in, beside its own: where links lead, or paths with "..".
+  /// Folders besides the model's own in which files that it names may lie, through links or paths with "..".
   std::vector<std::filesystem::path> roots;
-  std::string variant;  ///< Which of a glTF's KHR_materials_variants; empty: the materials that its meshes name.
-  /// Names of the meshes that are wanted, with * and ?: which of several levels of detail is kept
+  std::string variant;  ///< One of a glTF's KHR_materials_variants; empty: the materials that its meshes name.
+  /// Names of wanted meshes, with * and ?; they decide which of several levels of detail is kept
   /// (keep_finest_levels()).
   std::vector<std::string> meshes;
   // Limits of the child process that parses the file. A file that exceeds one is refused; nothing else happens.
-  std::uint64_t max_memory_bytes = std::uint64_t{4} << 30;  ///< Beside what this process has; none under ASan.
-  std::uint32_t max_seconds = 120;                          ///< Processor and wall-clock time.
+  /// In addition to this process's memory; no limit under ASan.
+  std::uint64_t max_memory_bytes = std::uint64_t{4} << 30;
+  std::uint32_t max_seconds = 120;  ///< Processor and wall-clock time.
   std::uint64_t max_file_bytes = std::uint64_t{1} << 30;
-  bool requires_sandbox = false;  ///< Where this machine cannot lock up the child process, nothing is read.
+  bool requires_sandbox = false;  ///< Read nothing where this machine cannot lock up the child process.
   std::stop_token stop{};         ///< Requested: the child process is ended, and Stopped thrown.
 };
 
 /// Name and version of the library that reads sources, for example "assimp 5.2.4".
 [[nodiscard]] std::string importer_name();
-/// Notes it in a model, as cooks of all formats record it: that of the library that reads what is not glTF.
+/// Records the importer's version in a model, for all formats: the version of the library that reads files other than
+/// glTF.
 void set_importer(SourceModel& model);
 
 /// Reads the meshes of an FBX, glTF, GLB, VRM, OBJ or DAE. The parser runs in a child process under limits: third-party
@@ -57,7 +59,7 @@ struct SourceSuffix {
   SourceFormat format;
 };
 
-/// How people know the format, for messages.
+/// The format's name for people.
 [[nodiscard]] const char* format_name(SourceFormat format);
 
 /// The entry for the path's suffix, whatever its case; none for a suffix that is not supported.
@@ -66,7 +68,7 @@ struct SourceSuffix {
 /// ".fbx, .gltf, ..." for messages.
 [[nodiscard]] std::string supported_suffixes();
 
-// What is asked of a file before it is read, and the cures that messages about it name.
+// Checks before a file is read, and the cures in messages about it.
 
 inline constexpr const char* kReexport = "open it in a modelling tool and export it again, best as glTF (.glb)";
 inline constexpr const char* kReduce = "export only the hair and the head, best as glTF (.glb)";
@@ -75,10 +77,10 @@ inline constexpr const char* kReduce = "export only the hair and the head, best 
 /// (empty, or above `max_bytes`).
 [[nodiscard]] tl::expected<void, ToolError> check_readable(const std::filesystem::path& path, std::uint64_t max_bytes);
 
-/// Looks through a COLLADA document for an accessor that reads beyond the end of its array, which assimp 5.2 does: what
-/// it finds there differs from run to run. Nothing where all fit; else a sentence without the file's name. What is no
-/// XML is left for assimp to refuse, which parses with the same library. Throws std::bad_alloc where memory runs out.
-/// Source: Khronos, "COLLADA 1.4.1 Specification", chapter 5, <accessor>.
+/// Looks through a COLLADA document for an accessor that reads beyond the end of its array. assimp 5.2 does so, and
+/// what it finds there differs from run to run. None where all fit; else a sentence without the file's name. Text that
+/// is not XML is left for assimp to refuse, which parses with the same library. Throws std::bad_alloc where memory runs
+/// out. Source: Khronos, "COLLADA 1.4.1 Specification", chapter 5, <accessor>.
 [[nodiscard]] std::optional<std::string> overrun_array(std::string_view document);
 
 }  // namespace coif::importer

@@ -7,7 +7,7 @@ namespace coif::importer {
 
 namespace {
 
-constexpr std::uint32_t kMagic = 0x31464D49u;  // so that a stray write into the pipe is not taken for a model
+constexpr std::uint32_t kMagic = 0x31464D49u;  // So that a stray write into the pipe does not pass as a model.
 constexpr std::uint32_t kWholeMagic = 0x31574D49u;
 
 // One list of fields serves both directions: see stream_parts.h.

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kBlanks = " \t\r";
-// As assimp knows them.
+// The keywords in the spelling that assimp knows.
 constexpr std::string_view kKeywords[] = {"newmtl", "map_Kd", "map_Ka",   "map_Ks", "map_Ke",
                                           "map_Ns", "map_d",  "map_bump", "map_Tr"};
 constexpr std::string_view kOfNumbers[] = {"Ka", "Kd", "Ks", "Ke", "Tf", "Ns", "Ni", "Tr", "d", "illum"};
@@ -56,7 +56,7 @@ std::string plain_statement(std::string_view line) {
   return keyword + rest;
 }
 
-/// The end of the line that begins at `at`, and what follows it.
+/// The end of the line that begins at `at`, and the start of the next one.
 std::pair<std::size_t, std::size_t> end_of_line(std::string_view text, std::size_t at) {
   const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
   const bool is_pair = text.substr(end).starts_with("\r\n");

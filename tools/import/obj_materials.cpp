@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kLongestLine = 4096;
 constexpr float kFarthestRepeat = 1e4f;
 
-/// What a statement says: "map_Kd -s 2 2 1 -o 0.5 0 0 -clamp on my hair.png".
+/// The parts of a statement such as "map_Kd -s 2 2 1 -o 0.5 0 0 -clamp on my hair.png".
 struct ObjTexture {
   std::string path;
   TexturePlace place;
@@ -47,7 +47,7 @@ TextureChannel channel_called(const std::string& word) {
   return found == std::end(kChannels) ? TextureChannel::kAuto : found->second;
 }
 
-/// The words of a statement, one after the other; what is left is a path, which may have spaces.
+/// Reads the words of a statement one after the other; the rest is a path, which may contain blanks.
 class ObjWords {
  public:
   explicit ObjWords(const std::string& statement) : text_(statement) { skip(); }
@@ -60,7 +60,7 @@ class ObjWords {
     skip();
     return word;
   }
-  /// Up to three numbers, of which later ones may be left out; returns them in place of what `given` has.
+  /// Reads up to three numbers; later ones may be missing and are then taken from `given`.
   Eigen::Vector3f take_numbers(Eigen::Vector3f given) {
     for (int axis = 0; axis < 3; ++axis) {
       const auto number = written_number(next());
@@ -78,7 +78,8 @@ class ObjWords {
   std::size_t at_ = 0;
 };
 
-/// Some programs write options behind the file's name: "hair.png -s 2 2 1". They come from where its suffix ends.
+/// Moves options that some programs write after the file's name ("hair.png -s 2 2 1") to the front. They are recognised
+/// after the suffix.
 std::string with_options_first(const std::string& statement) {
   constexpr std::string_view kOptions[] = {"-s",      "-o",      "-t",  "-mm",    "-clamp", "-imfchan", "-blendu",
                                            "-blendv", "-texres", "-bm", "-boost", "-cc",    "-type"};
@@ -118,13 +119,13 @@ ObjTexture read_statement(const std::string& written) {
   return texture;
 }
 
-/// What a library says of a material beside what assimp makes of it.
+/// A material in a library, with the values that assimp does not report.
 struct ObjMaterial {
   std::optional<ObjTexture> base, opacity;
   std::optional<float> dissolve, transparency;  ///< "d" and "Tr".
   std::string transparency_map;                 ///< "map_Tr", which is no part of the format; "": none.
 };
-using ObjMaterials = std::map<std::string, ObjMaterial>;  // by name
+using ObjMaterials = std::map<std::string, ObjMaterial>;  // By name.
 
 void read_library(const std::string& text, ObjMaterials& materials) {
   std::istringstream lines(text);
@@ -152,7 +153,7 @@ void take_over(const ObjTexture& said, SourceTexture& texture) {
   texture.wrap[0] = texture.wrap[1] = said.wrap;
 }
 
-/// V of a model grows downwards, that of the place upwards.
+/// V of a model grows downwards, V of the placement upwards.
 void move_uvs(const TexturePlace& place, SourceMesh& mesh) {
   for (Eigen::Vector2f& uv : mesh.uvs) {
     const Eigen::Vector2f moved = place({uv.x(), 1 - uv.y()});
@@ -161,9 +162,9 @@ void move_uvs(const TexturePlace& place, SourceMesh& mesh) {
   }
 }
 
-/// How opaque a material is as a whole: what its texture's alpha is multiplied with. A material that is not there at
-/// all is none that anybody made for hair: exporters write "d 0" or "Tr 1" beside a texture whose alpha is meant, and
-/// some write Tr for d.
+/// The opacity of a material as a whole, a factor on its texture's alpha. Nobody makes a fully transparent material for
+/// hair: exporters write "d 0" or "Tr 1" beside a texture whose alpha is meant, and some write Tr for d. So that is
+/// ignored.
 void take_over_dissolve(const ObjMaterial& said, SourceMaterial& material, Diagnostics& warnings) {
   constexpr float kSeen = 1e-3f;
   if (!said.dissolve && !said.transparency) return;
@@ -180,7 +181,7 @@ void take_over_dissolve(const ObjMaterial& said, SourceMaterial& material, Diagn
        material.name, said.dissolve ? "d 0" : "Tr 1");
 }
 
-/// The colour is what a texture is multiplied with; exporters that mean the texture alone write black beside it.
+/// The colour multiplies the texture; exporters that mean the texture alone write black.
 void take_over_color(const ObjMaterial& said, SourceMaterial& material, Diagnostics& warnings) {
   if (!said.base || !material.base_color.head<3>().isZero(0)) return;
   material.base_color.head<3>().setOnes();
@@ -202,7 +203,7 @@ void take_over_textures(const ObjMaterial& said, SourceMaterial& material, Diagn
   }
   if (!said.opacity) return;
   if (said.base && said.base->path == said.opacity->path) {
-    material.opacity_texture = {};  // one image for both: its own alpha
+    material.opacity_texture = {};  // One image for both: its own alpha.
     return;
   }
   take_over(*said.opacity, material.opacity_texture);
@@ -218,7 +219,7 @@ TexturePlace place_of(const ObjMaterial& said) {
   return said.base ? said.base->place : said.opacity ? said.opacity->place : TexturePlace{};
 }
 
-/// assimp makes a plain material of each name that no library has.
+/// assimp makes a plain material for each name that is in no library.
 void warn_of_absent(const ObjMaterials& materials, const SourceModel& model, Diagnostics& warnings) {
   std::set<std::string> absent;
   for (const SourceMesh& mesh : model.meshes) {

@@ -22,7 +22,7 @@ std::size_t count_words(std::string_view line) {
   return count;
 }
 
-/// The line's beginning with so many words behind its "v".
+/// The beginning of the line with `count` words behind its "v".
 std::string_view first_words(std::string_view line, std::size_t count) {
   for (std::size_t i = 1; i < line.size(); ++i) {
     const bool begins = !is_blank(line[i]) && is_blank(line[i - 1]);
@@ -31,7 +31,7 @@ std::string_view first_words(std::string_view line, std::size_t count) {
   return line.substr(0, line.find_last_not_of(" \t\r") + 1);
 }
 
-/// How a colour is written: some programs have whole numbers up to 255.
+/// The notation of colours: some programs write whole numbers up to 255.
 struct ColorNumbers {
   bool are_whole = true, are_bright = false;
 };
@@ -60,7 +60,7 @@ void for_each_line(std::string_view text, auto&& visit) {
 
 struct VertexLines {
   std::size_t plain = 0, colored = 0, longer = 0;
-  bool are_whole = true, has_bright = false;  ///< Of all colours.
+  bool are_whole = true, has_bright = false;  ///< For all colours.
 };
 
 VertexLines count_vertices(std::string_view text) {

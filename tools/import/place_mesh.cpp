@@ -13,11 +13,10 @@
 namespace coif::importer {
 namespace {
 
-// Metres. What lies farther out is damage (assimp reads past short arrays of a COLLADA file), not a model; an asset
-// ends at ten times that, so that whatever is measured between vertices fits into it.
+// Metres. A vertex farther out is damage (assimp reads past short arrays of a COLLADA file), not a model. Assets allow
+// ten times that, so every distance between vertices fits.
 constexpr float kFarthestVertex = 1e4f;
-// Repeats of a texture. A strip that needs as many has no texels left between two of its vertices; NaN is no number of
-// them.
+// Repeats of a texture. A strip with that many has no texels left between two of its vertices. Also rejects NaN.
 constexpr float kFarthestUv = 1e4f;
 
 bool usable(const Eigen::Vector3f& position) {
@@ -30,7 +29,8 @@ struct PlacedVertices {
   std::vector<bool> mirrored;            // the vertex's transform turns the surface inside out
 };
 
-// Normals go by the inverse transpose. The cofactor matrix is that times the determinant, and exists without one.
+// Normals are transformed by the inverse transpose. The cofactor matrix is that times the determinant, and exists even
+// if that is zero.
 Eigen::Vector3f place_normal(const Eigen::Matrix3d& linear, const Eigen::Vector3d& normal) {
   Eigen::Matrix3d cofactor;
   cofactor << linear.col(1).cross(linear.col(2)), linear.col(2).cross(linear.col(0)),
@@ -88,8 +88,8 @@ std::vector<std::uint32_t> usable_triangles(const RawMesh& mesh, const PlacedVer
   return triangles;
 }
 
-// Files share one vertex buffer between primitives: only what the triangles use is this mesh's. Rewrites
-// `triangles` to the new numbers and returns the old number of each kept vertex, in ascending order.
+// Files share one vertex buffer between primitives; only the vertices that the triangles use belong to this mesh.
+// Rewrites `triangles` to the new numbers and returns the old number of each kept vertex, in ascending order.
 std::vector<std::uint32_t> keep_used_vertices(std::vector<std::uint32_t>& triangles, std::size_t vertex_count) {
   std::vector<std::uint32_t> renumbered(vertex_count, kNoIndex);
   for (const std::uint32_t v : triangles) renumbered[v] = 0;
@@ -129,7 +129,7 @@ void copy_uvs(const RawMesh& mesh, std::span<const std::uint32_t> kept, const st
   }
 }
 
-// Those that are all white and opaque say nothing.
+// Colours that are all white and opaque carry no information.
 void copy_colors(const RawMesh& mesh, std::span<const std::uint32_t> kept, const std::string& label, SourceMesh& out,
                  Diagnostics& warnings) {
   if (mesh.colors.empty()) return;

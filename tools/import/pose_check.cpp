@@ -9,7 +9,7 @@ namespace {
 
 // Exporters write bind matrices as floats of their own making, and some move whole rigs a little.
 constexpr double kLeastTurn = 2;      // degrees
-constexpr double kLeastShift = 0.02;  // of the bound mesh's longest side
+constexpr double kLeastShift = 0.02;  // Share of the longest side of the bound mesh.
 
 double longest_side(const RawMesh& mesh) {
   Eigen::AlignedBox3f box;
@@ -46,7 +46,8 @@ void measure_pose(const RawMesh& mesh, std::span<const SourceNode> nodes, Source
   for (std::size_t b = 0; b < mesh.bones.size(); ++b) {
     const RawBone& bone = mesh.bones[b];
     if (!carries[b] || !(std::abs(bone.bone_from_mesh.linear().determinant()) > 0)) continue;
-    const Eigen::Affine3d own = whole.inverse() * moved(bone);  // of the bone beside the first, in the mesh's space
+    const Eigen::Affine3d own =
+        whole.inverse() * moved(bone);  // The bone's motion relative to the first one, in the mesh's space.
     if (!own.matrix().allFinite()) continue;
     const Eigen::Vector3d root = bone.bone_from_mesh.inverse().translation();
     const double degrees = turn_of(own.linear()), shift = (own * root - root).norm() / side;

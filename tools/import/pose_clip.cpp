@@ -120,7 +120,7 @@ class PoseReader {
     return of_parent != PoseClip::kNoNode ? of_parent : clip_->nodes_[node].parent;
   }
 
-  /// The place among the clip's nodes of what a channel turns; empty for everything else.
+  /// Index in the clip's nodes of the node that a channel turns; none for other channels.
   [[nodiscard]] std::optional<std::uint32_t> turned_by(const json& channel) const {
     const json& target = member(channel, "target");
     if (find_node_property(member(target, "path")) != NodeProperty::kRotation) return std::nullopt;
@@ -166,7 +166,7 @@ class PoseReader {
   gltf::GltfTree tree_;
   gltf::GltfBuffers buffers_;
   std::shared_ptr<PoseClip> clip_;
-  std::map<std::uint32_t, std::uint32_t> places_;  ///< Of the document's nodes among the clip's.
+  std::map<std::uint32_t, std::uint32_t> places_;  ///< From the document's nodes to the clip's.
   std::size_t numbers_ = 0;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// A mesh as a file has it, before it stands in the model: every reader makes these, and one function places them.
+// A mesh as it is in a file, before it is placed in the model: every reader makes these, and one function places them.
 
 #include "import/source_model.h"
 
@@ -17,7 +17,7 @@ namespace coif::importer {
 
 struct RawBone {
   std::uint32_t node = 0;                                        ///< Into the model's nodes.
-  Eigen::Affine3d bone_from_mesh = Eigen::Affine3d::Identity();  ///< Where the mesh stood when it was bound.
+  Eigen::Affine3d bone_from_mesh = Eigen::Affine3d::Identity();  ///< The mesh's placement when it was bound.
 };
 
 struct RawWeight {
@@ -26,13 +26,13 @@ struct RawWeight {
   float weight = 0;
 };
 
-/// A mesh in its own space. What follows `positions` is empty or of as many; numbers may be anything, indices out of
-/// range.
+/// A mesh in its own space. The other arrays are empty or have as many elements as `positions`. Numbers may have any
+/// value, and indices may be out of range.
 struct RawMesh {
   std::string name;
   std::uint32_t material = kNoIndex;
-  Eigen::Affine3d node_from_mesh =
-      Eigen::Affine3d::Identity();  ///< Of a mesh that no bone moves: an instance, a pivot.
+  /// For a mesh that no bone moves: an instance, a pivot.
+  Eigen::Affine3d node_from_mesh = Eigen::Affine3d::Identity();
   std::vector<Eigen::Vector3f> positions;
   std::vector<Eigen::Vector3f> normals;
   std::vector<Eigen::Vector2f> uvs;     ///< V grows downwards.
@@ -43,12 +43,12 @@ struct RawMesh {
   std::vector<RawWeight> weights;
 };
 
-/// Where each vertex of a mesh stands in the rest pose of the nodes, and what holds it there.
+/// The position of each vertex in the nodes' rest pose, and its skin weights.
 class SkinBinding {
  public:
-  /// Drops, with counted warnings, what the file gets wrong: weights of absent vertices or bones, weights that are not
-  /// finite or not above zero. Weights are normalised; a skinned mesh's vertices without any weight follow `mesh_node`.
-  /// `label` names the mesh in warnings.
+  /// Drops faulty data of the file, with counted warnings: weights of absent vertices or bones, weights that are not
+  /// finite or not above zero. Weights are normalised; vertices of a skinned mesh without any weight follow
+  /// `mesh_node`. `label` names the mesh in warnings.
   SkinBinding(const RawMesh& mesh, std::uint32_t mesh_node, std::span<const SourceNode> nodes, const std::string& label,
               Diagnostics& warnings);
 
@@ -77,17 +77,17 @@ class SkinBinding {
   std::vector<SourceInfluence> influences_;
 };
 
-/// The mesh as it stands at rest in the model, carried by `node`. Triangles with absent or non-finite vertices and
-/// vertices without a triangle are dropped, with warnings; unusable normals, UVs and colours are replaced. No triangles
-/// may be left.
+/// The mesh at rest in the model, carried by `node`. Triangles with absent or non-finite vertices and vertices without
+/// a triangle are dropped, with warnings; unusable normals, UVs and colours are replaced. The result may have no
+/// triangles.
 [[nodiscard]] SourceMesh place_mesh(const RawMesh& mesh, std::uint32_t node, std::span<const SourceNode> nodes,
                                     Diagnostics& warnings);
 
-/// Puts a placed mesh that has triangles behind the others. Says what was left out: points and lines as
-/// source_code::kLoose, or all of it.
+/// Appends a placed mesh if it has triangles. Warns of what was left out: points and lines as source_code::kLoose, or
+/// all of it.
 void keep_mesh(const RawMesh& raw, SourceMesh placed, std::vector<SourceMesh>& meshes, Diagnostics& warnings);
 
-/// Fills `posed_node` and `posed_degrees` of what became of the mesh.
+/// Fills `posed_node` and `posed_degrees` of the placed mesh.
 void measure_pose(const RawMesh& mesh, std::span<const SourceNode> nodes, SourceMesh& out);
 
 }  // namespace coif::importer

@@ -17,7 +17,7 @@
 namespace coif::importer {
 namespace {
 
-// What assimp fills in where an OBJ gives no Kd, or its material file is missing.
+// assimp's value where an OBJ gives no Kd, or its material file is missing.
 constexpr float kObjFiller = 0.6f;
 
 Eigen::Vector4f base_color(const aiMaterial& material, SourceFormat format, bool textured) {
@@ -46,13 +46,13 @@ NamedMap first_map(const aiMaterial& material, std::initializer_list<aiTextureTy
   return {};
 }
 
-/// What shines by itself, as exporters write a material without light, has its colour there.
+/// Exporters write a material without light as one that emits; its colour is the emission.
 NamedMap base_map(const aiMaterial& material) {
   const NamedMap base = first_map(material, {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE});
   return base.path.length != 0 ? base : first_map(material, {aiTextureType_EMISSION_COLOR, aiTextureType_EMISSIVE});
 }
 
-// Exporters write one or the other under several names: what matters is where it is steep.
+// Exporters write either kind of map under several names; the texels decide which it is.
 aiString normal_texture_path(const aiMaterial& material) {
   aiString path;
   for (const aiTextureType type : {aiTextureType_NORMALS, aiTextureType_NORMAL_CAMERA, aiTextureType_HEIGHT}) {
@@ -61,7 +61,7 @@ aiString normal_texture_path(const aiMaterial& material) {
   return aiString();
 }
 
-// Files that give no number, or none that can be meant, show the map as it is painted.
+// Files without a sensible number show the map as it is painted.
 float normal_strength(const aiMaterial& material) {
   float strength = 1;
   const bool is_given = material.Get(AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0), strength) == AI_SUCCESS ||
@@ -81,7 +81,7 @@ struct MapKind {
   const char* name;
 };
 
-// What light does to hair is computed from its form and the recipe's numbers.
+// Maps that are ignored: the effect of light on hair is computed from its form and the recipe's numbers.
 constexpr MapKind kOtherMaps[] = {{aiTextureType_AMBIENT_OCCLUSION, "occlusion"},
                                   {aiTextureType_LIGHTMAP, "occlusion"},
                                   {aiTextureType_AMBIENT, "ambient"},
@@ -94,8 +94,8 @@ constexpr MapKind kOtherMaps[] = {{aiTextureType_AMBIENT_OCCLUSION, "occlusion"}
                                   {aiTextureType_EMISSIVE, "emission"},
                                   {aiTextureType_EMISSION_COLOR, "emission"}};
 
-// A texture of its own for opacity is the only sign that exporters agree on. Roughness they say in numbers of their
-// own, or not at all.
+// A separate texture for opacity is the only sign that exporters agree on. They write roughness in scales of their own,
+// or not at all.
 void convert_alpha(const aiMaterial& material, SourceMaterial& out) {
   if (material.GetTextureCount(aiTextureType_OPACITY) != 0) out.alpha_use = AlphaUse::kBlend;
 }

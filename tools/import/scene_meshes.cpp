@@ -38,7 +38,7 @@ void add_bones(const aiMesh& mesh, const SceneNodes& nodes, const std::string& l
   }
 }
 
-/// Formats that assimp reads leave it to the reader to scale weights; whoever wants them as they are must know.
+/// In some formats the reader has to normalise weights; users who need the original values must be told.
 void warn_of_sums(const RawMesh& mesh, const std::string& label, Diagnostics& warnings) {
   constexpr double kLeastError = 0.01;  // programs that write percent stay below it
   std::vector<double> sums(mesh.positions.size(), 0);

@@ -15,15 +15,15 @@ namespace {
 struct Pending {
   const aiNode* node;
   std::uint32_t parent;
-  bool is_hidden;         // by a node above
-  aiMatrix4x4 pivots;     // of the nodes for pivots between the parent and this one
-  aiMatrix4x4 geometric;  // of those for this node's meshes alone
+  bool is_hidden;         // By a node above.
+  aiMatrix4x4 pivots;     // Product of the pivot nodes between the parent and this node.
+  aiMatrix4x4 geometric;  // Product of the nodes for this node's meshes alone.
 };
 
-// "Hair_$AssimpFbx$_RotationPivot" stands above "Hair".
+// "Hair_$AssimpFbx$_RotationPivot" is a parent of "Hair".
 constexpr std::string_view kPivot = "_$AssimpFbx$_";
 
-// FBX writes a number of either kind; what is none of them hides nothing.
+// FBX writes a number of either type; any other type hides nothing.
 bool is_off(const aiMetadata* metadata, const char* key) {
   if (metadata == nullptr) return false;
   bool flag = true;
@@ -54,8 +54,8 @@ void append(SceneNodes& out, const Pending& pending, const Eigen::Affine3d& mode
                           is_off(pending.node->mMetaData, "Show"));
 }
 
-/// Whether the node is one for a pivot; if so, it is multiplied to what is pending. What undoes a geometric transform
-/// for children has nothing to undo, since they never got it.
+/// Whether the node is one for a pivot; if so, its transform is added to the pending ones. A node that undoes a
+/// geometric transform for children is skipped, since they never got that transform.
 bool fold_pivot(Pending& pending) {
   const std::string_view name(pending.node->mName.C_Str());
   const std::size_t mark = name.find(kPivot);
@@ -84,7 +84,7 @@ const aiNode* real_parent(const aiNode& node) {
   return parent;
 }
 
-// How much a node of a bone's name looks like the joint rather than something else of that name.
+// How likely a node with a bone's name is the joint rather than something else of that name.
 int joint_likeness(const aiNode& node, const std::unordered_set<std::string>& bones) {
   const auto is_bone = [&](const aiNode* other) { return other != nullptr && bones.contains(other->mName.C_Str()); };
   const bool within_skeleton =

@@ -93,7 +93,7 @@ std::string generator_of(const aiScene& scene) {
   return text_of(text);
 }
 
-/// What the format says of itself, before the file does. Length: metres to the unit.
+/// Sets the format's defaults, before the file's own values. Length: metres per unit.
 void read_format(const aiScene& scene, SourceFormat format, SourceSpace& space) {
   switch (format) {
     case SourceFormat::kFbx:
@@ -115,7 +115,7 @@ void read_format(const aiScene& scene, SourceFormat format, SourceSpace& space) 
       break;
     case SourceFormat::kGltf:
     case SourceFormat::kHair:
-    case SourceFormat::kTressFx: break;  // of which assimp makes no scene
+    case SourceFormat::kTressFx: break;  // assimp never makes a scene of it.
   }
 }
 

@@ -51,8 +51,8 @@ void place_over_texture(const aiUVTransform& moved, TexturePlace& place) {
 
 bool is_by_blender(const SourceSurface& surface) { return surface.generator.find("Blender") != std::string::npos; }
 
-/// FBX moves the texture over the surface, so that a scale of 2 shows half of it, and turns in degrees; Blender undoes
-/// the scale alone, adds the offset as it is, and turns in radians.
+/// FBX moves the texture over the surface, so that a scale of 2 shows half of it, and turns in degrees. Blender inverts
+/// only the scale, adds the offset directly, and turns in radians.
 void place_on_surface(const FbxTexturePlace& moved, const SourceSurface& surface, TexturePlace& place) {
   constexpr double kDegree = std::numbers::pi / 180;
   const Eigen::Vector2d scale(moved.scaling), offset(moved.translation);
@@ -71,7 +71,7 @@ void place_on_surface(const FbxTexturePlace& moved, const SourceSurface& surface
   if (is_by_blender(surface)) place.offset += offset.cast<float>();
 }
 
-/// What assimp hands on of an FBX's texture.
+/// The placement that assimp reports for an FBX's texture.
 FbxTexturePlace place_by_assimp(const aiUVTransform& moved) {
   return {.scaling = {double(moved.mScaling.x), double(moved.mScaling.y)},
           .degrees = double(moved.mRotation),
@@ -111,8 +111,8 @@ TextureWrap wrap_of(const aiMaterial& material, const char* key, unsigned type) 
 
 float linear_of(float stored) { return stored <= 1 ? float(decode_srgb(double(stored))) : stored; }
 
-/// Some programs write colours of an OBJ as whole numbers up to 255: no screen shows what is that much brighter than
-/// white.
+/// Some programs write an OBJ's colours as whole numbers up to 255. No screen shows colours that are that much brighter
+/// than white.
 bool are_bytes(std::span<const aiColor4D> colors) {
   constexpr float kMostOfLight = 2;
   bool is_bright = false;

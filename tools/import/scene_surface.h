@@ -1,6 +1,6 @@
 #pragma once
 
-// What a texture of assimp's scene says of coordinates, and what its meshes say of colours.
+// Texture coordinates of textures in assimp's scene, and colours of its meshes.
 
 #include "import/fbx_objects.h"
 #include "import/import.h"
@@ -30,7 +30,7 @@ namespace coif::importer {
 
 struct ColladaNames;
 
-/// Which coordinates a texture is looked up at. V grows upwards.
+/// The coordinates of a texture. V grows upwards.
 struct TexturePlace {
   unsigned uv_set = 0;
   /// From the set's coordinates to the texture's.
@@ -41,16 +41,15 @@ struct TexturePlace {
   [[nodiscard]] Eigen::Vector2f operator()(const Eigen::Vector2f& uv) const { return linear * uv + offset; }
 };
 
-/// What a COLLADA document says of its textures that assimp 5.2 passes over: which UV set <bind_vertex_input> binds a
-/// texture's coordinates to, <wrap_s> and <wrap_t>, and which numbers of an opacity texture count (<transparent
-/// opaque="RGB_ZERO">).
+/// Data about textures in a COLLADA document that assimp 5.2 ignores: the UV set that <bind_vertex_input> binds,
+/// <wrap_s> and <wrap_t>, and the channel of an opacity texture (<transparent opaque="RGB_ZERO">).
 class ColladaTextures {
  public:
   enum class Use : std::uint8_t { kBase, kOpacity };
 
   explicit ColladaTextures(pugi::xml_document& document);
-  /// Which of the sets that assimp gives the mesh; none where the document does not bind one. A geometry goes by its
-  /// id, a material by its name, or its id where it has none; both as printable text.
+  /// The index of the UV set in assimp's mesh; none where the document does not bind one. `geometry` is an id;
+  /// `material` is a name, or an id if it has none. Both as printable text.
   [[nodiscard]] std::optional<unsigned> uv_set(const std::string& geometry, const std::string& material, Use use) const;
   /// Wrap modes of base and opacity textures, channel and sense of the latter.
   void apply(std::span<SourceMaterial> materials) const;
@@ -67,49 +66,48 @@ class ColladaTextures {
     bool opacity_inverted = false;
   };
 
-  std::map<std::string, Effect> effects_;         // by id
-  std::map<std::string, std::string> effect_of_;  // by the material's name
+  std::map<std::string, Effect> effects_;         // By id.
+  std::map<std::string, std::string> effect_of_;  // By the material's name.
   std::map<std::tuple<std::string, std::string, Use>, unsigned> uv_sets_;
 };
 
-/// Where the textures of an FBX lie, by the material's name and the image file's.
+/// The placement of an FBX's textures, by the names of the material and of the image file.
 class FbxTexturePlaces {
  public:
   explicit FbxTexturePlaces(const FbxObjects& objects);
-  /// Null where the file does not say. `file`: the image's path, of which the name counts.
+  /// Null where the file has none. `file`: the image's path, of which only the name counts.
   [[nodiscard]] const FbxTexturePlace* find(const std::string& material, const std::string& file) const;
 
  private:
   std::map<std::pair<std::string, std::string>, FbxTexturePlace> places_;
 };
 
-/// What is needed of the file to read its surfaces.
+/// The data of the file that reading its surfaces needs.
 struct SourceSurface {
   SourceFormat format;
   std::string generator;                     ///< SourceSpace::generator: programs disagree about FBX.
-  const ColladaTextures* collada = nullptr;  ///< Of a COLLADA document; outlives this.
-  const ColladaNames* names = nullptr;       ///< Of such a document.
-  const FbxTexturePlaces* fbx = nullptr;     ///< Of an FBX whose records can be read; outlives this.
+  const ColladaTextures* collada = nullptr;  ///< For a COLLADA document; must outlive this.
+  const ColladaNames* names = nullptr;       ///< For a COLLADA document.
+  const FbxTexturePlaces* fbx = nullptr;     ///< For an FBX whose records can be read; must outlive this.
 };
 
-/// The place of the base texture that convert_materials() takes, or of the opacity texture where there is no other. A
-/// warning where both are there and differ, since a mesh keeps one set alone. `geometry` is what assimp calls the mesh.
-/// assimp 5.2 hands on the transforms of FBX and COLLADA; an OBJ's library is read by apply_obj_options().
+/// The placement of the base texture that convert_materials() takes, or else of the opacity texture. Warns if both
+/// exist and differ, since a mesh keeps only one set. `geometry` is assimp's name of the mesh. assimp 5.2 reports the
+/// transforms of FBX and COLLADA; apply_obj_options() reads an OBJ's library.
 [[nodiscard]] TexturePlace texture_place(const aiMaterial& material, const std::string& geometry,
                                          const SourceSurface& surface, const std::string& label, Diagnostics& warnings);
 
-/// How the first texture of one of assimp's types goes on outside 0..1. Of FBX assimp 5.2 does not say:
+/// Sets how the first texture of one of assimp's types continues outside 0..1. For FBX assimp 5.2 does not report it:
 /// apply_fbx_wraps().
 void read_wrap(const aiMaterial& material, unsigned type, SourceTexture& texture);
 
-/// Colours of the first set, linear, of each vertex; empty where there are none. Formats other than glTF store what a
-/// screen shows, as Blender, Maya and MeshLab write them, or whole numbers up to 255 of it.
+/// The first set's colour of each vertex, linear; empty where there is none. Formats other than glTF store the colours
+/// of a screen, as Blender, Maya and MeshLab write them, or these as whole numbers up to 255.
 [[nodiscard]] std::vector<Eigen::Vector4f> vertex_colors(const aiMesh& mesh);
 
-/// What assimp 5.2 drops or misreads of an OBJ's material libraries: options of map_Kd and map_d (-s and -o, of which
-/// it drops the numbers, and takes the path for one where there are two; -imfchan), and d and Tr, of which it hands on
-/// no colour's alpha. Moves the coordinates of the meshes; `libraries` are plain_library_text() of files that were
-/// opened.
+/// Applies what assimp 5.2 drops or misreads in an OBJ's material libraries: options of map_Kd and map_d (it drops the
+/// numbers of -s and -o, and takes the path for an option where there are two; -imfchan), and d and Tr, which it does
+/// not report. Moves the coordinates of the meshes. `libraries` are plain_library_text() of files that were opened.
 void apply_obj_options(std::span<const std::string> libraries, SourceModel& model);
 
 }  // namespace coif::importer

@@ -9,7 +9,7 @@
 namespace coif::importer {
 namespace {
 
-constexpr float kRounding = 1e-4f;  // what exporters leave of a weight of 0 may be as far below
+constexpr float kRounding = 1e-4f;  // Exporters leave values this far below 0 for a weight of 0.
 
 }  // namespace
 
@@ -86,7 +86,7 @@ void SkinBinding::append_vertex(std::span<const Weight> weights) {
     const auto share = static_cast<float>(double{weight.influence.weight} / sum);
     if (influences_.size() > start && influences_.back().node == weight.influence.node) {
       influences_.back().weight += share;
-    } else if (share > 0) {  // one that is nothing beside the others rounds to zero
+    } else if (share > 0) {  // One that is tiny relative to the others rounds to zero.
       influences_.push_back({weight.influence.node, share});
     }
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What every supported file becomes: a plain model in metres, Y up, right-handed, in its rest pose.
+// The common form of every supported file: a plain model in metres, Y up, right-handed, in its rest pose.
 
 #include "base/diagnostic.h"
 #include "base/texture_channel.h"
@@ -24,8 +24,8 @@ struct SourceNode {
   std::string name;
   std::uint32_t parent = kNoIndex;                                ///< An earlier node; kNoIndex for the root.
   Eigen::Affine3d model_from_node = Eigen::Affine3d::Identity();  ///< Rest pose, metres, Y up.
-  /// Its transform is part of how its mesh's places are stored as whole numbers (KHR_mesh_quantization): where it
-  /// stands says nothing.
+  /// Its transform belongs to the storage of its mesh's positions as whole numbers (KHR_mesh_quantization), so its
+  /// place means nothing.
   bool undoes_quantization = false;
 };
 
@@ -34,7 +34,7 @@ struct SourceInfluence {
   float weight = 0;  ///< > 0; a vertex's influences add up to one.
 };
 
-/// One triangle mesh with one material. Arrays are per vertex and either empty or of one size.
+/// One triangle mesh with one material. Arrays are per vertex; each is empty or has that size.
 struct SourceMesh {
   std::string name;
   std::uint32_t node = 0;  ///< The node that carries it.
@@ -49,13 +49,13 @@ struct SourceMesh {
   std::vector<std::uint32_t> influence_begin;
   std::vector<SourceInfluence> influences;
   std::vector<std::uint32_t> triangles;  ///< Three indices each, counter-clockwise seen from outside.
-  /// How far the bones that hold it stand from where they were when it was bound to them, beside each other: the bone
-  /// that is turned farthest, and by how many degrees; kNoIndex where the file was saved in the rest position.
+  /// The bone that has turned farthest since the mesh was bound, relative to the mesh's other bones, and by how many
+  /// degrees; kNoIndex where the file was saved in the rest position.
   std::uint32_t posed_node = kNoIndex;
   float posed_degrees = 0;
 };
 
-/// What a texture shows outside 0..1: itself again, its edge, or itself turned over.
+/// The texture outside 0..1: repeated, its edge, or mirrored.
 enum class TextureWrap : std::uint8_t { kRepeat, kClamp, kMirror };
 
 struct SourceTexture {
@@ -66,7 +66,7 @@ struct SourceTexture {
   [[nodiscard]] bool is_there() const { return !path.empty() || image != kNoIndex; }
 };
 
-/// How a material uses the alpha of its base colour, where the file says so.
+/// A material's use of its base colour's alpha, if the file gives it.
 enum class AlphaUse { kUnknown, kOpaque, kMask, kBlend };
 
 inline constexpr float kMostNormalStrength = 16;
@@ -76,16 +76,17 @@ struct SourceMaterial {
   Eigen::Vector4f base_color{1, 1, 1, 1};  ///< Linear, alpha in w.
   SourceTexture base_texture;              ///< Empty path and kNoIndex: none.
   SourceTexture normal_texture;            ///< A normal or bump map; the same.
-  /// What is known of single strands, of cards that were made from them: red a number of the strand, 0..1; green how
-  /// far in front of others it is; blue and alpha how it runs, as TextureRole::kStrandAxis has it. Embedded or none; no
-  /// file format has it.
+  /// Data about single strands, for cards that were made from them. Red: a number of the strand, 0..1; green: how far
+  /// in front of others it is; blue and alpha: its direction, as in TextureRole::kStrandAxis. Embedded or none; no file
+  /// format has it.
   SourceTexture strand_texture;
-  float normal_strength = 1;  ///< What the map's slopes are multiplied with, 0..kMostNormalStrength.
-  SourceTexture
-      opacity_texture;  ///< Another image, whose numbers are the alpha instead of the base texture's; or none.
+  float normal_strength = 1;  ///< Factor on the map's slopes, 0..kMostNormalStrength.
+  /// Another image, which replaces the alpha of the base texture; or none.
+  SourceTexture opacity_texture;
   TextureChannel opacity_channel = TextureChannel::kAuto;
-  bool opacity_inverted = false;            ///< 1 is transparent.
-  std::vector<std::string> other_textures;  ///< "occlusion map 'ao.png'": maps of what is computed here; for messages.
+  bool opacity_inverted = false;  ///< 1 is transparent.
+  /// "occlusion map 'ao.png'": maps of values that are computed here; for messages.
+  std::vector<std::string> other_textures;
   AlphaUse alpha_use = AlphaUse::kUnknown;
   float alpha_cutoff = 0.5f;  ///< For kMask.
   float roughness = 0.8f;     ///< 0 a mirror .. 1 matte, as glTF has it; else a guess.
@@ -103,7 +104,8 @@ struct SourceCollider {
   double radius = 0;                                  ///< Not for kPlane.
 };
 
-/// Which directions a joint's tail may have, as VRMC_springBone_limit has it; what the angles mean: LimitRecord.
+/// The directions that a joint's tail may have, as in VRMC_springBone_limit; the angles mean the same as in
+/// LimitRecord.
 struct SourceLimit {
   enum class Kind { kUnlimited, kCone, kHinge, kSpherical } kind = Kind::kUnlimited;
   double angles[2] = {0, 0};  ///< Radians; cone and hinge: the first; spherical: pitch 0..pi and yaw 0..pi/2.
@@ -114,9 +116,9 @@ struct SourceLimit {
 /// One joint of a spring bone. The numbers are VRM's own (VRMC_springBone 1.0), lengths in metres.
 struct SourceSpringJoint {
   std::uint32_t node = 0;
-  double length = 0;     ///< To the tail that swings; 0: nothing swings, the joint is only the end of the one before.
-  double stiffness = 1;  ///< Metres per second towards the rest direction, >= 0.
-  double gravity_power = 0;                     ///< Metres per second.
+  double length = 0;         ///< To the tail that swings; 0: nothing swings, the joint only ends the one before.
+  double stiffness = 1;      ///< Metres per second towards the rest direction, >= 0.
+  double gravity_power = 0;  ///< Metres per second.
   Eigen::Vector3d gravity_direction{0, -1, 0};  ///< Unit, model space.
   double drag = 0.5;                            ///< 0..1.
   double hit_radius = 0;
@@ -127,7 +129,7 @@ struct SourceSpringJoint {
 struct SourceSpring {
   std::string name;
   std::vector<SourceSpringJoint> joints;
-  std::uint32_t center = kNoIndex;       ///< The node whose motion the spring does not feel; kNoIndex: the world.
+  std::uint32_t center = kNoIndex;       ///< The spring does not feel the motion of this node; kNoIndex: the world.
   std::vector<std::uint32_t> colliders;  ///< Into SourceModel::colliders, ascending.
 };
 
@@ -137,8 +139,8 @@ struct SourceImage {
   std::vector<std::uint8_t> bytes;
 };
 
-/// Fewer cards that stand for the same strands as the hair's own mesh: what a level of detail draws instead of it, with
-/// its material. Sizes of meshes, and no influences.
+/// Fewer cards for the same strands as the hair's own mesh: a level of detail that replaces it, with its material.
+/// Arrays have the sizes of meshes'; no influences.
 struct SourceLevel {
   SourceMesh mesh;
   std::vector<Eigen::Vector3f> along;   ///< Per vertex, unit, root to tip.
@@ -146,26 +148,26 @@ struct SourceLevel {
   std::vector<std::uint32_t> strip_of;  ///< Per triangle, ascending from 0.
 };
 
-/// Which way a model looks: along +Z, or -Z as VRM 0.x does. kUnknown: the file does not say.
+/// The direction in which a model looks: +Z, or -Z as in VRM 0.x. kUnknown: the file does not say.
 enum class Facing { kUnknown, kForwards, kBackwards };
 
-/// How much somebody meant what a file says of its unit or its up axis.
+/// How reliable a file's unit or up axis is.
 enum class Statement {
-  kGiven,     ///< By the caller, beside the file: holds whatever the model looks like.
-  kDeclared,  ///< By the format's definition or by a value that somebody set.
-  kUsual,     ///< By the value that exporters write whatever the model is.
+  kGiven,     ///< From the caller, apart from the file: holds whatever the model looks like.
+  kDeclared,  ///< From the format's definition, or a value that somebody set.
+  kUsual,     ///< The value that exporters write for every model.
   kUnsaid,    ///< Not at all.
 };
 
-/// What a file says of its size and of where up is. The model has that applied, right or wrong.
+/// The file's size and up axis. The model has them applied, right or wrong.
 struct SourceSpace {
-  double metres_per_unit = 1;             ///< What the file's lengths were multiplied with.
-  Statement unit = Statement::kGiven;     ///< A model that no file gave is in metres,
+  double metres_per_unit = 1;             ///< Factor that the file's lengths were multiplied with.
+  Statement unit = Statement::kGiven;     ///< A model that comes from no file is in metres.
   Statement up = Statement::kGiven;       ///< Y up.
   char up_axis = 'y';                     ///< The file's own that became Y, whatever its sign: 'x', 'y' or 'z'.
   std::string unit_words = "the caller";  ///< For messages: "glTF is in metres", "UnitScaleFactor 1, centimetres".
   std::string up_words = "the caller";    ///< "glTF has Y up".
-  std::string generator;                  ///< The program that wrote the file, as far as it says.
+  std::string generator;                  ///< The program that wrote the file, if the file names it.
 };
 
 struct SourceModel {
@@ -179,22 +181,22 @@ struct SourceModel {
   std::vector<SourceImage> images;
   std::vector<SourceSpring> springs;      ///< At most kMaxSourceSprings.
   std::vector<SourceCollider> colliders;  ///< At most kMaxSourceColliders.
-  std::uint32_t head_node = kNoIndex;     ///< The head of a VRM's humanoid; kNoIndex where the file does not say.
+  std::uint32_t head_node = kNoIndex;     ///< The head of a VRM's humanoid; kNoIndex where the file has none.
   Facing facing = Facing::kUnknown;
-  /// Cards that stand for strands: these grow along V of the texture, which is as large as it should be.
+  /// Cards made from strands: the strands run along V of the texture, which already has the right size.
   bool made_from_strands = false;
-  std::vector<SourceLevel> coarser;  ///< Each of fewer triangles than the one before; cards alone have them.
-  double scalp_radius = 0;  ///< Of the sphere that the strands' roots lie on, metres; 0 where that is not known.
+  std::vector<SourceLevel> coarser;  ///< Each has fewer triangles than the one before; only cards have them.
+  double scalp_radius = 0;  ///< Radius of the sphere that the strands' roots lie on, metres; 0 where it is not known.
   SourceSpace space;
-  Diagnostics warnings;  ///< What is wrong or odd in the file, was repaired or dropped: where, what, and what mends it.
+  Diagnostics warnings;
   /// Paths of the other files that the importer opened or looked for, absent ones too: buffers, material libraries. Not
   /// textures, which it leaves alone.
   std::vector<std::string> side_files;
-  /// Image files that materials name for any use, as written; what is embedded may be among them.
+  /// Image files that materials name for any use, as written; embedded ones may be among them.
   std::vector<std::string> named_images;
 };
 
-/// Of a mesh's material; "" where it has none.
+/// The name of a mesh's material; "" where it has none.
 [[nodiscard]] inline std::string material_name(const SourceModel& model, const SourceMesh& mesh) {
   return mesh.material < model.materials.size() ? model.materials[mesh.material].name : "";
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What readers of models and strands warn of, and how they say it.
+// Warnings of the readers of models and strands.
 
 #include "base/diagnostic.h"
 #include "base/side_file.h"
@@ -15,7 +15,7 @@
 
 namespace coif::importer {
 
-/// Codes; the table of issues (tools/validate) says what each means and what mends it.
+/// Codes; the table of issues (tools/validate) has their meanings and cures.
 namespace source_code {
 
 inline constexpr const char* kRepaired = "S201";    ///< Triangles, vertices, normals, colours.
@@ -28,7 +28,7 @@ inline constexpr const char* kSkin = "S216";        ///< Bones, weights and bind
 inline constexpr const char* kImages = "S217";      ///< Images inside of the file, and textures without one.
 inline constexpr const char* kMaterials = "S218";   ///< Materials, and the libraries that they are in.
 inline constexpr const char* kExtensions = "S219";  ///< Extensions that are used and not read.
-inline constexpr const char* kSprings = "S220";     ///< Of a VRM.
+inline constexpr const char* kSprings = "S220";     ///< Springs of a VRM.
 inline constexpr const char* kUvs = "S221";         ///< Texture coordinates, and how a texture lies on them.
 inline constexpr const char* kSpace = "S222";       ///< Axes, units and transforms.
 inline constexpr const char* kStrands = "S223";     ///< Strands and what is said of their points.
@@ -52,7 +52,7 @@ inline void warn_of_respelled(std::span<const Respelled> names, Diagnostics& war
   for (const Respelled& name : names) warnings.emplace_back(source_code::kFileNames, told_of(name));
 }
 
-/// "LABEL: 3 points or lines dropped", where there are any.
+/// "LABEL: 3 points or lines dropped", if `count` is not 0.
 inline void warn_count(Diagnostics& warnings, const char* code, std::size_t count, const std::string& label,
                        const char* what) {
   if (count != 0) warn(warnings, code, "{}: {} {}", label, count, what);

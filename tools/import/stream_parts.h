@@ -1,7 +1,7 @@
 #pragma once
 
-// What the answers of all reading processes have in common. One list of fields serves both directions: `Archive` is
-// ByteEncoder with a const object, or ByteDecoder with a mutable one.
+// Shared by the answers of all reading processes. One list of fields serves both directions: `Archive` is ByteEncoder
+// with a const object, or ByteDecoder with a mutable one.
 
 #include "base/byte_archive.h"
 #include "base/tool_error.h"
@@ -71,7 +71,7 @@ inline constexpr auto transfer_space = [](auto& archive, auto& space) {
          archive.sequence(space.unit_words) && archive.sequence(space.up_words) && archive.sequence(space.generator);
 };
 
-/// What was read, or the error, behind a word by which a stray write into the pipe is not taken for either.
+/// The value or the error, after a word by which a stray write into the pipe is recognised.
 template <class Value, class Transfer>
 [[nodiscard]] std::vector<std::uint8_t> encode_framed(std::uint32_t magic,
                                                       const tl::expected<Value, ToolError>& outcome,
@@ -88,7 +88,8 @@ template <class Value, class Transfer>
   return std::move(encoder.bytes);
 }
 
-/// False, with `outcome` untouched, unless the bytes are exactly one outcome in whose value `find_fault` finds none.
+/// False, with `outcome` untouched, unless the bytes are exactly one outcome in whose value `find_fault` finds no
+/// fault.
 template <class Value, class Transfer>
 [[nodiscard]] bool decode_framed(std::uint32_t magic, std::span<const std::uint8_t> bytes,
                                  tl::expected<Value, ToolError>& outcome, Transfer transfer,

@@ -35,14 +35,14 @@ ColliderSet read_group(const json& group, std::size_t number, SpringSink& sink) 
   return set;
 }
 
-/// What all chains of one bone group share.
+/// The settings that all chains of one bone group share.
 struct BoneGroup {
   SourceSpringJoint settings;
   std::uint32_t center = kNoIndex;
   ColliderSet colliders;
 };
 
-// The first-child path from `start`; the children beside it are added to `starts`.
+// The first-child path from `start`; the other children are added to `starts`.
 SourceSpring follow_first_children(std::uint32_t start, const BoneGroup& group, SpringSink& sink,
                                    std::vector<std::uint32_t>& starts) {
   SourceSpring spring;

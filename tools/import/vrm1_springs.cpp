@@ -61,7 +61,7 @@ std::vector<ColliderSet> read_groups(const json& list, const ColliderNumbers& co
   return groups;
 }
 
-/// What is known of a joint once its tail is.
+/// Completes a joint once its tail is known.
 void end_joint(SourceSpringJoint& joint, std::uint32_t tail, const SpringSink& sink) {
   joint.length = sink.distance(joint.node, tail);
   if (joint.limit.kind == SourceLimit::Kind::kUnlimited) return;

@@ -16,13 +16,14 @@ using nlohmann::json;
 using Kind = SourceLimit::Kind;
 
 constexpr double kHalfTurn = std::numbers::pi;
-constexpr double kFarFromUnit = 1.0e-2;  ///< Of a quaternion's length: further off it was written by mistake.
+/// Error of a quaternion's length: with a larger one it was written by mistake.
+constexpr double kFarFromUnit = 1.0e-2;
 
 struct KindWords {
   Kind kind;
   const char* name;
-  const char* angles[2];  ///< Null: there is no second one.
-  double most[2];         ///< What larger angles are taken as.
+  const char* angles[2];  ///< Null: the kind has no second angle.
+  double most[2];         ///< Larger angles are reduced to this.
 };
 
 constexpr KindWords kKinds[] = {{Kind::kCone, "cone", {"angle", nullptr}, {kHalfTurn, 0}},

@@ -17,14 +17,14 @@ namespace coif::importer {
 /// Colliders of a model, by their number there.
 using ColliderSet = std::bitset<kMaxSourceColliders>;
 
-/// Where both versions of VRM put what they read. Checks every reference, takes lengths and directions to model space
-/// and keeps the promises of source_model.h.
+/// Receives the results of the readers of both VRM versions. Checks every reference, converts lengths and directions to
+/// model space and keeps the promises of source_model.h.
 class SpringSink {
  public:
   /// Keeps references to both. `source_of` has the model's node for each of the document's, or kNoIndex; `model.nodes`
   /// is in depth-first order.
   SpringSink(const std::vector<std::uint32_t>& source_of, const Eigen::Affine3d& model_from_file, SourceModel& model);
-  /// Counts what ignore() did not spell out.
+  /// Reports how many sentences ignore() left out.
   ~SpringSink();
   SpringSink(const SpringSink&) = delete;
   SpringSink& operator=(const SpringSink&) = delete;
@@ -48,7 +48,7 @@ class SpringSink {
   void add_spring(SourceSpring spring, const ColliderSet& colliders);
   [[nodiscard]] bool full() const { return model_.springs.size() >= kMaxSourceSprings; }
 
-  /// A warning. After the first dozen only their number is told: a damaged file can have millions of faults.
+  /// Adds a warning. After the first dozen only their number is reported: a damaged file can have millions of faults.
   void ignore(std::string sentence);
 
  private:
@@ -59,30 +59,30 @@ class SpringSink {
   double metres_per_unit_;
   const std::vector<std::uint32_t>& source_of_;
   std::vector<std::vector<std::uint32_t>> children_;
-  std::vector<std::uint32_t> subtree_end_;  // one past a node's last descendant
+  std::vector<std::uint32_t> subtree_end_;  // One past a node's last descendant.
   std::vector<bool> is_joint_;
   std::size_t ignored_ = 0;
 };
 
-/// A joint's settings as both versions write them, in the file's units; `stiffness` is what they call that one, `drag`
-/// what counts where there is none.
+/// A joint's settings in the file's units, as both versions write them. `stiffness`: the key of the stiffness; `drag`:
+/// the default drag.
 [[nodiscard]] SourceSpringJoint read_settings(const nlohmann::json& value, const char* stiffness, double drag,
                                               const std::optional<Eigen::Vector3d>& gravity_direction);
 
 /// Reads `VRMC_springBone_limit` of a joint, with its rotation still relative to the joint's own axes as limit_axes()
 /// gives them. Source: vrm-c/vrm-specification, VRMC_springBone_limit-1.0 (draft), "Limits" and "glTF Schema Updates".
-/// `whose` names the joint in a message where the extension is no limit that can be kept.
+/// `whose` names the joint in a message about an unusable limit.
 [[nodiscard]] SourceLimit read_limit(const nlohmann::json& joint, const std::string& whose, SpringSink& sink);
 
-/// How a limit without a rotation lies: model space at rest from the limit's axes, +Y along the bone. The same text,
-/// "Rotation": the shortest turn of +Y to the tail, in the joint's own space; half a turn about X where that is -Y.
+/// The axes of a limit without a rotation: model space at rest from the limit's axes, +Y along the bone. Source: the
+/// same text, "Rotation": the shortest turn of +Y to the tail, in the joint's own space; half a turn about X where that
+/// is -Y.
 [[nodiscard]] Eigen::Quaterniond limit_axes(const SourceModel& model, std::uint32_t joint, std::uint32_t tail);
 
-/// Fills `springs`, `colliders` and `head_node` of a glTF model from the document's `extensions`: VRM 0.x (`VRM`)
-/// and 1.0 (`VRMC_vrm`, `VRMC_springBone`, `VRMC_springBone_extended_collider`, `VRMC_springBone_limit`). `model.nodes`
-/// is complete, depth first, and `source_of` as SpringSink has it; `model_from_file` is what was applied above its
-/// root. Whatever the extensions get wrong is left out, with a warning that says what was ignored; without them nothing
-/// changes.
+/// Fills `springs`, `colliders` and `head_node` of a glTF model from the document's `extensions`: VRM 0.x (`VRM`) and
+/// 1.0 (`VRMC_vrm`, `VRMC_springBone`, `VRMC_springBone_extended_collider`, `VRMC_springBone_limit`). `model.nodes`
+/// must be complete, depth first, and `source_of` as in SpringSink; `model_from_file` was applied above its root.
+/// Faulty parts of the extensions are left out, with a warning; without the extensions nothing changes.
 void read_vrm_extensions(const nlohmann::json& extensions, const std::vector<std::uint32_t>& source_of,
                          const Eigen::Affine3d& model_from_file, SourceModel& model);
 

@@ -22,7 +22,7 @@ BoundedDirection in_cone(double most, const Vector3d& d) {
   return at;
 }
 
-/// Pitch first: at each end of it, and in between, the nearest yaw is that of the direction as seen in the plane of the
+/// Pitch first: at each end of it, and in between, the nearest yaw is that of the direction seen in the plane of the
 /// pitch.
 BoundedDirection in_box(double most_pitch, double most_yaw, const Vector3d& d) {
   const double pitch = d.y() == 0 && d.z() == 0 ? 0 : std::atan2(d.z(), d.y());

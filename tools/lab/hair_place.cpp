@@ -27,7 +27,7 @@ void find_head(const Rig& rig, HairPlace& place) {
   }
 }
 
-/// From the tip upwards, so far that half of the chain is left.
+/// From the tip upwards, along half of the chain.
 Vector3d middle_of(const Rig& rig, std::size_t tip, const std::vector<Vector3d>& ends) {
   double left = 0.5 * rig.tip_length[tip];
   for (int i = int(rig.tips[tip]); i >= 0; i = rig.bones[std::size_t(i)].parent) {

@@ -14,9 +14,9 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 constexpr double kTolerance = 1.0e-10;    ///< Depth that counts as clear, share of the collider's size.
-constexpr double kOvershoot = 1.0e-11;    ///< So that Newton ends outside instead of creeping up from inside.
+constexpr double kOvershoot = 1.0e-11;    ///< Lets Newton's method end outside instead of creeping up from inside.
 constexpr double kStartsInside = 1.0e-6;  ///< A start that touches the surface is outside; share of the size.
-constexpr double kLargestTurn = 0.5;      ///< Radians per Newton step: further the linear model says nothing.
+constexpr double kLargestTurn = 0.5;      ///< Radians per Newton step: the linear model does not hold further.
 constexpr double kNoDirection = 1.0e-12;
 
 Vector3d vector_of(const float (&values)[3]) { return Map<const Eigen::Vector3f>(values).cast<double>(); }
@@ -32,7 +32,7 @@ struct Ball {
   double radius;
 };
 
-/// On a tapered capsule the nearest ball is not beside the point but where the cone's normal through it starts.
+/// On a tapered capsule the nearest ball is where the cone's normal through the point starts, not beside the point.
 Ball nearest_ball(const SolidShape& solid, const Vector3d& point) {
   if (solid.shape == ColliderShape::kSphere) return {solid.center, solid.radii.x()};
   const double length2 = solid.axis.squaredNorm();
@@ -80,8 +80,8 @@ SolidContact nearest_to_balls(const SolidShape& solid, const HairSegment& segmen
   return outside_of_ball(solid, segment, std::clamp(beside, 0.0, segment.length));
 }
 
-/// In the space where the ellipsoid is the unit sphere; the gap is brought back along the gradient, which is exact on
-/// the surface.
+/// Computed in the space in which the ellipsoid is the unit sphere; the gap is converted along the gradient, which is
+/// exact on the surface.
 SolidContact nearest_to_ellipsoid(const SolidShape& solid, const HairSegment& segment) {
   const Vector3d radii = solid.radii.array() + segment.radius;
   const Vector3d from = turned(solid.to_own_axes, segment.start - solid.center).cwiseQuotient(radii);
@@ -119,10 +119,10 @@ bool turn_to_surface(const SolidContact& at, double overshoot, HairSegment& segm
   double slope = side.norm();
   if (slope < 1.0e-9) {
     if (facing > 0) return false;
-    side = segment.direction.unitOrthogonal();  // it points at the centre: every side is as good
+    side = segment.direction.unitOrthogonal();  // It points at the centre: every side is equally good.
     slope = 1;
   }
-  // Beyond the normal it would only come in again.
+  // Beyond the normal it would come in again.
   const double most = std::min(kLargestTurn, std::atan2(slope, facing));
   const double turn = std::clamp((overshoot - at.gap) / (at.along * slope), -kLargestTurn, most);
   segment.direction = (segment.direction + side * (std::tan(turn) / side.norm())).normalized();
@@ -165,7 +165,7 @@ bool turn_clear(const SolidShape& solid, HairSegment& segment, SolidContact& con
   bool turned = false;
   for (int i = 0; i < kNewtonSteps && std::abs(at.gap) > kTolerance * size && at.along > 0; ++i) {
     if (!turn_to_surface(at, kOvershoot * size, segment)) break;
-    // Where it was pushed: once clear, its start may be nearer than that.
+    // The place where it was pushed: once the segment is clear, its start may be nearer.
     if (at.gap < 0) contact = at;
     turned = true;
     at = nearest_contact(solid, segment);

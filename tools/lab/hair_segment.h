@@ -12,7 +12,7 @@
 
 namespace coif::lab {
 
-/// A bone as a collider meets it: a straight piece with a thickness. Head space, metres.
+/// A bone in the form that colliders need: a straight piece with a thickness. Head space, metres.
 struct HairSegment {
   Eigen::Vector3d start;
   Eigen::Vector3d direction;  ///< Unit.
@@ -35,34 +35,34 @@ struct SolidShape {
 
 [[nodiscard]] std::vector<SolidShape> solid_shapes(std::span<const ColliderRecord> colliders);
 
-/// How near a segment is to a collider.
+/// The distance of a segment from a collider.
 struct SolidContact {
-  double gap = 0;  ///< Metres between the surfaces, negative where they overlap; of an ellipsoid to first order.
+  double gap = 0;  ///< Metres between the surfaces, negative where they overlap; for an ellipsoid to first order.
   Eigen::Vector3d normal;  ///< Unit, from the collider to where hair may be.
   double along = 0;        ///< Metres from the segment's start to where it is nearest.
 };
 
-/// Where the segment is nearest, or deepest inside. Of a segment that starts inside, of any in a collider that keeps
-/// hair inside and at a plane, only the end counts: no turn about its start could help the rest. A segment that is
-/// clear of a capsule may be nearer than it says. An ellipsoid's semi-axes grow by the radius, as in the runtime.
+/// The place where the segment is nearest, or deepest inside. Only the end counts for a segment that starts inside, for
+/// a collider that keeps hair inside and for a plane: no turn about its start could help the rest. A segment that is
+/// clear of a capsule may be nearer than the result. An ellipsoid's semi-axes grow by the radius, as in the runtime.
 [[nodiscard]] SolidContact nearest_contact(const SolidShape& solid, const HairSegment& segment);
 
 /// Turns the segment about its start, the shortest way, until it is clear of the collider to 1e-10 of its size. False
-/// where it already was, and where no turn helps. Otherwise `contact` is where it was pushed. A segment that is too
-/// short to come out points straight out.
+/// if it already was, and if no turn helps. Otherwise `contact` is where it was pushed. A segment that is too short to
+/// come out points straight out.
 bool turn_clear(const SolidShape& solid, HairSegment& segment, SolidContact& contact);
 
 enum class HairPart { kEnd, kWhole };
 
-/// Metres by which a part of the segment is inside the collider although it could be outside: without what the place of
-/// its start and its length make unavoidable.
+/// Depth in metres of a part of the segment that could be outside: without the depth that follows from the place of its
+/// start and its length.
 [[nodiscard]] double avoidable_depth(const SolidShape& solid, const HairSegment& segment, HairPart part);
 
-/// The worst that was seen of what a solver should keep. NaN once a number was not finite.
+/// The largest errors of a solver's constraints. NaN once a number was not finite.
 struct ConstraintErrors {
-  double stretch = 0;        ///< |length / rest - 1|
-  double point_depth = 0;    ///< Of a bone's tail inside a collider, hit radius included, share of its smallest radius.
-  double segment_depth = 0;  ///< The same, for whole bones between their ends.
+  double stretch = 0;      ///< |length / rest - 1|
+  double point_depth = 0;  ///< Depth of a bone's tail in a collider, hit radius included, share of its smallest radius.
+  double segment_depth = 0;  ///< The same for whole bones, also between their ends.
 };
 
 /// Looks at poses. A depth that the place of a bone's start makes unavoidable does not count; a plane's is a share of
@@ -75,7 +75,7 @@ class ConstraintMeter {
   void look(std::span<const Eigen::Vector3d> ends);
   [[nodiscard]] const ConstraintErrors& worst() const { return worst_; }
 
-  /// False where the rig has no bone that can touch anything: then a depth says nothing.
+  /// False where the rig has no bone that can touch anything: then a depth means nothing.
   [[nodiscard]] bool sees_colliders() const { return sees_colliders_; }
 
  private:

@@ -8,7 +8,7 @@
 namespace coif::lab {
 namespace {
 
-/// Which root each bone hangs from in the end, linked ones from the first of theirs.
+/// The final root of each bone; linked bones have the root of the first of them.
 class Roots {
  public:
   explicit Roots(std::size_t count) : up_(count) { std::iota(up_.begin(), up_.end(), std::size_t{0}); }

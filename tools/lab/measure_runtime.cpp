@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSameTime = 1e-9;  ///< Seconds: the same moment as two fractions differs by rounding.
 
-/// Adds the distances of all tips to where they should be at sample `sample`; the sum of their squares.
+/// Adds the distances of all tips from their right places at sample `sample`; returns the sum of their squares.
 double add_distances(const Rig& rig, const ReferenceRun& reference, std::size_t sample,
                      std::span<const Eigen::Vector3d> ends, RuntimeError& error) {
   double sum = 0;
@@ -25,7 +25,7 @@ double add_distances(const Rig& rig, const ReferenceRun& reference, std::size_t 
   return sum;
 }
 
-/// Largest mean of `width` neighbours, or of all where there are fewer.
+/// Largest mean of `width` neighbours, or of all if there are fewer.
 double largest_mean(std::span<const double> values, std::size_t width) {
   width = std::min(width, values.size());
   double largest = 0;
@@ -62,7 +62,7 @@ RuntimeError measure_runtime(const Asset& asset, const Rig& rig, const KnownMoti
   solver.reset(path->pose(0));
   ConstraintMeter meter(rig);
   RuntimeError error;
-  std::vector<double> squares;  // of each frame, a mean over the tips
+  std::vector<double> squares;  // Per frame, mean over the tips.
   std::size_t sample = 0;
   for (std::uint32_t frame = 1;; ++frame) {
     platform::throw_if_stopped(stop);

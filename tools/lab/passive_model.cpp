@@ -15,7 +15,7 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-/// 1 / unfolded, but for a bone that folds over its parent, whose frame would turn with every small movement.
+/// 1 / unfolded; limited for a bone that folds over its parent, whose frame would turn with every small movement.
 double per_fold(double unfolded) {
   constexpr double kLeastUnfolded = 0.02;  // 11 degrees from folded over
   return 1 / std::max(unfolded, kLeastUnfolded);
@@ -24,10 +24,10 @@ double per_fold(double unfolded) {
 /// Share of a joint's stiffness that it has against folding by more than a right angle.
 constexpr double kFoldStiffness = 0.01;
 
-/// tan^2 of half the fold, less what it is at a right angle; 0 below.
+/// tan^2 of half the fold minus its value at a right angle; 0 below.
 double folded(double per_fold) { return std::max(2 * per_fold - 2, 0.0); }
 
-/// Of a positive definite matrix.
+/// The matrix must be positive definite.
 Matrix3d symmetric_inverse(const Matrix3d& m) {
   const double xx = m(1, 1) * m(2, 2) - m(1, 2) * m(1, 2), xy = m(0, 2) * m(1, 2) - m(0, 1) * m(2, 2),
                xz = m(0, 1) * m(1, 2) - m(0, 2) * m(1, 1), yy = m(0, 0) * m(2, 2) - m(0, 2) * m(0, 2),
@@ -38,7 +38,7 @@ Matrix3d symmetric_inverse(const Matrix3d& m) {
   return scale * inverse;
 }
 
-/// A contact gives way by this share of what a bone does: one without a lever cannot be helped.
+/// Share of a bone's reaction by which a contact gives way, since a contact without a lever cannot be solved.
 constexpr double kSoftness = 1.0e-9;
 
 double mass_of(const RigBone& bone) { return bone.length; }
@@ -90,7 +90,7 @@ const Matrix3d& PassiveModel::turn_above(std::size_t i) const {
   return bones_[i].parent < 0 ? head_turn_ : turns_[std::size_t(bones_[i].parent)];
 }
 
-/// What acts at the joint of a bone whose direction and arc are known.
+/// The forces at the joint of a bone whose direction and arc are known.
 void PassiveModel::load(std::size_t i, const motion::HeadState& head, const BoneMotion& parent,
                         const BoneMotion& motion) {
   const RigBone& bone = bones_[i];
@@ -174,8 +174,8 @@ void PassiveModel::rates(const SolverScene& scene, const motion::HeadState& head
   }
 }
 
-/// By Gauss's principle, with all bonds in one dense matrix, as chains are short. A contact that would have to pull is
-/// left out, the strongest first.
+/// By Gauss's principle, with all constraints in one dense matrix, as chains are short. Contacts that would have to
+/// pull are left out, the strongest first.
 Eigen::VectorXd PassiveModel::nearest(std::span<const BoneContact> contacts, const Eigen::VectorXd& opening,
                                       std::span<const double> entering) const {
   const auto links = Eigen::Index(bones_.size()), all = links + Eigen::Index(contacts.size());

@@ -1,6 +1,6 @@
 #pragma once
 
-// The passive model (runtime/docs/MODEL.md), as equations of motion: bones that hold back what they hang from.
+// The equations of motion of the passive model (runtime/docs/MODEL.md), in which bones pull on their parents.
 
 #include "lab/reference_model.h"
 
@@ -11,30 +11,32 @@
 
 namespace coif::lab {
 
-/// All that hangs from a bone's start, about that, where bones weigh a kilogram a metre, each at its tail.
+/// Everything that hangs from a bone's start, about that place; bones weigh a kilogram per metre, with the mass at
+/// their tails.
 struct Carried {
   double inertia = 0;  ///< kg m^2
-  double arm = 0;      ///< First moment, kg m: what it swings by as a pendulum, with gravity.
+  double arm = 0;      ///< First moment, kg m: its lever as a pendulum under gravity.
 };
 
 /// One for each bone, at rest. Parents come first.
 [[nodiscard]] std::vector<Carried> carried_at_rest(std::span<const RigBone> bones);
 
-/// 1/s: what an explicit solution of the passive model has to follow. A joint's spring and damper carry all that hangs
-/// from it, and may move its own bone alone: as fast as the fourth difference of a beam lets it.
+/// 1/s: the fastest rate that an explicit solution of the passive model has to follow. A joint's spring and damper
+/// carry everything that hangs from it, and may move its own bone alone: as fast as the fourth difference of a beam
+/// lets it.
 [[nodiscard]] double fastest_rate(std::span<const RigBone> bones);
 
-/// Forces and motion of bones whose parents come first, one step's scratch included.
+/// Forces and motion of bones, parents first, with the scratch of one step.
 class PassiveModel {
  public:
   explicit PassiveModel(std::span<const RigBone> bones);
 
-  /// As free_rates(): of bones that never twist, without contacts. `motions` and `rates` are as long as the bones.
+  /// As free_rates(), for bones that never twist, without contacts. `motions` and `rates` are as long as the bones.
   void rates(const SolverScene& scene, const motion::HeadState& head, std::span<const BoneState> states,
              std::span<BoneMotion> motions, std::span<BoneRates> rates);
 
-  /// The velocities nearest to those of `motions`, by mass, that stretch no bone and lead into no collider; `states`
-  /// turn with them.
+  /// The velocities nearest to those of `motions`, weighted by mass, that stretch no bone and lead into no collider;
+  /// `states` is updated with them.
   void keep_links(const motion::HeadState& head, std::span<const BoneContact> contacts, std::span<BoneMotion> motions,
                   std::span<BoneState> states);
 
@@ -42,12 +44,14 @@ class PassiveModel {
   void lift(std::span<const BoneContact> contacts, std::span<const double> depths,
             std::span<const Eigen::Vector3d> directions, std::vector<Eigen::Vector3d>& ways);
 
-  /// Kinetic energy, and that of weight and bending, joules; against the head's rotation and gravity of `scene`.
+  /// Kinetic energy, and that of weight and bending, joules; relative to the head's rotation and the gravity of
+  /// `scene`.
   [[nodiscard]] double energy(const SolverScene& scene, const motion::HeadState& head,
                               std::span<const BoneState> states) const;
 
  private:
-  /// What all below a bone makes of its particle: `mass` times its acceleration is `push`, less the bone's own pull.
+  /// The effect of everything below a bone on its particle: `mass` times its acceleration is `push` minus the bone's
+  /// own pull.
   struct Links {
     Eigen::Matrix3d mass;
     Eigen::Vector3d push;
@@ -62,8 +66,8 @@ class PassiveModel {
     Eigen::Vector3d torque, reaction;
   };
 
-  /// What, by mass, changes least of what all particles do so that no bone is stretched, by `opening` each, nor enters
-  /// a collider, by `entering` (negative) at each contact.
+  /// The smallest change, weighted by mass, of all particles' values with which no bone is stretched (`opening` each)
+  /// and none enters a collider (`entering`, negative, at each contact).
   [[nodiscard]] Eigen::VectorXd nearest(std::span<const BoneContact> contacts, const Eigen::VectorXd& opening,
                                         std::span<const double> entering) const;
   const Eigen::Matrix3d& turn_above(std::size_t i) const;

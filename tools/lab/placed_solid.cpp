@@ -30,8 +30,8 @@ double size_of(const PlacedSolid& solid) {
   return solid.radius;
 }
 
-/// The ball of a cone that is nearest to a point is where the cone's normal through the point starts. Where one end's
-/// ball holds the other's, it is all there is.
+/// The ball of a cone that is nearest to a point is where the cone's normal through the point starts. If one end's ball
+/// contains the other's, only that ball exists.
 double cone_gap(const Vector3d& offset, const Vector3d& axis, double first, double last) {
   const double length = axis.norm(), taper = first - last;
   if (!(length > std::abs(taper))) {

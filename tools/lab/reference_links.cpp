@@ -15,7 +15,7 @@ constexpr double kNoLever = 1e-2;   ///< Sine: a bone this nearly along its link
 constexpr double kWithin = 1e-10;   ///< Share of a link's length.
 constexpr double kTaut = 1e-6;      ///< Likewise: its speed is looked at.
 constexpr double kSlowest = 1e-10;  ///< m/s
-constexpr double kMostWay = 0.25;   ///< Of a bone's length, in one round.
+constexpr double kMostWay = 0.25;   ///< Share of a bone's length, in one round.
 
 }  // namespace
 

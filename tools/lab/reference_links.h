@@ -10,15 +10,15 @@
 
 namespace coif::lab {
 
-/// What holds linked bones together in the reference (runtime/docs/MODEL.md, "Links"): by many small turns until all
-/// links have their lengths to rounding. Not the runtime's way, which is measured against it.
+/// Holds linked bones together in the reference (runtime/docs/MODEL.md, "Links"): by many small turns until all links
+/// have their lengths to rounding. Independent of the runtime's method, which is measured against it.
 class ReferenceLinks {
  public:
-  /// `links` are of `bones`, whose depths do not fall.
+  /// `links` refer to `bones`, whose depths must not fall.
   ReferenceLinks(std::vector<RigLink> links, std::span<const RigBone> bones);
 
-  /// Turns bones of one depth, those from `begin` to before `end`. `start_of(bone)` is the motion of what a bone hangs
-  /// from. `motions` of these bones follow, and `turned` says which were.
+  /// Turns bones of one depth, from `begin` up to but not including `end`. `start_of(bone)` is the motion of the point
+  /// that a bone hangs from. `motions` of these bones are updated, and `turned` marks the bones that were turned.
   template <typename StartOf>
   void hold(std::size_t begin, std::size_t end, const StartOf& start_of, std::span<BoneState> states,
             std::span<BoneMotion> motions, std::span<char> turned) {
@@ -43,7 +43,7 @@ class ReferenceLinks {
   std::vector<RigLink> links_;  ///< By depth.
   std::span<const RigBone> bones_;
   std::vector<double> mobility_;    ///< 1/kg, as carried_at_rest() has masses.
-  std::vector<BoneMotion> starts_;  ///< Of the bones at hand: what they hang from.
+  std::vector<BoneMotion> starts_;  ///< The points that the present bones hang from.
 };
 
 }  // namespace coif::lab

@@ -19,7 +19,7 @@ Quaterniond arc_between(const Vector3d& from, const Vector3d& to) {
 /// Sine of the angle by which a bone is twisted against the shortest arc from its parent's frame; `direction` is the
 /// bone's in that frame.
 double sine_of_twist(const RigBone& bone, const Quaterniond& in_parent, const Vector3d& direction) {
-  // Of any length: only the ratio of its parts counts.
+  // Needs no unit length: only the ratio of its parts counts.
   const Quaterniond twist = in_parent * arc_between(bone.rest_direction, direction).conjugate();
   const double sine = twist.vec().dot(direction), cosine = twist.w();
   return 2 * sine * cosine / (sine * sine + cosine * cosine);
@@ -29,13 +29,13 @@ double sine_of_twist(const RigBone& bone, const Quaterniond& in_parent, const Ve
 /// shortest_arc() with both ends moving. Without bound where the bone folds over, as the arc flips there.
 /// `arm`: the rest direction as the parent turns it.
 double spin_of_arc(const BoneMotion& parent, const Vector3d& arm, const Vector3d& direction, const Vector3d& turning) {
-  constexpr double kLeastUnfolded = 1.0e-7;  // As the runtime's.
+  constexpr double kLeastUnfolded = 1.0e-7;  // Equal to the runtime's.
   const Vector3d swing = direction.cross(turning);
   const double along = (arm + direction).dot(parent.angular_velocity) - arm.dot(swing);
   return along / std::max(1 + arm.dot(direction), kLeastUnfolded);
 }
 
-/// About the bone's own direction, 1/s: as the parent turns, less what of a twist goes back.
+/// Angular velocity about the bone's own direction, 1/s: the parent's, minus the decay of a twist.
 double spin_of_twist(const RigBone& bone, const BoneMotion& parent, const Quaterniond& frame,
                      const Vector3d& direction) {
   const double carried = parent.angular_velocity.dot(direction);
@@ -47,7 +47,7 @@ double spin_of_twist(const RigBone& bone, const BoneMotion& parent, const Quater
   return carried - bone.torsion * unfolded * sine_of_twist(bone, to_parent * frame, in_parent);
 }
 
-/// m/s^2 on the mass at the bone's tail, but for what keeps its length.
+/// Acceleration of the mass at the bone's tail, m/s^2, without the force that keeps its length.
 Vector3d load_on(const RigBone& bone, const SolverScene& scene, const motion::HeadState& head, const BoneTarget& target,
                  const Vector3d& direction, const Vector3d& turning, const Vector3d& parent_velocity) {
   const Vector3d air = scene.wind + head.velocity * bone.air_follow;

@@ -1,5 +1,7 @@
 #pragma once
-// What a LimitRecord allows, in double precision and by angles: not the runtime's way, which is measured against it.
+
+// The directions that a LimitRecord allows, in double precision and by angles: independent of the runtime's method,
+// which is measured against it.
 
 #include "base/geometry.h"
 #include "lab/hair_segment.h"
@@ -21,16 +23,17 @@ namespace coif::lab {
 /// A bone's direction and where its limit has it. All in the limit's own axes.
 struct BoundedDirection {
   Eigen::Vector3d direction;  ///< The nearest that is allowed, unit.
-  double beyond = 0;          ///< Radians between the two; 0: allowed as it is.
-  /// Unit directions in which the bone may go no further; zero where it may.
+  double beyond = 0;          ///< Radians between the two; 0: allowed.
+  /// Unit directions in which the bone may not go further; zero where it may.
   Eigen::Vector3d outwards[2] = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-  bool is_locked[2] = {};  ///< Nor back: the limit's angle is 0.
+  bool is_locked[2] = {};  ///< It may not go back either: the limit's angle is 0.
 };
 
 /// `direction` unit.
 [[nodiscard]] BoundedDirection bounded(const LimitRecord& limit, const Eigen::Vector3d& direction);
 
-/// The rate `turning` of a direction that a limit stopped, without what leads further; seen from the limit's axes, 1/s.
+/// The rate `turning` of a direction that a limit stopped, without the part that leads further; in the limit's axes,
+/// 1/s.
 [[nodiscard]] Eigen::Vector3d stopped(const BoundedDirection& at, Eigen::Vector3d turning);
 
 // The continuous model that `coif` solves and reports measure against (runtime/docs/MODEL.md), as equations of motion.
@@ -41,18 +44,18 @@ struct BoneState {
   Eigen::Vector3d turning;   ///< Rate of that direction, 1/s; perpendicular to it.
 };
 
-/// What of a vector is at right angles to a unit one.
+/// The part of a vector that is perpendicular to a unit one.
 [[nodiscard]] inline Eigen::Vector3d across(const Eigen::Vector3d& vector, const Eigen::Vector3d& direction) {
   return vector - direction * direction.dot(vector);
 }
 
-/// How BoneState changes.
+/// The rates of BoneState.
 struct BoneRates {
-  Eigen::Vector4d frame;  ///< Of the quaternion's coefficients (x, y, z, w), 1/s.
+  Eigen::Vector4d frame;  ///< The quaternion's coefficients (x, y, z, w), 1/s.
   Eigen::Vector3d turning;
 };
 
-/// What a bone, or the head where one begins, is to the bones that hang from it. Metres from the head, world axes.
+/// The motion of a bone, or of the head, for the bones that hang from it. Metres from the head, world axes.
 struct BoneMotion {
   Eigen::Vector3d end;
   Eigen::Vector3d velocity;      ///< World, m/s.
@@ -61,29 +64,28 @@ struct BoneMotion {
   Eigen::Quaterniond frame;
 };
 
-/// Where a bone is pulled to. World axes.
+/// The target of a bone's pull. World axes.
 struct BoneTarget {
-  Eigen::Vector3d
-      direction;  ///< From the bone's start in lengths; unit where it turns with the parent or the head alone.
+  /// From the bone's start, in lengths; unit where it turns only with the parent or only with the head.
+  Eigen::Vector3d direction;
   Eigen::Vector3d turning;  ///< Its rate, 1/s.
 };
 
-/// Of a joint that moves rigidly with the head.
+/// The joint moves rigidly with the head.
 [[nodiscard]] BoneMotion motion_of_joint(const Eigen::Vector3d& joint, const motion::HeadState& head);
 
 [[nodiscard]] BoneTarget target_of(const RigBone& bone, const BoneMotion& parent, const motion::HeadState& head);
-/// The same of a direction that is `unbent` in the parent's frame.
+/// The target for a direction that is `unbent` in the parent's frame.
 [[nodiscard]] BoneTarget target_of(const RigBone& bone, const Eigen::Vector3d& unbent, const BoneMotion& parent,
                                    const motion::HeadState& head);
 
-/// Angular velocity of a bone with this state: as its direction turns, and about it as the parent does, less the rate
-/// at which a twist between them goes back. Without twist (kShortestArc) as the shortest arc from the parent's frame
-/// turns.
+/// Angular velocity of a bone with this state. It consists of the angular velocity of the bone's direction and, about
+/// the direction, the parent's minus the rate at which a twist between them decays. Without twist (kShortestArc) it is
+/// the angular velocity of the shortest arc from the parent's frame.
 [[nodiscard]] Eigen::Vector3d angular_velocity_of(const RigBone& bone, const BoneMotion& parent,
                                                   const BoneState& state);
 
-/// Where the bone's limit has this direction (world, unit), in the limit's own axes, and how these are turned: world
-/// from axes.
+/// This direction (world, unit) in the axes of the bone's limit, and the rotation of these: world from axes.
 struct BoundedBone {
   Eigen::Quaterniond axes;
   BoundedDirection at;
@@ -98,24 +100,24 @@ struct BoundedBone {
 [[nodiscard]] Eigen::Quaterniond frame_of_arc(const RigBone& bone, const Eigen::Quaterniond& parent_frame,
                                               const Eigen::Vector3d& direction);
 
-/// Equations of motion of bones whose parents come first, without contacts. `motions` is scratch; all spans are as long
-/// as `bones`.
+/// Equations of motion of bones, parents first, without contacts. `motions` is scratch; all spans are as long as
+/// `bones`.
 void free_rates(std::span<const RigBone> bones, const SolverScene& scene, const motion::HeadState& head,
                 std::span<const BoneState> states, std::span<BoneMotion> motions, std::span<BoneRates> rates);
 
 /// Turns the unit vector `from` to the unit vector `to`; about some axis where they are opposite.
 [[nodiscard]] Eigen::Quaterniond shortest_arc(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
-/// What the head does during one step of the reference, which lies within one smooth piece of its path.
+/// The head's motion during one step of the reference, which lies within one smooth piece of its path.
 struct HeadStep {
   double dt = 0;
   motion::HeadState start, middle, end;
 };
 
-/// Where a bone of the passive model touches a collider.
+/// A contact of a bone of the passive model with a collider.
 struct BoneContact {
   std::size_t bone = 0;
-  double share = 0;         ///< Of the bone's length, from its start to the place of contact.
+  double share = 0;         ///< Share of the bone's length from its start to the place of contact.
   Eigen::Vector3d normal;   ///< Unit, world, from the collider to the hair.
   Eigen::Vector3d surface;  ///< Velocity of the collider's surface there, m/s.
 };
@@ -123,7 +125,7 @@ struct BoneContact {
 class PassiveModel;
 class ReferenceLinks;
 
-/// The bones that hang from one joint of the head, and from those whose bones are linked to them, moved by the
+/// The bones that hang from one joint of the head, and those of joints whose bones are linked to them, moved by the
 /// classical Runge-Kutta method in double precision: fourth order where nothing touches, first order through contacts
 /// and links. Trees do not act on each other. Steps allocate nothing.
 class ReferenceTree {
@@ -137,11 +139,11 @@ class ReferenceTree {
   /// The rest pose, moving rigidly with the head.
   void reset(const motion::HeadState& head);
 
-  /// Free movement. Then chains of the passive model leave colliders as a whole, by the shortest way by mass. Then,
-  /// from root to tip, whatever left its limits or entered a collider is turned back the shortest way and loses the
-  /// velocity that led there; limits about axes of their own come last. Last, the passive model's velocities become the
-  /// nearest by mass that stretch nothing and lead into no collider. A bone whose parent was held keeps its own tail's
-  /// velocity.
+  /// First the free movement. Then chains of the passive model leave colliders as a whole, by the shortest way weighted
+  /// by mass. Then, from root to tip, bones that left their limits or entered a collider are turned back the shortest
+  /// way and lose the velocity that led there; limits about axes of their own come last. Last, the passive model's
+  /// velocities become the nearest by mass that stretch nothing and lead into no collider. A bone whose parent was held
+  /// keeps its own tail's velocity.
   void step(const HeadStep& step);
 
   /// The head is somewhere else: the hair is carried along rigidly, and its velocities turn with it.
@@ -154,7 +156,7 @@ class ReferenceTree {
 
   [[nodiscard]] std::span<const BoneState> states() const { return states_; }
 
-  /// Of any bone's direction, 1/s.
+  /// Fastest rate of any bone's direction, 1/s.
   [[nodiscard]] double fastest_turning() const;
 
   /// Steps per second below which the integrator cannot follow the stiffest bone.
@@ -171,8 +173,8 @@ class ReferenceTree {
   void hold_links(std::size_t begin, std::size_t end, const motion::HeadState& head);
   bool hold_limit(const RigBone& bone, const BoneMotion& parent, const motion::HeadState& head, BoneState& state) const;
   bool hold_bounds(const RigBone& bone, const BoneMotion& parent, BoneState& state) const;
-  /// Turns the bone out of its colliders. The cascade's bone also loses the velocity that leads into them; of the
-  /// passive model's the contacts are added to contacts_, for keep_links().
+  /// Turns the bone out of its colliders. A bone of the cascade also loses the velocity that leads into them; contacts
+  /// of a passive bone are added to contacts_, for keep_links().
   bool hold_colliders(std::size_t i, const BoneMotion& parent, const motion::HeadState& head);
 
   std::vector<std::uint32_t> members_;
@@ -194,11 +196,11 @@ class ReferenceTree {
   std::vector<char> moved_;
   std::vector<char> turned_;  ///< By links.
   std::vector<BoneContact> contacts_;
-  std::vector<Eigen::Vector3d> velocities_;  ///< Of the particles, before anything holds them.
+  std::vector<Eigen::Vector3d> velocities_;  ///< Velocities of the particles before anything holds them.
 };
 
-/// What moves by itself: each root of the rig with all that hangs from it, and those that are linked to it. Bones in
-/// the rig's order, or by depth where some are linked.
+/// The independent parts: each root of the rig with everything that hangs from it, and the roots that are linked to it.
+/// Bones are in the rig's order, or by depth where some are linked.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> trees_of(const Rig& rig);
 
 }  // namespace coif::lab

@@ -18,7 +18,7 @@ constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
 /// Hair that whips round turns further in a usual step than the integrator can follow: its steps are cut.
 constexpr double kLargestStepTurn = 0.25;  // Radians, in a step of the coarsest run.
 constexpr double kMostParts = 16;
-/// Bones that are too stiff for a rate are tried with so many times as many steps next: an eighth too many on average.
+/// Factor on the steps for bones that are too stiff for a rate: an eighth too many on average.
 constexpr double kFiner = 1.25;
 
 /// A time at which a step has to end.
@@ -34,7 +34,7 @@ std::vector<Stop> stops_of(const motion::HeadPath& path, std::span<const double>
   for (const double seconds : samples) stops.push_back({seconds, true, false});
   const double until = samples.empty() ? 0.0 : samples.back();
   for (const motion::PathBreak& end : path.breaks(until)) {
-    const double same = end.jumps ? 0.0 : 1.0e-9;  // Seconds: a step of rounding errors is none.
+    const double same = end.jumps ? 0.0 : 1.0e-9;  // Seconds: a step of rounding errors does not count.
     const auto at = std::ranges::lower_bound(stops, end.seconds - same, {}, &Stop::seconds);
     if (at != stops.end() && at->seconds <= end.seconds + same) {
       at->jumps = end.jumps;
@@ -47,9 +47,9 @@ std::vector<Stop> stops_of(const motion::HeadPath& path, std::span<const double>
 
 /// The tips of one tree.
 struct TreeTips {
-  std::vector<std::size_t> entries;  ///< Of Rig::tips.
-  std::vector<std::size_t> members;  ///< Of the tree's bones.
-  std::vector<double> lengths;       ///< Of their chains, metres.
+  std::vector<std::size_t> entries;  ///< Indices into Rig::tips.
+  std::vector<std::size_t> members;  ///< Indices of the tree's bones.
+  std::vector<double> lengths;       ///< Lengths of their chains, metres.
 };
 
 /// One path after the other, each with all samples.
@@ -61,8 +61,8 @@ class TreeRun {
   TreeRun(ReferenceTree& tree, const motion::HeadPath& path, std::span<const Stop> stops, const std::stop_token& stop)
       : tree_(tree), path_(path), stops_(stops), stop_(stop), ends_(tree.members().size()) {}
 
-  /// `fineness`: how many times shorter the steps are than those of the first run, cut ones included; else two runs
-  /// could agree because they took the same steps. Ends where steps() would exceed `most_steps`: then is_over() is
+  /// `fineness`: how many times shorter the steps are than those of the first run, cut ones included; otherwise two
+  /// runs could agree because they took the same steps. Ends where steps() would exceed `most_steps`; then is_over() is
   /// true.
   TipPaths run(const TreeTips& tips, std::size_t samples, double coarse_rate, double fineness,
                std::uint64_t most_steps) {
@@ -85,7 +85,7 @@ class TreeRun {
     return paths;
   }
 
-  [[nodiscard]] std::uint64_t steps() const { return steps_; }  ///< Of all runs.
+  [[nodiscard]] std::uint64_t steps() const { return steps_; }  ///< In all runs.
   [[nodiscard]] bool is_over() const { return steps_ > most_steps_; }
 
  private:
@@ -158,7 +158,7 @@ std::uint64_t most_steps_of(const ReferenceSettings& settings, double first_rate
   return std::uint64_t(std::min(most, kNoBound));
 }
 
-/// Writes the part of `result` that belongs to the tree. Empty `fine`: there is none.
+/// Writes the tree's part of `result`. Empty `fine`: it has no solution.
 void write_tree(const TreeTips& tips, std::span<const TipAgreement> agreement, const TipPaths& fine,
                 ReferenceRun& result) {
   const std::size_t samples = result.times.size();

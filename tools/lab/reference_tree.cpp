@@ -13,7 +13,7 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-/// A twist that goes back faster hardly shows, and would need shorter steps than everything else. Bones that never
+/// A twist that decays faster is hardly visible, and would need shorter steps than everything else. Bones that never
 /// twist have no such rate.
 constexpr double kFastestTorsion = 5000;  // 1/s
 
@@ -28,8 +28,8 @@ void turn_to(const Vector3d& direction, const RigBone& bone, BoneState& state) {
   state.turning = across(state.turning, direction);
 }
 
-/// A bone that never twists has the frame that its direction and its parent's frame say; whatever else turned it is
-/// gone.
+/// The frame of a bone that never twists follows from its direction and its parent's frame; any other rotation is
+/// dropped.
 void untwist(const RigBone& bone, const Quaterniond& parent_frame, BoneState& state) {
   if (never_twists(bone)) state.frame = frame_of_arc(bone, parent_frame, turned(state.frame, bone.rest_direction));
 }
@@ -43,9 +43,9 @@ BoneMotion motion_of(const RigBone& bone, const BoneMotion& parent, const BoneSt
   return motion;
 }
 
-/// The state of a bone whose parent was held: as if the parent's tail had been pushed evenly throughout the step. The
-/// bone's own tail goes where it freely went, but for its length and, in a cascade, for the damping, which works
-/// against the way that the default position went indeed.
+/// The state of a bone whose parent was held, as if the parent's tail had been pushed evenly throughout the step. The
+/// bone's own tail goes to its free place, except for its length and, in a cascade, for the damping, which acts against
+/// the real motion of the default position.
 void follow_parent(const RigBone& bone, const BoneMotion& parent, const BoneMotion& free_parent,
                    const motion::HeadState& head, const Vector3d& direction_before, bool is_cascade, BoneState& state) {
   const Vector3d shift = (parent.end - free_parent.end) / bone.length;
@@ -61,10 +61,10 @@ void follow_parent(const RigBone& bone, const BoneMotion& parent, const BoneMoti
   turn_to(direction, bone, state);
 }
 
-/// Takes from the bone what brings the touching point, `along` metres from its start, towards a collider that moves
-/// with the head. It stops a bone and never throws it: where the start itself sinks towards the collider the bone is
-/// turned out of the way, but does not gain the speed of that. Over a short lever it would be any speed, since bones do
-/// not hold back their parents.
+/// Removes from the bone the velocity that brings the touching point, `along` metres from its start, towards a collider
+/// that moves with the head. It stops a bone and never throws it: where the start itself sinks towards the collider,
+/// the bone is turned out of the way but does not gain that speed. Over a short lever it could be any speed, since
+/// bones do not hold back their parents.
 void stop_inwards(const Vector3d& normal, double along, const BoneMotion& parent, const motion::HeadState& head,
                   const RigBone& bone, BoneState& state) {
   const Vector3d direction = turned(state.frame, bone.rest_direction);
@@ -170,8 +170,8 @@ void ReferenceTree::untwist_all(const Quaterniond& head_rotation) {
   }
 }
 
-/// Passive bones leave colliders together, by the shortest way for all of their chain. A turn about its start alone
-/// would also undo what a bone turns that comes to lie on a collider from its start on.
+/// Passive bones leave colliders together, by the shortest way for the whole chain. A turn about its start alone would
+/// also undo the turn of a bone that comes to lie on a collider along its whole length.
 void ReferenceTree::lift(const motion::HeadState& head) {
   constexpr int kRounds = 4;
   const Quaterniond to_head = head.rotation.conjugate();
@@ -245,7 +245,7 @@ void ReferenceTree::hold_bone(std::size_t i, const motion::HeadState& head) {
   if (held || touches) moved_[i] = true;
   untwist(bone, parent.frame, states_[i]);
   motions_[i] = motion_of(bone, parent, states_[i]);
-  // keep_links() shall find what each particle brings along, not what its new direction leaves of that.
+  // keep_links() must see each particle's own velocity, not the part that its new direction leaves of it.
   if (passive_ && !held) motions_[i].velocity = velocities_[i];
 }
 

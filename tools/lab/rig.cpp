@@ -176,7 +176,7 @@ AssetContents untouched_part(const Asset& asset) {
 
 namespace {
 
-constexpr std::size_t kAlignment = 64;  ///< What Asset::open() may ask for.
+constexpr std::size_t kAlignment = 64;  ///< The largest alignment that Asset::open() needs.
 
 }  // namespace
 

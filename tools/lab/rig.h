@@ -32,13 +32,13 @@ struct RigBone {
   double hit_radius = 0;
   double torsion = 0;                          ///< 1/s; kShortestArc: never a twist.
   double angle_limit = double(kNoAngleLimit);  ///< Radians.
-  LimitRecord limit{};                         ///< About axes of its own, in the parent's frame.
+  LimitRecord limit{};                         ///< With its own axes, in the parent's frame.
   double parent_share = 1;
   /// Unit, in the parent's frame: where the bone is pulled to. Zero: to its rest direction.
   Eigen::Vector3d leaning = Eigen::Vector3d::Zero();
   std::uint32_t colliders = 0;
   ChainModel model = ChainModel::kCascade;  ///< The same for all bones of a tree.
-  /// Where the cook gave the chain other numbers than the artist.
+  /// Set if the cook changed the artist's numbers of the chain.
   std::optional<AskedRecord> asked;
 
   [[nodiscard]] const Eigen::Vector3d& pull_direction() const { return leaning.isZero() ? rest_direction : leaning; }
@@ -46,58 +46,58 @@ struct RigBone {
 
 /// Two bones of a rig whose particles stay together: LinkRecord.
 struct RigLink {
-  std::uint32_t bone = 0, to = 0;    ///< Of Rig::bones.
+  std::uint32_t bone = 0, to = 0;    ///< Indices into Rig::bones.
   double shortest = 0, longest = 0;  ///< Metres.
 };
 
-/// What of an asset moves, for solvers that are not the runtime's. Parents come first.
+/// The moving parts of an asset, for solvers other than the runtime's. Parents come first.
 struct Rig {
   std::vector<RigBone> bones;
   std::vector<ColliderRecord> colliders;
   std::vector<RigLink> links;  ///< By depth.
   /// Bones without children: where errors are measured.
   std::vector<std::uint32_t> tips;
-  std::vector<double> tip_length;        ///< Of the chain that ends there, joint to tip, metres.
+  std::vector<double> tip_length;        ///< Length of the chain that ends there, joint to tip, metres.
   std::vector<std::uint32_t> tip_chain;  ///< Index of that chain in the asset.
   std::uint32_t rigid_count = 0;         ///< Bones of the asset before the first simulated one.
 };
 
 [[nodiscard]] Rig rig_of(const Asset& asset);
 
-/// Where the bones end at rest, head space.
+/// Ends of the bones at rest, head space.
 [[nodiscard]] std::vector<Eigen::Vector3d> resting_ends(const Rig& rig);
 
-/// How many bones are above each.
+/// The number of bones above each.
 [[nodiscard]] std::vector<int> depths_of(std::span<const RigBone> bones);
 
-/// The links of a part of the rig. `place`: where in it each bone of the rig is, -1 for those that are not, nor is what
-/// they are linked to.
+/// The links of a part of the rig. `place`: the index in the part of each bone of the rig, -1 if it or the bone that it
+/// is linked to is not in the part.
 [[nodiscard]] std::vector<RigLink> links_among(const Rig& rig, std::span<const int> place);
 
 /// The same bones, all moved by `model`.
 [[nodiscard]] Rig in_model(Rig rig, ChainModel model);
 
-/// The same bones with the numbers that the artist asked for.
+/// The same bones with the artist's numbers.
 [[nodiscard]] Rig as_asked(Rig rig);
 
 /// A part of a rig, for measurements that would take too long on all of it.
 struct RigSample {
   Rig rig;
-  std::vector<std::uint32_t> bones;  ///< Of the whole rig: one for each bone of `rig`.
+  std::vector<std::uint32_t> bones;  ///< Indices in the whole rig, one for each bone of `rig`.
 };
 
 /// Whole trees of bones (trees_of()), evenly chosen over the head, with at most `most_bones` bones, but at least one
-/// tree: these do not act on each other, so each moves as it does among all.
+/// tree. Trees do not act on each other, so each moves as it does among all.
 [[nodiscard]] RigSample sample_of(const Rig& rig, std::size_t most_bones);
 
 /// Skeleton, bones, chains and dynamics of an open asset, without names: for assets that are that hair in other
 /// circumstances.
 [[nodiscard]] AssetContents moving_part(const Asset& asset);
 
-/// The same, of bones that touch nothing.
+/// The same, with bones that touch nothing.
 [[nodiscard]] AssetContents untouched_part(const Asset& asset);
 
-/// An asset made in memory, and the bytes it lives in: what is to be measured is run as a game would run it.
+/// An asset made in memory, and its bytes: measured things run as in a game.
 class OpenedAsset {
  public:
   /// Contents that the format does not allow leave asset() closed.

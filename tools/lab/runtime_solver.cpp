@@ -16,7 +16,7 @@ RuntimeSolver::RuntimeSolver(const Asset& asset, const SolverScene& scene, const
   const MemoryNeed need = Hair::memory_need(asset, desc);
   memory_ = allocate(need);
   if (!memory_) throw std::bad_alloc();
-  // An open asset and the memory it needs are all that create() asks for; without them step() refuses.
+  // An open asset and its memory are all that create() needs; without them step() refuses.
   (void)hair_.create(asset, desc, {memory_.get(), need.bytes});
   if (&solver == &kThesisSolver) settings_.iterations = std::uint32_t(effort);
   if (&solver != &kThesisSolver) settings_.substeps = std::uint32_t(effort);
@@ -29,7 +29,7 @@ RuntimeSolver::RuntimeSolver(const Asset& asset, const SolverScene& scene, const
 void RuntimeSolver::reset(const HeadPose& head) { (void)hair_.reset(0, head); }
 
 bool RuntimeSolver::set_colliders(std::span<const MovingCollider> colliders) {
-  if (colliders.empty() && !has_colliders_) return true;  // most solvers were not asked for any
+  if (colliders.empty() && !has_colliders_) return true;  // Most solvers were created without any.
   if (hair_.set_colliders(0, colliders) != Status::kOk) return false;
   has_colliders_ = !colliders.empty();
   return true;

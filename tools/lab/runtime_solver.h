@@ -15,15 +15,15 @@
 
 namespace coif::lab {
 
-/// What acts on the hair besides the head. Defaults are the runtime's (coif/hair.h).
+/// The environment of the hair besides the head. Defaults are the runtime's (coif/hair.h).
 struct SolverScene {
   Eigen::Vector3d gravity{0, -9.81, 0};            ///< World, m/s^2.
   Eigen::Vector3d wind = Eigen::Vector3d::Zero();  ///< World, m/s.
-  std::uint32_t moving_colliders = 0;  ///< Most that will be given at once; above 0 of kCharacterSolver alone.
-  bool follows_body = false;           ///< set_body() will be called; of kCharacterSolver alone.
+  std::uint32_t moving_colliders = 0;  ///< Most that will be set at once; above 0 only with kCharacterSolver.
+  bool follows_body = false;           ///< set_body() will be called; only with kCharacterSolver.
 };
 
-/// A way to move the bones of one head: the runtime's solvers, the reference, and what others do, behind one interface
+/// A way to move the bones of one head: the runtime's solvers, the reference, and other methods, behind one interface
 /// so that the same measurement runs over all of them.
 class ChainSolver {
  public:
@@ -35,18 +35,18 @@ class ChainSolver {
   /// The rest pose under this head, at rest.
   virtual void reset(const HeadPose& head) = 0;
 
-  /// What the hair has to keep out of besides what it knows, at the end of the coming step; see Hair::set_colliders().
-  /// False where the solver refuses them, as most refuse any, and keeps those that it had.
+  /// Sets further colliders at the end of the coming step; see Hair::set_colliders(). False where the solver refuses
+  /// them, as most refuse any; then it keeps those that it had.
   [[nodiscard]] virtual bool set_colliders(std::span<const MovingCollider> colliders) { return colliders.empty(); }
 
-  /// Where the asset's body is at the end of the coming step, as Hair::set_body(), before the head's pose is told.
-  /// False where the solver refuses it, as all do that follow none.
+  /// Sets the asset's body at the end of the coming step, as Hair::set_body(), before the head's pose. False where the
+  /// solver refuses it, as all do that follow no body.
   [[nodiscard]] virtual bool set_body(std::span<const BodyPose> bones) { return bones.empty(); }
 
   /// Moves the head to `head` within `dt` seconds. False where the solver refuses the input and keeps its state.
   [[nodiscard]] virtual bool step(const HeadPose& head, double dt) = 0;
 
-  /// The same where the host also knows how fast the head arrives; most solvers have no use for it.
+  /// As step(), where the host also knows the head's velocity at the end; most solvers ignore it.
   [[nodiscard]] virtual bool step_told(const HeadPose& head, const HeadVelocity& /*velocity*/, double dt) {
     return step(head, dt);
   }
@@ -56,10 +56,10 @@ class ChainSolver {
   [[nodiscard]] virtual std::span<const Eigen::Vector3d> bone_ends() const = 0;
 };
 
-/// What a game runs: one head with the asset's hair, bone matrices included. Single precision.
+/// The runtime of a game: one head with the asset's hair, bone matrices included. Single precision.
 class RuntimeSolver final : public ChainSolver {
  public:
-  /// `asset` is open and must outlive the solver. `effort`: sub-steps of kCoifSolver, 0 for as many as the asset asks
+  /// `asset` must be open and outlive the solver. `effort`: sub-steps of kCoifSolver, 0 for as many as the asset asks
   /// for; iterations of kThesisSolver.
   RuntimeSolver(const Asset& asset, const SolverScene& scene, const Solver& solver, int effort);
 
@@ -69,7 +69,7 @@ class RuntimeSolver final : public ChainSolver {
   [[nodiscard]] bool step(const HeadPose& head, double dt) override;
   [[nodiscard]] bool step_told(const HeadPose& head, const HeadVelocity& velocity, double dt) override;
   [[nodiscard]] std::span<const Eigen::Vector3d> bone_ends() const override;
-  /// Of all the asset's bones, as Hair::palette().
+  /// One matrix per bone of the asset, as Hair::palette().
   [[nodiscard]] std::span<const Mat34> palette() const { return hair_.palette(0); }
 
  private:

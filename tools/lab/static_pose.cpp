@@ -48,7 +48,7 @@ StaticPose static_pose(const Rig& rig, const SolverScene& scene, const Quaternio
     BoneMotion motion = parent;
     motion.frame = shortest_arc(with_parent, direction) * parent.frame;
     motion.end = parent.end + bone.length * direction;
-    // Of the passive model there is no closed form: every bone's rest depends on all that hangs from it.
+    // The passive model has no closed form: every bone's rest depends on everything that hangs from it.
     const bool parent_is_free = bone.model == ChainModel::kCascade && (is_root || pose.is_free[up]);
     pose.is_free.push_back(
         parent_is_free && !is_linked[pose.ends.size()] &&

@@ -46,7 +46,7 @@ using Gradient = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
 /// Source: Gibson, "Constrained Elastic Surface Nets", 1998, without the relaxation.
 [[nodiscard]] SurfaceMesh extract_surface(const SamplingGrid& grid, const Field& distance, const Gradient& normal);
 
-// The mannequin's bust as a signed distance field: what the bust's mesh is cut from, and what the hair keeps clear of.
+// The mannequin's bust as a signed distance field: the bust's mesh is cut from it, and the hair keeps clear of it.
 
 /// The skull without the face, in model space and metres. The hair is laid around this ellipsoid.
 inline const Eigen::Vector3d kCraniumCenter{0.0, 1.628, -0.010};

@@ -14,8 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNeckCut = 1.4480;    ///< Model Y where a neck without shoulders ends,
-constexpr double kShirtLine = 1.3200;  ///< and where the shirt covers all that there is of the skin.
+constexpr double kNeckCut = 1.4480;    ///< Model Y of the end of a neck without shoulders.
+constexpr double kShirtLine = 1.3200;  ///< Model Y below which the shirt covers all skin.
 
 /// Closest where lids, nostrils and lips are.
 SurfaceMesh portrait_skin(const PortraitDetail& detail) {
@@ -53,7 +53,7 @@ void append_eye(double side, SurfaceMesh& mesh) {
       const Vector3d outwards{side, 1, 1};
       mesh.positions.push_back((kEyeCenter + kEyeRadii.cwiseProduct(unit)).cwiseProduct(outwards));
       mesh.normals.push_back(unit.cwiseQuotient(kEyeRadii).normalized().cwiseProduct(outwards));
-      // In the radii of a round eye, so that the iris is round on one that is not.
+      // In the radii of a round eye, so that the iris is round on an eye that is not.
       const double wide = unit.x() * kEyeRadii.x() / kEyeRadii.y();
       mesh.uvs.emplace_back(0.5 + 0.5 * wide / kEyeImageReach, 0.5 - 0.5 * unit.y() / kEyeImageReach);
     }

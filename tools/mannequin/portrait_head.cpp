@@ -38,7 +38,7 @@ double portrait_brow_and_socket(double head, const Vector3d& p) {
   return carve(carve(head, socket, 0.022), inner_corner, 0.010);
 }
 
-/// How far inside the opening between the lids the point is: negative there, about metres.
+/// Distance of the point from the opening between the lids: negative inside, about metres.
 double lid_opening(const Vector3d& p) {
   const LidEdges edges = lid_edges(p.x());
   const double corner = (std::abs(edges.across) - 1.0) * kOpeningHalf;

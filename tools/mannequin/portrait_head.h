@@ -8,10 +8,10 @@
 
 namespace coif::mannequin {
 
-// The portrait's bust as a signed distance field. Its proportions are those that drawing is taught by: eyes at half the
-// head's height, a fifth of its width each and as far apart; brow, nose and chin a third of the face below each other;
-// the mouth a third from nose to chin. Source: Loomis, "Drawing the Head and Hands", 1956. Model space, metres, face
-// towards +Z.
+// The portrait's bust as a signed distance field, with the proportions of drawing lessons: eyes at half the head's
+// height, each a fifth of its width, and as far apart; brow, nose and chin each a third of the face below the one
+// before; the mouth a third of the way from nose to chin. Source: Loomis, "Drawing the Head and Hands", 1956. Model
+// space, metres, face towards +Z.
 
 inline constexpr double kCrown = 1.720, kChin = 1.488;
 inline constexpr double kEyeLine = 1.6060;
@@ -19,10 +19,10 @@ inline constexpr double kBrowLine = 1.6262;
 inline constexpr double kNoseBase = 1.5590;
 inline constexpr double kMouthLine = 1.5372;
 
-inline const Eigen::Vector3d kEyeCenter{0.0320, kEyeLine, 0.0602};  ///< Of the left eyeball (+X).
+inline const Eigen::Vector3d kEyeCenter{0.0320, kEyeLine, 0.0602};  ///< The left eyeball (+X).
 inline const Eigen::Vector3d kEyeRadii{0.0186, 0.0166, 0.0164};     ///< Broader than round: it fills the lids' corners.
 
-inline constexpr double kOpeningMiddle = 0.0318, kOpeningHalf = 0.0172;  ///< Of the left eye's lids, X.
+inline constexpr double kOpeningMiddle = 0.0318, kOpeningHalf = 0.0172;  ///< The left eye's lids, X.
 
 /// The opening between the lids of the left eye, in the plane of the face: Y of both edges at x, which meet in the
 /// corners.
@@ -38,7 +38,7 @@ struct LidEdges {
 /// Unit gradient of portrait_distance(): outwards.
 [[nodiscard]] Eigen::Vector3d portrait_normal(const Eigen::Vector3d& point);
 
-/// Distance to what the bust wears.
+/// Distance to the bust's clothes.
 [[nodiscard]] double garment_distance(const Eigen::Vector3d& point);
 
 }  // namespace coif::mannequin

@@ -20,8 +20,8 @@ constexpr std::uint32_t kEyeSide = 256;
 /// Corners of a curve of straight pieces, ascending in the first number.
 using Corner = std::pair<double, double>;
 
-// Most texels for the face. Degrees around the head -> U, and metres above the ground -> 1 - V.
-// Textures repeat: without a margin the filter would mix the middle of the back into that of the face.
+// The face gets most texels. Degrees around the head -> U, and metres above the ground -> 1 - V. Textures repeat:
+// without a margin the filter would mix the middle of the back into the face.
 constexpr std::array<Corner, 4> kAround{{{0, 0.008}, {40, 0.50}, {75, 0.75}, {180, 0.992}}};
 constexpr std::array<Corner, 4> kUp{{{1.22, 0}, {1.485, 0.16}, {1.650, 0.90}, {1.725, 1}}};
 constexpr double kSkinAxisZ = -0.020;  // the axis that the skin is unrolled from
@@ -63,7 +63,7 @@ double openness_of_skin(const Vector3d& point) {
   for (const double reach : {0.003, 0.007, 0.013}) {
     hidden += std::max(reach - portrait_distance(point + reach * normal), 0.0) / reach / 3;
   }
-  // Below the jaw what is painted is the shoulders', and the neck shows it too.
+  // The paint below the jaw is for the shoulders, and the neck shows it too.
   const double share = 0.9 * smooth_step(1.455, 1.480, point.y());
   // Between the lids the eye's own paint has the shade.
   const LidEdges lids = lid_edges(std::abs(point.x()));

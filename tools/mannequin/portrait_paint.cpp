@@ -64,7 +64,7 @@ double brow_cover(double x, double y) {
   return soft * hair * smooth_step(-0.06, 0.10, t) * smooth_step(1.04, 0.90, t);
 }
 
-/// How much of the scalp's skin the hairs' roots cover, along the hairline that hair grows from.
+/// How much of the scalp's skin the hairs' roots cover, from the hairline on.
 double root_cover(const Vector3d& point) {
   constexpr std::array<std::pair<double, double>, 7> kHairline{
       {{0, 31}, {35, 29}, {58, 21}, {85, 5}, {100, -2}, {135, -24}, {180, -43}}};  // degrees around: degrees up
@@ -86,7 +86,8 @@ double root_cover(const Vector3d& point) {
 }
 
 struct LipCover {
-  double share, depth;  ///< Of the skin; 1 at the mouth's line, 0 at the lips' borders.
+  /// How much of the skin lips cover, 0..1. `depth` is 1 at the mouth's line, 0 at the lips' borders.
+  double share, depth;
 };
 
 LipCover lip_cover(double x, double y) {

@@ -61,7 +61,7 @@ inline double join(double a, double b, double blend) {
 /// `a` without `b`, the edge rounded over `blend` metres.
 inline double carve(double a, double b, double blend) { return -join(-a, b, blend); }
 
-/// Which way a field grows, unit, from its differences over twice `step` metres.
+/// The direction in which a field grows, unit, from its differences over twice `step` metres.
 template <typename Field>
 Eigen::Vector3d unit_gradient(const Field& distance, const Eigen::Vector3d& point, double step) {
   Eigen::Vector3d gradient;

@@ -20,7 +20,8 @@ struct Knot {
   Vector3d spin;  ///< Radians per second, in the head's own axes.
 };
 
-/// The cubic that meets both values and slopes, with its derivatives, at `u` of 0..1 of a piece `span` seconds long.
+/// The cubic with these values and slopes at both ends, and its derivatives, at `u` of 0..1 of a piece `span` seconds
+/// long.
 TurningVector hermite(double u, double span, const Vector3d& a, const Vector3d& a_slope, const Vector3d& b,
                       const Vector3d& b_slope) {
   const Vector3d way = b - a, start = span * a_slope, end = span * b_slope;
@@ -29,7 +30,7 @@ TurningVector hermite(double u, double span, const Vector3d& a, const Vector3d& 
           (2 * square + 6 * u * cube) / (span * span)};
 }
 
-/// Of the parabola through three values, at the second: the two means of change, each weighed by the other's time.
+/// Slope at the second value of the parabola through three: the two mean rates, each weighted by the other's time.
 Vector3d parabola_slope(const Vector3d& to_left, double left, const Vector3d& to_right, double right) {
   return (to_left * (right / left) + to_right * (left / right)) / (left + right);
 }
@@ -52,7 +53,7 @@ std::vector<Knot> knots_of(const std::vector<ClipKey>& keys) {
     Knot& knot = knots[i];
     const double left = knot.seconds - before.seconds, right = after.seconds - knot.seconds;
     knot.velocity = parabola_slope(knot.position - before.position, left, after.position - knot.position, right);
-    // Both ends of a turn see its axis alike, so the turn that led here is a vector in this key's axes too.
+    // Both ends of a turn see the same axis, so the turn to this key is a vector in this key's axes too.
     knot.spin = parabola_slope(vector_of(before.rotation.conjugate() * knot.rotation), left,
                                vector_of(knot.rotation.conjugate() * after.rotation), right);
   }
@@ -118,10 +119,10 @@ namespace {
 
 constexpr double kSmall = 1.0e-3;  // radians squared; below, series are exacter than quotients of differences
 
-/// What the right Jacobian of a rotation vector of angle t is made of, by s = t^2.
+/// Terms of the right Jacobian of a rotation vector of angle t, as functions of s = t^2.
 struct Jacobian {
   double a, b;              ///< (1 - cos t) / t^2 and (t - sin t) / t^3.
-  double a_slope, b_slope;  ///< By s.
+  double a_slope, b_slope;  ///< Derivatives by s.
 };
 
 Jacobian jacobian(double s) {

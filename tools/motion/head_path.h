@@ -1,5 +1,5 @@
 #pragma once
-// What a head has beside it while its hair is simulated: a character's hands, size and animation.
+// Features of a character beside a head while its hair is simulated: hands, size and animation.
 
 #include "base/tool_error.h"
 
@@ -23,15 +23,15 @@ namespace coif::motion {
 
 struct HairCompany {
   std::function<std::vector<MovingCollider>(double seconds)> colliders{};  ///< World. Empty: none.
-  /// The pose at that time, rotations of all the asset's bones as Hair::set_pose() takes them. Empty: none.
+  /// The pose at that time, rotations of all the asset's bones as for Hair::set_pose(). Empty: none.
   std::function<std::vector<Quat>(double seconds)> pose{};
-  float pose_weight = 1;  ///< 1: the pose is what pulls, 0: the hair is the pose.
-  float scale = 1;        ///< Of the head.
-  Gusts gusts{};          ///< Of amplitude 0: none.
+  float pose_weight = 1;  ///< 1: the hair is pulled to the pose, 0: the hair is the pose.
+  float scale = 1;        ///< The head's scale.
+  Gusts gusts{};          ///< With amplitude 0 there are none.
 
-  /// Which solver it needs: `usual` where it asks for nothing more.
+  /// The description with the solver that it needs; `usual` if it needs no other.
   [[nodiscard]] HairDesc description(const Asset& asset, const Solver* usual) const;
-  /// Tells the hair of one head where all will be at the end of the coming step.
+  /// Sets everything for the hair of one head at the end of the coming step.
   [[nodiscard]] Status tell(Hair& hair, double seconds) const;
 };
 
@@ -40,11 +40,11 @@ enum class Motion { kStill, kNod, kTurn, kCharge, kRun, kJump, kTumble, kTelepor
 
 struct MotionInfo {
   Motion motion;
-  const char* name;         ///< As on the command line.
+  const char* name;         ///< The name on the command line.
   const char* description;  ///< One line with the figures: angles, rates, speeds.
 };
 
-/// Every motion that a user may ask for, in the order of Motion. The cook tries motions of its own choice.
+/// Every motion that users can choose, in the order of Motion. The cook has its own choice.
 [[nodiscard]] std::span<const MotionInfo> all_motions();
 [[nodiscard]] std::optional<Motion> find_motion(std::string_view name);
 [[nodiscard]] const char* name_of(Motion motion);
@@ -66,13 +66,13 @@ struct HeadState {
 /// The same pose at rest.
 [[nodiscard]] HeadState standing(const HeadState& moved);
 
-/// Where one smooth piece of a path ends and the next begins.
+/// The end of one smooth piece of a path and the beginning of the next.
 struct PathBreak {
   double seconds = 0;
   bool jumps = false;  ///< The pose itself is another one; else only its velocity or acceleration.
 };
 
-/// How a head moves, exactly, at any time. Between its breaks a path is smooth, so that an integrator that ends its
+/// The exact motion of a head at any time. Between its breaks a path is smooth, so that an integrator that ends its
 /// steps there keeps its order.
 class HeadPath {
  public:
@@ -81,21 +81,21 @@ class HeadPath {
   HeadPath& operator=(const HeadPath&) = delete;
   virtual ~HeadPath() = default;
 
-  /// At `seconds`, by the smooth piece that the time `inside` lies in: at a piece's end its own derivatives are meant,
-  /// or the next piece's. Times before 0 count as 0.
+  /// The state at `seconds`, from the smooth piece that contains the time `inside`: at a break this chooses the
+  /// derivatives of one piece or the next. Times before 0 count as 0.
   [[nodiscard]] virtual HeadState at(double seconds, double inside) const = 0;
   [[nodiscard]] HeadState at(double seconds) const { return at(seconds, seconds); }
 
   /// Ascending, above 0 and at most `until`.
   [[nodiscard]] virtual std::vector<PathBreak> breaks(double until) const = 0;
 
-  /// What a game would be given at that time.
+  /// The pose that a game would give at that time.
   [[nodiscard]] HeadPose pose(double seconds) const;
 };
 
 [[nodiscard]] std::unique_ptr<HeadPath> path_of(Motion motion);
 
-/// The same movement of a head that looks along -Z: forwards is where its face is.
+/// The same movement for a head that looks along -Z: forwards is the direction of its face.
 [[nodiscard]] std::unique_ptr<HeadPath> turned_round(std::unique_ptr<HeadPath> path);
 
 /// Rounded to the precision of the runtime's rotations.
@@ -106,11 +106,11 @@ class HeadPath {
 /// holds it there.
 [[nodiscard]] std::unique_ptr<HeadPath> held_turn(const Eigen::Vector3d& axis, double radians, double seconds);
 
-/// Seconds in which heads are turned to an attitude, where nothing else is said.
+/// Default time for turning heads to an attitude, seconds.
 inline constexpr double kAttitudeSeconds = 0.8;
 
 /// Turns the head from rest, by the shortest way, until its up axis points to `up` (of any length but 0), and holds it
-/// there. Straight up there is nothing to turn by, and straight down every way is as short: forwards.
+/// there. For straight up there is no turn; for straight down, where every way is as short, it turns forwards.
 [[nodiscard]] std::unique_ptr<HeadPath> held_attitude(const Eigen::Vector3d& up, double seconds = kAttitudeSeconds);
 
 /// A head that is held, and where its up axis points: to a corner, an edge or a face of a cube.
@@ -119,28 +119,28 @@ struct HeldAttitude {
   std::unique_ptr<HeadPath> path;
 };
 
-/// All 26 of them.
+/// All 26 attitudes.
 [[nodiscard]] std::vector<HeldAttitude> held_attitudes();
 
-/// Where a head is at one time of an animation. World axes.
+/// The pose of a head at one time of an animation. World axes.
 struct ClipKey {
   double seconds = 0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();            ///< Metres.
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< World from head space; any length but 0, any sign.
 };
 
-/// A head that goes through all keys: position and velocity are continuous, acceleration is between two keys. Between
-/// them the path is the cubic Hermite curve with the slopes of the parabola through three keys; rotations take the
-/// shortest way, along the same curve of rotation vectors (Kim, Kim and Shin 1995, "A general construction scheme for
-/// unit quaternion curves", with a cubic in place of their basis). The head rests before the first key and after the
-/// last, so its slopes there are 0: a clip that is cut in full flight starts and stops within one key.
-/// Null unless there is a key, all numbers are finite, times ascend by at least kLeastKeySpan and none is before 0.
+/// A head that goes through all keys. Position and velocity are continuous, and so is acceleration between two keys.
+/// Between keys the path is the cubic Hermite curve with the slopes of the parabola through three keys; rotations take
+/// the shortest way, along the same curve of rotation vectors (Kim, Kim and Shin 1995, "A general construction scheme
+/// for unit quaternion curves", with a cubic in place of their basis). The head rests before the first key and after
+/// the last, so its slopes there are 0: a clip that is cut in full motion starts and stops within one key. Null unless
+/// there is a key, all numbers are finite, times ascend by at least kLeastKeySpan and none is before 0.
 [[nodiscard]] std::unique_ptr<HeadPath> path_of(std::vector<ClipKey> keys);
 
 /// Seconds. Closer keys would make slopes of rounding errors.
 inline constexpr double kLeastKeySpan = 1.0e-4;
 
-/// One moment of an asset's movement.
+/// One moment of an asset's motion.
 struct HairPose {
   HeadPose head;
   std::vector<Mat34> palette;  ///< One per bone, head space.
@@ -159,9 +159,9 @@ tl::expected<std::vector<HairPose>, ToolError> simulate_poses(const Asset& asset
                                                               const Solver* solver = &kCoifSolver,
                                                               const HairCompany* company = nullptr);
 
-/// A turn of the head that stays where it ends, unlike the built-in motions: what the thesis's gallery of motion shows.
+/// A turn of the head that stays at its end, unlike the built-in motions; for the motion gallery, as in the thesis.
 struct HeadLook {
-  const char* name;     ///< As the page of `coif view` calls it.
+  const char* name;     ///< The name on the page of `coif view`.
   const char* caption;  ///< "looking down"
   Eigen::Vector3d axis;
   double degrees;
@@ -175,7 +175,7 @@ struct HeadLook {
 /// rotation x, y, z, w.
 [[nodiscard]] std::vector<std::byte> clip_bytes(std::span<const ClipKey> keys);
 
-/// Of what clip_bytes() gave, bit for bit; empty for what is no clip that path_of() takes.
+/// Decodes the bytes of clip_bytes(), bit for bit; empty for a clip that path_of() refuses.
 [[nodiscard]] std::vector<ClipKey> clip_keys(std::span<const std::byte> bytes);
 
 }  // namespace coif::motion

@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kGravity = 9.81;
 
-/// From 0 to 1 within about a second: an oscillation times this starts without a kick.
+/// Goes from 0 to 1 within about a second: an oscillation times this starts without a kick.
 Jet ramp(const Jet& t) { return 1.0 - exp(-4.0 * t); }
 
 Jet wave(double hertz, const Jet& t) { return ramp(t) * sin(kTwoPi * hertz * t); }
@@ -52,8 +52,8 @@ HeadMovement jog(const Jet& t) {
   return moved;
 }
 
-/// A point of a path in time. Between two points the path is the cubic that meets both heights and speeds, which
-/// for constant acceleration (pushing off, flying, landing) is the exact parabola.
+/// A point of a path in time. Between two points the path is the cubic with both heights and speeds, which for constant
+/// acceleration (pushing off, flying, landing) is the exact parabola.
 struct JumpKnot {
   double seconds, height, speed;
 };
@@ -104,7 +104,7 @@ HeadMovement tumble(const Jet& t, double inside) {
   return moved;
 }
 
-/// From 0 to 1 between the two times, without a jump of velocity.
+/// Goes from 0 to 1 between the two times, without a jump of velocity.
 Jet eased(const Jet& t, double inside, double from, double to) {
   if (inside < from) return 0.0;
   if (inside >= to) return 1.0;
@@ -112,7 +112,7 @@ Jet eased(const Jet& t, double inside, double from, double to) {
   return u * u * (3 - 2 * u);
 }
 
-/// When a bow goes down, stays, and comes up; seconds.
+/// Times at which a bow goes down, stays, and comes up; seconds.
 constexpr double kBowPeriod = 2.8, kDown = 0.8, kUp = 1.4, kUpright = 2.2;
 
 HeadMovement bow(const Jet& t, double inside) {

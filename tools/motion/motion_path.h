@@ -62,10 +62,10 @@ struct BodySpin {
 
 [[nodiscard]] Eigen::Quaterniond rotation_of(const Eigen::Vector3d& vector);
 
-/// The shorter of the two vectors that a rotation has, at most pi long. `rotation`: unit, either sign.
+/// The shorter of the two vectors of a rotation, at most pi long. `rotation`: unit, either sign.
 [[nodiscard]] Eigen::Vector3d vector_of(const Eigen::Quaterniond& rotation);
 
-/// How a body spins whose rotation is that of the vector.
+/// Angular velocity and acceleration of a body with this rotation vector.
 [[nodiscard]] BodySpin spin_of(const TurningVector& vector);
 
 /// The rate of change of a vector (below 2 pi long) whose body spins at `velocity`, in the body's axes.
@@ -80,10 +80,10 @@ struct HeadMovement {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitY();  ///< Unit, the same for all times.
 };
 
-/// At `seconds`, by the piece of the motion that `inside` lies in; both >= 0.
+/// The movement at `seconds`, from the piece of the motion that contains `inside`; both >= 0.
 [[nodiscard]] HeadMovement movement(Motion motion, double seconds, double inside);
 
-/// As HeadPath::breaks().
+/// Implements HeadPath::breaks().
 [[nodiscard]] std::vector<PathBreak> breaks_of(Motion motion, double until);
 
 }  // namespace coif::motion

@@ -16,11 +16,10 @@
 namespace coif::platform {
 namespace {
 
-// What a program may ask the kernel for by this filter, as the headers of the oldest system that builds this need not
-// name it.
+// System calls that the headers of the oldest supported system do not name.
 #if defined(__x86_64__)
 constexpr std::uint32_t kArchitecture = AUDIT_ARCH_X86_64;
-constexpr std::uint32_t kOtherCalls = 0x40000000;  // Of the ABI x32, in the same process.
+constexpr std::uint32_t kOtherCalls = 0x40000000;  // The ABI x32 in the same process.
 #elif defined(__aarch64__)
 constexpr std::uint32_t kArchitecture = AUDIT_ARCH_AARCH64;
 constexpr std::uint32_t kOtherCalls = 0;
@@ -34,8 +33,7 @@ constexpr int kPidfdSendSignal = 424, kIoUringSetup = 425, kIoUringEnter = 426, 
               kMoveMount = 429, kFsopen = 430, kFsconfig = 431, kFsmount = 432, kFspick = 433, kPidfdOpen = 434,
               kClone3 = 435, kPidfdGetfd = 438, kProcessMadvise = 440, kMountSetattr = 442, kProcessMrelease = 448;
 
-/// Refused whatever their arguments: sockets, other programs, other processes, and what reaches into the kernel's rarer
-/// parts.
+/// Refused with any arguments: sockets, other programs, other processes, and the kernel's rarer parts.
 constexpr int kRefused[] = {
     SYS_socket,
     SYS_socketpair,
@@ -132,7 +130,7 @@ void refuse(Program& program, int why) {
 }
 void allow(Program& program) { program.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)); }
 
-/// Of the argument's lower half, which is all of an int. Both architectures are little endian.
+/// Offset of the argument's lower half, which is all of an int. Both architectures are little endian.
 constexpr std::size_t argument(std::size_t i) { return offsetof(seccomp_data, args) + 8 * i; }
 
 /// Call `number`, where the value at `offset` is neither of two, is refused.
@@ -170,8 +168,7 @@ Program make_program() {
     program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, std::uint32_t(number), 0, 1));
     refuse(program, EPERM);
   }
-  // Threads are no processes. The C library asks by clone() where it is told that there is no clone3(), whose flags lie
-  // in memory.
+  // Threads are no processes. The C library uses clone() where clone3(), whose flags lie in memory, does not exist.
   program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, std::uint32_t(kClone3), 0, 1));
   refuse(program, ENOSYS);
   program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, std::uint32_t(SYS_clone), 0, 4));
@@ -179,14 +176,14 @@ Program make_program() {
   program.push_back(BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, CLONE_THREAD, 1, 0));
   refuse(program, EPERM);
   allow(program);
-  // A descriptor can be told to send signals, too.
+  // A descriptor can be made to send signals, too.
   constexpr std::uint32_t kSetOwner = 8, kSetSignal = 10, kSetOwnerOfKind = 15, kInjectKey = 0x5412;
   refuse_second(program, SYS_fcntl, {kSetOwner, kSetSignal, kSetOwnerOfKind});
   refuse_second(program, SYS_ioctl, {kInjectKey});
   const auto self = std::uint32_t(getpid());
   for (const int number : kOfItself) {
-    const bool takes_zero =
-        number == SYS_prlimit64 || number == SYS_sched_setaffinity;  // For a signal 0 is the whole group.
+    // For a signal, 0 means the whole group.
+    const bool takes_zero = number == SYS_prlimit64 || number == SYS_sched_setaffinity;
     allow_only(program, number, argument(0), self, takes_zero ? 0 : self);
   }
   const auto thread = std::uint32_t(syscall(SYS_gettid));

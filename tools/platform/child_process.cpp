@@ -23,8 +23,8 @@ using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-constexpr milliseconds kLook{20};    ///< How soon a stop token that is requested is noticed.
-constexpr milliseconds kGrace{200};  ///< For a worker to end by itself.
+constexpr milliseconds kLook{20};    ///< How soon a requested stop is noticed.
+constexpr milliseconds kGrace{200};  ///< Time for a worker to end by itself.
 constexpr std::uint64_t kMostNoteBytes = 4096;
 constexpr auto kNever = Clock::time_point::max();
 
@@ -32,8 +32,8 @@ Clock::time_point after(std::uint32_t limit) {
   return limit == ChildLimits::kForever ? kNever : Clock::now() + seconds(limit);
 }
 
-/// What a child sends, put together from what comes at a time. The child may have been taken over by what it read:
-/// nothing that it says of itself is believed.
+/// Collects a child's answer from the parts that arrive. The child may have been taken over by its input, so nothing
+/// that it says about itself is trusted.
 class Answer {
  public:
   explicit Answer(const ChildSettings& settings) : settings_(settings) {}
@@ -80,15 +80,15 @@ class Answer {
   }
 
   const ChildSettings& settings_;
-  std::uint64_t received_ = 0;  ///< Bytes, those that are announced included.
-  Bytes part_;                  ///< What has come of a frame's head, or of a note.
+  std::uint64_t received_ = 0;  ///< Bytes, announced ones included.
+  Bytes part_;                  ///< The received part of a frame's header, or of a note.
   JobFrame frame_;
   bool has_frame_ = false, is_answer_ = false;
   Bytes body_;
   Clock::time_point part_end_ = after(settings_.limits.part_seconds);
 };
 
-/// A process that does a job. It is killed and waited for when this object goes early, by a limit or by an exception.
+/// A process that does a job. Destroying this object early, by a limit or an exception, kills it and waits for it.
 class Child {
  public:
   /// `request` and `settings` must outlive the object.
@@ -122,7 +122,7 @@ class Child {
     return is_asked_to_stop_ ? kill_at_ : std::min(end_, answer_.part_end());
   }
 
-  /// After poll(): moves what can be moved, and keeps to the limits.
+  /// Runs after poll(): transfers data, and enforces the limits.
   void go_on(short events) {
     if ((events & POLLOUT) != 0) send_some();
     if ((events & (POLLIN | POLLHUP | POLLERR)) != 0) receive_some();
@@ -157,12 +157,12 @@ class Child {
       const ssize_t count = send(line_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
       if (count < 0 && errno == EINTR) continue;
       if (count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) return;
-      if (count < 0) sent_ = sizeof header_ + request_.size();  // the child has ended; its status says why
+      if (count < 0) sent_ = sizeof header_ + request_.size();  // The child has ended; its status says why.
       if (count >= 0) sent_ += std::size_t(count);
     }
   }
 
-  /// Takes what has come while the child runs, so that neither waits for the other; at its end waits for the child.
+  /// Reads data while the child runs, so that neither waits for the other; at the end of the data waits for the child.
   void receive_some() {
     std::uint8_t block[1 << 16];
     const ssize_t count = recv(line_.get(), block, sizeof block, MSG_DONTWAIT);
@@ -172,8 +172,8 @@ class Child {
     if (!answer_.take({block, std::size_t(count)})) release(ChildResult::End::kTooMuchOutput);
   }
 
-  /// The child has closed its line, but need not have ended. Where it cannot be waited for (the host ignores SIGCHLD),
-  /// its answer is all there is to judge by.
+  /// The child has closed its line, but need not have ended. If it cannot be waited for (the host ignores SIGCHLD),
+  /// only its answer can be judged.
   void finish() {
     int status = 0;
     const auto last = next_deadline();
@@ -226,7 +226,7 @@ class Child {
 
 using Children = std::vector<std::unique_ptr<Child>>;
 
-/// Until one of them is no longer running.
+/// Waits until one of them is no longer running.
 void wait_for_one(const Children& children, const std::stop_token& stop) {
   const auto is_running = [](const auto& child) { return child->is_running(); };
   while (std::ranges::all_of(children, is_running)) {
@@ -262,7 +262,7 @@ std::vector<std::optional<Bytes>> run_in_processes(const Job& job, const std::ve
   const ChildSettings settings{.kind = ChildKind::kWorker};
   std::vector<std::optional<Bytes>> answers(requests.size());
   Children running;
-  std::vector<std::size_t> index;  // of each that is running
+  std::vector<std::size_t> index;  // Indices of the running ones.
   for (std::size_t next = 0; next < requests.size() || !running.empty();) {
     for (; next < requests.size() && running.size() < std::max(jobs, 1u); ++next) {
       running.push_back(std::make_unique<Child>(job, requests[next], settings));

@@ -11,7 +11,7 @@
 
 namespace coif::platform {
 
-/// Closes its descriptor when it goes.
+/// Owns a descriptor and closes it.
 class Descriptor {
  public:
   Descriptor() = default;
@@ -26,7 +26,7 @@ class Descriptor {
   [[nodiscard]] int get() const { return number_; }
   [[nodiscard]] bool is_open() const { return number_ >= 0; }
 
-  /// Returns what the disk refused late, for example on a full network share.
+  /// Returns an error that the disk reports late, for example on a full network share.
   std::error_code close() {
     if (number_ < 0 || ::close(std::exchange(number_, -1)) == 0) return {};
     return {errno, std::generic_category()};

@@ -34,8 +34,8 @@ std::error_code write_opened(const fs::path& path, int flags, std::span<const st
   return why ? why : late;
 }
 
-/// Says that the file system has no files without a name, or that there is no /proc, by std::errc::not_supported, and
-/// has done nothing then.
+/// Returns std::errc::not_supported, and has done nothing, if the file system has no files without a name, or if there
+/// is no /proc.
 std::error_code write_unnamed(const fs::path& path, std::span<const std::byte> bytes, Durability durability) {
   const auto cannot = std::make_error_code(std::errc::not_supported);
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -80,7 +80,7 @@ std::error_code write_device(const fs::path& path, std::span<const std::byte> by
 std::error_code sync_folder(const fs::path& folder) {
   const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!opened.is_open()) return last_error();
-  // A file system that keeps no folders on a disk says that it cannot.
+  // A file system that keeps no folders on a disk refuses this.
   const bool is_done = ::fsync(opened.get()) == 0 || errno == EINVAL;
   return is_done ? std::error_code{} : last_error();
 }

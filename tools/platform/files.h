@@ -14,14 +14,13 @@
 
 namespace coif::platform {
 
-/// When what was written is on the disk.
+/// When written data must be on the disk.
 enum class Durability {
   kSoon,  ///< When the system finds time. After a loss of power the file may be empty.
   kNow,   ///< Before the name is taken, which is on the disk as well when the call returns.
 };
 
-/// The same text for two paths that lead to one file on the disk, whatever links and hard links they go through.
-/// Nothing where no file is there.
+/// Equal for two paths that lead to one file on the disk, through any links and hard links. None where no file exists.
 [[nodiscard]] std::optional<std::string> file_number(const std::filesystem::path& path);
 
 /// When a file's content, name or rights last changed, as file_clock_now() counts. Nothing where no file is there.
@@ -41,15 +40,14 @@ enum class Durability {
 /// Brings the names that were changed in a folder to the disk. Returns why it could not, else nothing.
 [[nodiscard]] std::error_code sync_folder(const std::filesystem::path& folder);
 
-/// Why there is no folder in a place.
+/// The reason why a folder cannot be used.
 struct FolderFault {
   std::filesystem::path place;
   std::error_code why;
 };
 
-/// An empty folder in the system's place for temporary files, which nobody else may read, and which goes with this
-/// object, or with this process, however that ends: a small process of its own waits for that and removes it. Holds
-/// files only.
+/// An empty folder in the system's place for temporary files, which nobody else may read. It is removed with this
+/// object, or with this process, however that ends: a small process waits for that and removes it. Holds files only.
 class ScratchFolder {
  public:
   static tl::expected<ScratchFolder, FolderFault> create();

@@ -26,7 +26,7 @@ void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
   setrlimit(resource, &value);
 }
 
-/// Bytes of address space that this process has, what it only reserved included.
+/// Bytes of address space of this process, reserved ones included.
 rlim_t address_space_in_use() {
   unsigned long long pages = 0;
   if (std::FILE* statm = std::fopen("/proc/self/statm", "r")) {
@@ -50,7 +50,7 @@ void limit_memory(const JobHeader& header) {
 void apply_limits(const JobHeader& header) {
   limit_memory(header);
   if (header.is_reader == 0) return;
-  // A crash is told as the signal that it is, where a sanitizer would make it an exit status.
+  // A crash must be reported as its signal, where a sanitizer would make it an exit status.
   for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL}) signal(number, SIG_DFL);
   if (header.reader_seconds != ChildLimits::kForever)
     limit(RLIMIT_CPU, header.reader_seconds, rlim_t{header.reader_seconds} + 1);
@@ -141,7 +141,7 @@ void run_named_job(int argc, const char* const* argv) {
   const Job* job = last_job;
   while (job != nullptr && std::strcmp(job->name_, argv[2]) != 0) job = job->next_;
   if (job == nullptr) _exit(kExitFailed);
-  signal(SIGPIPE, SIG_IGN);  // who asked may be gone
+  signal(SIGPIPE, SIG_IGN);  // The asking process may be gone.
   // _exit: nothing is left to be flushed, and threads may still run.
   try {
     auto& line = *new JobCall::Line;  // a thread may look at it until the process ends

@@ -14,7 +14,7 @@ namespace coif::platform {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// What a job gets from the process that asked for it, and its way back.
+/// A job's input from the process that started it, and its line back.
 class JobCall {
  public:
   class Line;
@@ -36,12 +36,12 @@ class JobCall {
   Line& line_;
 };
 
-/// Work that a child process does, by name. A process is started by running the program again with the name of a job,
-/// so that it shares no memory, no lock and no thread with the process that asks. Define jobs at namespace scope, in
-/// the file that asks for them: they enter the table of the program's jobs before main() begins.
+/// Work that a child process does, by name. The program is run again with the name of a job, so that the child shares
+/// no memory, no lock and no thread with the process that asks. Define jobs at namespace scope, in the file that uses
+/// them: they enter the table of the program's jobs before main() begins.
 class Job {
  public:
-  /// Returns the answer. What it throws is told to the asking process as a failure; std::bad_alloc as what it is.
+  /// Returns the answer. The asking process gets an exception as a failure; std::bad_alloc as such.
   using Function = Bytes (*)(const JobCall& call);
 
   Job(const char* name, Function function);
@@ -58,30 +58,31 @@ class Job {
   const Job* next_;
 };
 
-/// Does nothing unless this process was started for a job; then runs that and ends the process. Every program that
-/// asks for jobs calls it first in main().
+/// Does nothing unless this process was started for a job; then it runs that and ends the process. Every program that
+/// uses jobs calls it first in main().
 void run_named_job(int argc, const char* const* argv);
 
 // The sandbox of a job that reads bytes from strangers: a fence around files (Landlock) and a filter of system calls
 // (seccomp).
 
-/// From now on this thread and what it starts may read files in these folders and below, and this one file (empty:
-/// none) wherever a link leads for it; it may open, make, change, remove or run nothing else, nor reach the network by
-/// TCP; where the kernel can (Linux 6.12), nor abstract sockets, nor signal other processes. Descriptors that are open
-/// already stay as they are. There is no way back. False where the kernel cannot do that (Linux before 5.13, or
-/// Landlock is turned off); then nothing has changed.
+/// From now on this thread and threads and processes that it starts may read files in and below these folders, and this
+/// one file (empty: none), wherever its links lead. They may open, make, change, remove or run nothing else, nor reach
+/// the network by TCP; where the kernel supports it (Linux 6.12), nor abstract sockets, nor signal other processes.
+/// Open descriptors stay usable. This cannot be undone. False where the kernel does not support it (Linux before 5.13,
+/// or Landlock is turned off); then nothing has changed.
 bool fence_files(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& file);
 
 /// From now on this process can make no socket and no process, run no program, signal, trace or change no other
-/// process, and ask for nothing of the kernel's rarer parts: such a call fails (EPERM). Threads and all else go on.
-/// There is no way back. False where the kernel cannot do that, or for a processor other than x86-64 and aarch64; then
-/// nothing has changed.
+/// process, and use none of the kernel's rarer parts: such a call fails (EPERM). Threads and everything else still
+/// work. This cannot be undone. False where the kernel does not support it, or on a processor other than x86-64 and
+/// aarch64; then nothing has changed.
 bool filter_calls();
 
-/// Both, fence_files() and filter_calls(), as far as the kernel can. False where it cannot do all.
+/// Both fence_files() and filter_calls(), as far as the kernel supports them. False where one is missing.
 bool lock_up(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& file);
 
-/// What this machine lacks for lock_up(), as the end of a sentence: "this kernel has no Landlock". Empty: nothing.
+/// The features that this machine lacks for lock_up(), as the end of a sentence: "this kernel has no Landlock". Empty:
+/// none.
 [[nodiscard]] std::string missing_sandbox();
 
 }  // namespace coif::platform

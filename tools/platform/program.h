@@ -9,7 +9,7 @@
 
 namespace coif::platform {
 
-/// The file of the program that runs; empty where the system does not say.
+/// The file of the running program; empty where the system does not say.
 [[nodiscard]] std::filesystem::path program_path();
 
 /// The system's number of this process.
@@ -18,15 +18,15 @@ namespace coif::platform {
 /// Whether somebody reads the stream at a terminal.
 [[nodiscard]] bool is_terminal(std::FILE* stream);
 
-/// Files that are opened later must not take the places of standard streams that nobody opened: messages would be
-/// written into them. What is written to such a stream fails as before.
+/// Opens missing standard streams, so that files that are opened later do not take their places: messages would be
+/// written into them. Writing to such a stream fails as before.
 void fill_standard_streams();
 
-/// What cannot be written is an error where it is written, not the end of the program with half a file left behind.
+/// A failed write becomes an error at its place, and does not end the program with half a file left behind.
 void ignore_signals_of_writing();
 
-/// Holds back what ends the program from outside (SIGINT, SIGTERM, SIGHUP), in this thread and those that it starts,
-/// until somebody waits for it. The program ignores closed pipes from then on.
+/// Holds back the signals that end the program (SIGINT, SIGTERM, SIGHUP), in this thread and those that it starts,
+/// until somebody waits for them. The program ignores closed pipes from then on.
 class EndSignals {
  public:
   EndSignals();
@@ -34,7 +34,7 @@ class EndSignals {
   EndSignals(const EndSignals&) = delete;
   EndSignals& operator=(const EndSignals&) = delete;
 
-  /// Blocks until one comes.
+  /// Blocks until one arrives.
   void wait();
 
  private:

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 /// Removes the folder once nobody holds the other end of the line any more: its owner has closed it, or is gone.
 Bytes keep_folder(const JobCall& call) {
-  setsid();  // what a terminal sends to the program is not for this one
+  setsid();  // Signals from a terminal to the program must not reach this process.
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) signal(number, SIG_IGN);
   const fs::path folder(std::string(call.request().begin(), call.request().end()));
   call.note("");
@@ -45,7 +45,7 @@ class ScratchFolder::Keeper {
     const int line = spawned_.line.get();
     std::error_code why = write_all(line, std::as_bytes(std::span(&header, 1)));
     if (!why) why = write_all(line, std::as_bytes(std::span(folder)));
-    // Its note says that it ignores signals by now.
+    // Its note means that it ignores signals now.
     JobFrame frame;
     if (!why && ::read(line, &frame, sizeof frame) != ssize_t(sizeof frame))
       why = std::make_error_code(std::errc::io_error);

@@ -14,7 +14,7 @@ extern char** environ;
 namespace coif::platform {
 namespace {
 
-/// What a new process does before the program begins in it.
+/// The actions of a new process before its program begins.
 class Actions {
  public:
   Actions(int line, bool is_silent) {
@@ -25,7 +25,7 @@ class Actions {
         add(posix_spawn_file_actions_addopen(&files_, standard, "/dev/null", O_RDWR, 0));
       silence_signals();
     }
-    // Last, since opening takes the place of what was there. A descriptor that is in place already stays open.
+    // Last, since opening would replace it. A descriptor that is already in place stays open.
     add(posix_spawn_file_actions_adddup2(&files_, line, kLineDescriptor));
     add(posix_spawn_file_actions_addclosefrom_np(&files_, kLineDescriptor + 1));
   }
@@ -45,7 +45,8 @@ class Actions {
     if (error_ == 0) error_ = error;
   }
 
-  /// What this process ignores or holds back would hold in one that reads bytes from strangers, too.
+  /// Signals that this process ignores or blocks would be ignored or blocked in a process that reads strangers' bytes,
+  /// too.
   void silence_signals() {
     sigset_t usual, none;
     sigemptyset(&usual);
@@ -73,7 +74,7 @@ Spawned spawn(const Job& job, bool is_silent) {
   char* const arguments[] = {words[0].data(), words[1].data(), words[2].data(), nullptr};
   const Actions actions(theirs.get(), is_silent);
   child.error = actions.run("/proc/self/exe", arguments, child.process);
-  if (child.error == ENOENT) {  // there is no /proc
+  if (child.error == ENOENT) {  // There is no /proc.
     const auto* const started_as = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
     if (started_as != nullptr) child.error = actions.run(started_as, arguments, child.process);
   }

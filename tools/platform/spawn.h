@@ -1,6 +1,6 @@
 #pragma once
 
-// Inside of this folder only: what both ends of a job's line know.
+// Private to this folder: shared by both ends of a job's line.
 
 #include "platform/child_process.h"
 #include "platform/descriptor.h"
@@ -19,7 +19,7 @@ inline constexpr const char* kJobWord = "--run-job";
 inline constexpr int kExitOutOfMemory = 112;
 inline constexpr int kExitFailed = 113;
 
-/// What the asking process sends first; as many bytes of the request follow.
+/// The first message of the asking process; the bytes of the request follow.
 struct JobHeader {
   std::uint64_t request_bytes = 0;
   std::uint64_t memory_bytes = ChildLimits::kUnlimited;
@@ -29,7 +29,7 @@ struct JobHeader {
   std::uint32_t outlives = 0;  ///< ... unless this is 1.
 };
 
-/// In front of everything that a child sends.
+/// Precedes everything that a child sends.
 struct JobFrame {
   enum class Kind : std::uint64_t { kNote = 1, kAnswer = 2 };
   Kind kind = Kind::kNote;
@@ -39,10 +39,10 @@ struct JobFrame {
 struct Spawned {
   Descriptor line;
   pid_t process = -1;
-  int error = 0;  ///< errno of what the system refused; 0: the process runs.
+  int error = 0;  ///< errno of the failed system call; 0: the process runs.
 };
 
-/// Runs the program again for that job, with its standard streams closed up (a reader) or as they are here.
+/// Runs the program again for that job, with its standard streams closed (a reader) or inherited.
 [[nodiscard]] Spawned spawn(const Job& job, bool is_silent);
 
 }  // namespace coif::platform

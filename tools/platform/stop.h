@@ -9,8 +9,8 @@
 
 namespace coif::platform {
 
-/// Thrown where work ends before it is done, because its stop token says so. Work that takes a std::stop_token throws
-/// it and nothing else for that, and leaves its inputs as they were.
+/// Thrown where work ends early because its stop token says so. Work that takes a std::stop_token throws only this for
+/// it, and leaves its inputs as they were.
 struct Stopped : std::exception {
   [[nodiscard]] const char* what() const noexcept override { return "the work was asked to stop"; }
 };
@@ -19,8 +19,8 @@ inline void throw_if_stopped(const std::stop_token& stop) {
   if (stop.stop_requested()) throw Stopped();
 }
 
-/// What a piece of work may take of the processor, and how it is asked to end. A number alone is that many threads,
-/// for work that nobody asks to end.
+/// The threads that a piece of work may use, and its stop token. A number alone means that many threads, for work that
+/// nobody stops.
 struct Threads {
   /// 0 counts as 1.
   Threads(unsigned of_work = 1, std::stop_token asked = {}) : count(std::max(of_work, 1u)), stop(std::move(asked)) {}

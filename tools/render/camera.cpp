@@ -62,7 +62,7 @@ CrowdView frame_crowd(std::span<const Eigen::Vector3d> points, const CameraSetti
   for (const Eigen::Vector3d& point : points) box.extend(Eigen::Vector3d(axes * point));
   const Eigen::Vector3d center = box.center();
   const Eigen::Vector2d size = box.sizes().head<2>().cwiseMax(1e-3);
-  Eigen::Vector2d reach = Eigen::Vector2d::Zero();  // of the grid's outermost places
+  Eigen::Vector2d reach = Eigen::Vector2d::Zero();  // The grid's outermost places.
   for (const Eigen::Vector2d& place : grid(kSpacing * size, settings)) {
     reach = reach.cwiseMax(place.cwiseAbs());
     view.places.push_back(camera.right * place.x() + camera.up * place.y());

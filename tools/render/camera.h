@@ -25,10 +25,10 @@ struct Camera {
 struct CameraSettings {
   double yaw_degrees = 0;    ///< 0: from +Z; positive: towards +X.
   double pitch_degrees = 0;  ///< Positive: from above, -89..89.
-  double fov_degrees = 30;   ///< Of the shorter side of the picture.
+  double fov_degrees = 30;   ///< Across the shorter side of the picture.
   double aspect = 4.0 / 3.0;
   std::uint32_t heads = 1;
-  double margin = 1.08;  ///< Of the distance, >= 1: a thin border, and room for hair that swings.
+  double margin = 1.08;  ///< Factor on the distance, >= 1: a thin border, and room for hair that swings.
 };
 
 struct CrowdView {
@@ -36,16 +36,16 @@ struct CrowdView {
   std::vector<Eigen::Vector3d> places;  ///< World, one per head: a grid that faces the camera.
 };
 
-/// Places copies of what `points` (world, metres, not empty) outline side by side and moves the camera as near as it
-/// can be while it sees all of them.
+/// Places copies of `points` (world, metres, not empty) side by side and moves the camera as near as possible while it
+/// sees all of them.
 [[nodiscard]] CrowdView frame_crowd(std::span<const Eigen::Vector3d> points, const CameraSettings& settings);
 
-// How hair is looked at: what has to be in the picture, and by what light.
+// How hair is shown: the contents of the frame, and the lights.
 
 /// Degrees to add to a yaw that is counted from the model's face.
 [[nodiscard]] double yaw_of_face(const Asset& asset);
 
-/// What the picture is about: the hair and the head's colliders. A body may be a whole person; the frame cuts it off.
+/// The points to frame: the hair and the head's colliders. A body may be a whole person; the frame cuts it off.
 [[nodiscard]] std::vector<Eigen::Vector3d> framed_points(const Asset& asset);
 
 /// Lights that move with the camera.
@@ -54,7 +54,7 @@ struct CrowdView {
 /// A key light from the top, fill and rim, which move with the camera.
 [[nodiscard]] std::array<Light, 3> studio_lights(const Camera& camera);
 
-/// Hair seen by this camera in this light (which must outlive what is given back), on an sRGB framebuffer.
+/// Hair seen by this camera in these lights (which must outlive the result), on an sRGB framebuffer.
 [[nodiscard]] DrawDesc studio_desc(const Camera& camera, std::span<const Light> lights);
 
 /// kBadInput, with the cure, where there is nothing to draw.

@@ -12,7 +12,7 @@ constexpr PictureColor kTitle{245, 245, 245}, kCaption{200, 200, 200};
 constexpr std::uint32_t kGap = 8;         // pixels between tiles
 constexpr std::uint32_t kDotTiles = 160;  // pixels of a tile's width for each pixel of a letter's dot
 
-/// Where everything goes: sizes of a tile and of letters.
+/// Sizes and places of tiles and letters.
 struct Layout {
   std::uint32_t tile_width = 0, tile_height = 0;
   std::uint32_t columns = 1;
@@ -24,7 +24,7 @@ struct Layout {
   }
   [[nodiscard]] PictureText caption(const SheetTile& tile) const { return {tile.caption, tile_width, dot}; }
 
-  /// Of the row's highest caption.
+  /// Height of the row's highest caption.
   [[nodiscard]] std::uint32_t caption_height(std::span<const SheetTile> row) const {
     std::uint32_t height = 0;
     for (const SheetTile& tile : row) height = std::max(height, caption(tile).height());

@@ -116,7 +116,7 @@ std::optional<std::uint64_t> CrowdStage::count_covered_pixels(const DrawnFrame& 
 
 namespace {
 
-/// The first frame, which also pays for what drivers put off until then, does not count.
+/// Leaves out the first frame, which also pays for work that drivers put off.
 std::optional<double> median_of_later(std::vector<double> samples) {
   if (samples.size() < 2) return {};
   samples.erase(samples.begin());
@@ -150,9 +150,9 @@ std::vector<FrameTime> time_frames(CrowdStage& stage, std::span<const DrawnFrame
   return times;
 }
 
-/// The same pixels as the last crowd, but more vertices.
+/// As many pixels as the last crowd, but more vertices.
 double AffordableCrowds::least_seconds(std::uint32_t heads) const {
-  constexpr double kVertexShare = 0.2;  // of one head's time, at the least
+  constexpr double kVertexShare = 0.2;  // Share of one head's time, at least.
   return last_seconds_ * std::max(1.0, kVertexShare * heads / last_heads_);
 }
 
@@ -163,7 +163,7 @@ bool AffordableCrowds::leave_out_slow(double seconds, std::uint32_t heads) {
   return true;
 }
 
-/// A frame that was held up by something else is not a slow one; those that take long anyway are drawn once.
+/// A frame that something else delayed does not count as slow; frames that are slow anyway are drawn once.
 double AffordableCrowds::seconds_of_a_frame(std::uint32_t crowd) const {
   constexpr int kTries = 4;
   constexpr double kLong = 1;
@@ -188,7 +188,7 @@ tl::expected<std::optional<std::uint32_t>, ToolError> AffordableCrowds::add(cons
   auto crowd = make_crowd_(heads);
   if (!crowd) return tl::unexpected(crowd.error());
   const std::uint32_t number = stage_.add(std::move(*crowd), view);
-  // The first frame also pays for what drivers put off until then.
+  // The first frame also pays for work that drivers put off.
   if (const Status status = stage_.draw({.crowd = number}); status != Status::kOk) {
     return failure(ToolError::Kind::kBadInput, std::string("the hair cannot be drawn: ") + describe(status));
   }

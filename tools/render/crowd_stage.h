@@ -20,7 +20,7 @@
 
 namespace coif::render {
 
-/// A crowd to draw; whoever measures says how it is simulated.
+/// A crowd to draw; the caller decides how it is simulated.
 struct DrawnCrowd {
   std::function<void()> step;  ///< One frame of all heads.
   std::function<std::span<const Mat34>(std::uint32_t head)> palette;
@@ -29,13 +29,13 @@ using MakeCrowd = std::function<tl::expected<DrawnCrowd, ToolError>(std::uint32_
 
 /// One way to draw a crowd.
 struct DrawnFrame {
-  std::uint32_t crowd = 0;  ///< As CrowdStage::add() numbered it.
+  std::uint32_t crowd = 0;  ///< From CrowdStage::add().
   const TransparencyMode* transparency = &kBlendMode;
-  std::uint32_t samples = 1;  ///< Of a pixel, 1 or 4.
-  std::uint32_t lod = 0;      ///< Of all heads.
+  std::uint32_t samples = 1;  ///< Per pixel, 1 or 4.
+  std::uint32_t lod = 0;      ///< For all heads.
   bool simulation = false;    ///< The crowd is stepped first.
-  bool strand_terms =
-      false;  ///< With all terms that a shading model may have besides, whatever the asset's material has.
+  /// With all terms that a shading model may have, whatever the asset's material has.
+  bool strand_terms = false;
 };
 
 /// Crowds of one asset's hair and a framebuffer without a window to draw them to. One at a time, and its thread's
@@ -58,16 +58,16 @@ class CrowdStage {
   /// Steps, clears, draws and waits until the device has finished. `frame`'s crowd must be there.
   [[nodiscard]] Status draw(const DrawnFrame& frame);
 
-  /// Of the last draw(): the part of its time that stepping took; 0 where nothing was stepped.
+  /// Time of stepping in the last draw(); 0 where nothing was stepped.
   [[nodiscard]] double step_seconds() const { return step_seconds_; }
 
-  /// Of the last draw(), draw calls alone, as the device itself tells; nothing where it does not.
+  /// Time of the draw calls of the last draw(), as the device reports it; none where it does not.
   [[nodiscard]] std::optional<double> gpu_seconds() { return timer_.poll(); }
 
-  /// Draws and counts the pixels that are not as they were; nothing where draw() fails.
+  /// Draws and counts the pixels that changed; none where draw() fails.
   [[nodiscard]] std::optional<std::uint64_t> count_covered_pixels(const DrawnFrame& frame);
 
-  /// A crowd of `heads` that fills the picture, or is so many times as far away (>= 1).
+  /// A crowd of `heads` that fills the picture, or is `times_as_far` (>= 1) times as far away.
   [[nodiscard]] CrowdView filling_view(std::uint32_t heads, double times_as_far = 1) const;
 
   [[nodiscard]] std::string device() const { return device_->context.device(); }  ///< GL_RENDERER.
@@ -86,7 +86,7 @@ class CrowdStage {
   Status draw_heads(const DrawnFrame& frame);
 
   double aspect_;
-  std::unique_ptr<DrawingDevice> device_;  ///< Before what is made in it.
+  std::unique_ptr<DrawingDevice> device_;  ///< Destroyed after the objects made in it.
   HairModel model_;
   MaterialRecord with_terms_;
   GpuTimer timer_;
@@ -99,11 +99,11 @@ class CrowdStage {
 struct FrameTime {
   double seconds = 0;                   ///< Wall time until the device has finished, median.
   double spread_pct = 0;                ///< Width of the middle half of the frames, % of the median.
-  double step_seconds = 0;              ///< The part of it that stepping took, in the same frames; median.
-  std::optional<double> gpu_seconds{};  ///< As the device itself tells, median; nothing where it does not.
+  double step_seconds = 0;              ///< Time of stepping in these frames; median.
+  std::optional<double> gpu_seconds{};  ///< As the device reports it, median; none where it does not.
 };
 
-inline constexpr unsigned kLeastFrames = 3;  ///< Of each way, however long they take.
+inline constexpr unsigned kLeastFrames = 3;  ///< For each way, however long they take.
 
 /// Draws frames in turns for about `seconds` (> 0), so that a machine that is slower for a while is slower for all.
 /// Each must be one that `stage` can draw.
@@ -118,19 +118,19 @@ struct DrawCostLeftOut {
 
 inline constexpr std::uint32_t kMostDrawnHeads = 10'000;
 
-/// Puts crowds on a stage as long as one frame of theirs does not take too long; small crowds first, since they tell
-/// what large ones would take at the least. One head is never too slow.
+/// Puts crowds on a stage as long as one of their frames does not take too long. Small crowds come first, since they
+/// give a lower bound for large ones. One head is never too slow.
 class AffordableCrowds {
  public:
   /// `longest_frame`: seconds, with blend. `stage` and `make_crowd` must outlive this object.
   AffordableCrowds(CrowdStage& stage, const MakeCrowd& make_crowd, double longest_frame)
       : stage_(stage), make_crowd_(make_crowd), longest_frame_(longest_frame) {}
 
-  /// A crowd with one head for each of the view's places; no fewer than the last. Returns its number on the stage;
-  /// nothing where it was left out. Errors: kBadInput where the hair cannot be drawn; those of `make_crowd`.
+  /// Adds a crowd with one head for each of the view's places, not fewer than the last. Returns its number on the
+  /// stage; none where it was left out. Errors: kBadInput where the hair cannot be drawn; those of `make_crowd`.
   tl::expected<std::optional<std::uint32_t>, ToolError> add(const CrowdView& view);
 
-  /// In the order in which they came: all from some size on.
+  /// In the order of add(): all from some size on.
   [[nodiscard]] const std::vector<DrawCostLeftOut>& left_out() const { return left_out_; }
 
  private:
@@ -141,8 +141,8 @@ class AffordableCrowds {
   CrowdStage& stage_;
   const MakeCrowd& make_crowd_;
   double longest_frame_;
-  double last_seconds_ = 0;       ///< Of a frame of the largest crowd so far.
-  std::uint32_t last_heads_ = 1;  ///< Of that crowd.
+  double last_seconds_ = 0;       ///< Per frame of the largest crowd so far.
+  std::uint32_t last_heads_ = 1;  ///< Heads of that crowd.
   std::vector<DrawCostLeftOut> left_out_;
 };
 

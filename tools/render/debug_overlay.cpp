@@ -68,7 +68,7 @@ void add_line(const Camera& camera, const DebugLine& line, const Eigen::Vector2f
   }
 }
 
-/// Pictures have no body whose bones move: it stands as it was modelled, upright beneath the head's joint.
+/// Bodies in pictures do not move: they stand as modelled, upright beneath the head's joint.
 Status draw_resting_body(const Asset& asset, const HeadPose& head, const DebugLines& sink) {
   std::vector<DebugCollider> colliders;
   for (const ColliderRecord& record : asset.body_colliders()) colliders.push_back(debug_collider(record));

@@ -15,7 +15,7 @@
 
 namespace coif::render {
 
-/// What a picture shows of what the simulation knows, over the hair.
+/// The debug lines that a picture shows over the hair.
 struct DebugView {
   bool bones = false;
   bool colliders = false;
@@ -49,7 +49,7 @@ class LineOverlay {
   std::uint32_t buffer_ = 0;
 };
 
-/// The same for one picture alone.
+/// The same for a single picture.
 tl::expected<void, ToolError> draw_over(const Camera& camera, std::span<const DebugLine> lines, std::uint32_t width,
                                         std::uint32_t height, float thickness);
 

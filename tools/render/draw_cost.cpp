@@ -17,8 +17,8 @@
 namespace coif::render {
 namespace {
 
-constexpr double kDistanceShare = 0.35;  // of the time
-constexpr double kLargestShare = 0.6;    // of what is left, for one crowd
+constexpr double kDistanceShare = 0.35;  // Share of the time.
+constexpr double kLargestShare = 0.6;    // Share of the rest, for one crowd.
 constexpr unsigned kFramesOfACrowd =
     3 * (kLeastFrames + 1);  // two ways that are dear and two that are cheap; warming up
 
@@ -31,7 +31,7 @@ tl::expected<void, ToolError> check(std::span<const std::uint32_t> crowds, std::
   return {};
 }
 
-/// Frames to time beside what the report calls them.
+/// Frames to time, and their names in the report.
 struct FramesOfRows {
   std::vector<DrawCostRow> rows;
   std::vector<DrawnFrame> frames;
@@ -114,9 +114,9 @@ tl::expected<DrawCost, ToolError> measure_drawing(const Asset& asset, const Draw
 namespace {
 
 constexpr unsigned kFramesOfADistance = 2 * (kLeastFrames + 1);
-constexpr double kLargestDistanceShare = 0.5;  // of the time, for one crowd
+constexpr double kLargestDistanceShare = 0.5;  // Share of the time, for one crowd.
 
-/// As a game with this camera asks.
+/// The value that a game with this camera would use.
 double screen_share_of(const CrowdView& view, double height) {
   const Eigen::Matrix4f& clip = view.camera.clip_from_world;
   const double fov = 2 * std::atan(1 / double(clip.row(1).head<3>().norm()));
@@ -147,7 +147,7 @@ tl::expected<DrawDistances, ToolError> measure_distances(const Asset& asset, Cro
                                                          std::span<const CrowdDistance> crowds,
                                                          const MakeCrowd& make_crowd, const DrawTime& time) {
   DrawDistances found;
-  std::vector<DrawnFrame> frames;  // of each crowd two
+  std::vector<DrawnFrame> frames;  // Two per crowd.
   const double longest_frame = kLargestDistanceShare * time.seconds / kFramesOfADistance;
   AffordableCrowds affordable(stage, make_crowd, time.longest_frame.value_or(longest_frame));
   for (const CrowdDistance& asked : crowds) {
@@ -176,7 +176,7 @@ tl::expected<DrawDistances, ToolError> measure_distances(const Asset& asset, Cro
 namespace {
 
 constexpr double kLongestThesisFrame = 15;  // seconds
-constexpr unsigned kLeastThesisFrames = 5;  ///< Of each way, so that a frame that was held up is no middle one.
+constexpr unsigned kLeastThesisFrames = 5;  ///< For each way, so that a delayed frame is not the median.
 
 void add_rows(std::uint32_t heads, std::uint32_t crowd, std::vector<ThesisCrowdRow>& rows,
               std::vector<DrawnFrame>& frames) {

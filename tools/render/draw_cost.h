@@ -18,42 +18,43 @@ namespace coif::render {
 /// A crowd and how far away it is.
 struct CrowdDistance {
   std::uint32_t heads = 1;  ///< 1..kMostDrawnHeads.
-  double times_as_far = 1;  ///< As where the crowd fills the picture, >= 1.
+  double times_as_far = 1;  ///< Multiple of the distance at which the crowd fills the picture, >= 1.
 };
 
 struct DrawDistance {
   CrowdDistance crowd;
-  double screen_share = 0;    ///< Of the picture's height, that of a head: what choose_lod() is asked with.
-  std::uint32_t lod = 0;      ///< What it answers.
-  double covered_pixels = 0;  ///< That hair touches, of the whole crowd, at that level; each counted once.
-  FrameTime time;             ///< Of the whole crowd, at that level,
-  FrameTime finest;           ///< and at level 0.
+  double screen_share = 0;    ///< A head's share of the picture's height, the argument of choose_lod().
+  std::uint32_t lod = 0;      ///< The result of choose_lod().
+  double covered_pixels = 0;  ///< Pixels that hair touches, of the whole crowd at that level; each counted once.
+  FrameTime time;             ///< The whole crowd at that level.
+  FrameTime finest;           ///< The whole crowd at level 0.
 };
 
 struct DrawDistances {
-  std::vector<DrawDistance> rows;         ///< In the order asked for.
+  std::vector<DrawDistance> rows;         ///< In the order of the request.
   std::vector<DrawCostLeftOut> left_out;  ///< All from some crowd on.
 };
 
-/// Height of a head in metres: of the tallest collider that hair stays out of, or of the hair where there is none.
+/// Height of a head in metres: of the tallest collider that hair keeps out of, or of the hair where there is none.
 [[nodiscard]] double head_height(const Asset& asset);
 
-/// What measuring may take.
+/// Limits for measuring.
 struct DrawTime {
-  double seconds = 6;  ///< About what is spent, > 0, but at least some frames of each way.
-  /// Seconds. Crowds whose frames take longer are left out, one head never is; without it, those are left out that need
-  /// more than a good part of `seconds`.
+  double seconds = 6;  ///< About the time to spend, > 0, but at least some frames of each way.
+  /// Seconds. Crowds whose frames take longer are left out, but never one head. Without it, crowds that need more than
+  /// a good part of `seconds` are left out.
   std::optional<double> longest_frame;
 };
 
-/// Times crowds with blend, at rest. `crowds`: no fewer heads than before. Errors: those of AffordableCrowds::add().
+/// Times crowds with blend, at rest. `crowds`: each has at least as many heads as the one before. Errors: those of
+/// AffordableCrowds::add().
 tl::expected<DrawDistances, ToolError> measure_distances(const Asset& asset, CrowdStage& stage,
                                                          std::span<const CrowdDistance> crowds,
                                                          const MakeCrowd& make_crowd, const DrawTime& time);
 
 struct DrawCostSettings {
   std::vector<std::uint32_t> heads{1, 10, 100};  ///< Sizes of the crowd, 1..kMostDrawnHeads.
-  /// Crowds that show what distance spares, no fewer heads than before; empty: none.
+  /// Crowds that show the savings by distance, each with at least as many heads as the one before; empty: none.
   std::vector<CrowdDistance> distances{{1, 1}, {4, 1}, {16, 1}, {16, 2}, {16, 4}, {16, 8}};
   std::uint32_t width = 512, height = 384;  ///< Pixels, 16..8192.
   DrawTime time;
@@ -63,20 +64,21 @@ struct DrawCostSettings {
 struct DrawCostRow {
   std::uint32_t heads = 1;
   std::string transparency;   ///< name_of() the mode.
-  std::uint32_t samples = 1;  ///< Of a pixel.
+  std::uint32_t samples = 1;  ///< Per pixel.
   std::uint32_t lod = 0;
   bool simulation = false;    ///< The crowd is stepped before it is drawn.
-  bool strand_terms = false;  ///< As DrawnFrame has it.
+  bool strand_terms = false;  ///< As in DrawnFrame.
   FrameTime time;
 };
 
 struct DrawCost {
   std::string device;  ///< GL_RENDERER.
-  /// By heads; every crowd with blend and opaque, simulated and not. The smallest crowd also with every level of detail
-  /// and with all strand terms, and in every mode, with one sample a pixel and with four where the mode is for them.
+  /// By heads; every crowd with blend and opaque, simulated and not. The smallest crowd also with every level of
+  /// detail, with all strand terms, and in every mode, with one sample per pixel, and with four where the mode is for
+  /// them.
   std::vector<DrawCostRow> rows;
   DrawDistances distances;
-  std::vector<DrawCostLeftOut> left_out;  ///< Of `rows`; ascending; all crowds from some size on.
+  std::vector<DrawCostLeftOut> left_out;  ///< Crowds missing in `rows`: ascending, all from some size on.
 };
 
 /// Times the runtime's own renderer on a framebuffer without a window. Errors: those of CrowdStage::create(), kUsage
@@ -104,8 +106,8 @@ struct ThesisCrowds {
   std::vector<DrawCostLeftOut> left_out;
 };
 
-/// Times crowds with and without transparency and simulation, all in turns. Every crowd is seen from where all heads of
-/// the largest fit into the picture, so that a head is as large in one as in the other. Errors: those of
+/// Times crowds with and without transparency and simulation, all in turns. Every crowd is seen from the distance at
+/// which all heads of the largest fit into the picture, so that heads have the same size in all. Errors: those of
 /// CrowdStage::create() and AffordableCrowds::add(), kUsage for settings out of range.
 tl::expected<ThesisCrowds, ToolError> measure_thesis_crowds(const Asset& asset, const ThesisCrowdSettings& settings,
                                                             const MakeCrowd& make_crowd);

@@ -23,7 +23,7 @@ EGLConfig choose_config(EGLDisplay display) {
   return config;
 }
 
-/// Those of graphics cards that no window system shows: of servers.
+/// Adds graphics cards without a window system, as in servers.
 void add_devices(std::vector<EGLDisplay>& displays) {
   const auto query = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
   EGLDeviceEXT devices[16] = {};
@@ -45,7 +45,7 @@ void* find_function(const char* name, void*) { return reinterpret_cast<void*>(eg
 
 }  // namespace
 
-// Loaders give functions of absent extensions too, so that the list has to be asked.
+// Loaders also return functions of absent extensions, so the list must be checked.
 bool has_extension(const GlLoader& loader, std::string_view wanted) {
   const auto get_integer = reinterpret_cast<PFNGLGETINTEGERVPROC>(loader.get_proc("glGetIntegerv", loader.user));
   const auto get_string = reinterpret_cast<PFNGLGETSTRINGIPROC>(loader.get_proc("glGetStringi", loader.user));
@@ -118,7 +118,7 @@ tl::expected<std::unique_ptr<DrawingDevice>, ToolError> DrawingDevice::create(co
 
 namespace {
 
-/// Returns how many samples the driver gives it, which may be more than asked for.
+/// Returns the number of samples, which the driver may choose higher than requested.
 GLint attach(GLenum attachment, GLenum format, std::uint32_t width, std::uint32_t height, GLsizei samples) {
   GLint given = 0;
   GLuint buffer = 0;

@@ -43,19 +43,19 @@ class EglContext {
   Handles handles_;
 };
 
-/// Whether the current context has an extension, asked with this loader's functions.
+/// Whether the current context has an extension, using this loader's functions.
 [[nodiscard]] bool has_extension(const GlLoader& loader, std::string_view wanted);
 
 /// A context with the runtime's renderer in it.
 struct DrawingDevice {
-  /// `through`: what the renderer finds OpenGL's functions by, for who looks at its calls; null: the context's own.
-  /// Errors: kUnsupported where there is no context or the renderer does not start.
+  /// `through`: the loader for the renderer, for callers that watch its calls; null: the context's own. Errors:
+  /// kUnsupported where there is no context or the renderer does not start.
   static tl::expected<std::unique_ptr<DrawingDevice>, ToolError> create(const RendererDesc& desc = {},
                                                                         const GlLoader* through = nullptr);
 
   explicit DrawingDevice(EglContext opened) : context(std::move(opened)) {}
 
-  EglContext context;  ///< Before what is made in it.
+  EglContext context;  ///< Destroyed after the objects made in it.
   HairRenderer renderer;
 };
 
@@ -72,17 +72,17 @@ class OffscreenTarget {
   /// Makes it the framebuffer that is drawn to, with its whole area as viewport.
   void bind() const;
 
-  /// Of each pixel, as the driver gives them; 1 without multisampling.
+  /// Samples per pixel, as the driver gives them; 1 without multisampling.
   [[nodiscard]] std::uint32_t samples() const { return samples_; }
 
   /// Resolved pixels, RGBA, sRGB-encoded, rows top to bottom.
   [[nodiscard]] std::vector<std::uint8_t> read() const;
 
-  /// The same, linear; above 1 only where there are half floats.
+  /// The pixels, linear; above 1 only where there are half floats.
   [[nodiscard]] std::vector<float> read_radiance() const;
 
  private:
-  /// Resolves samples and binds what holds them, to be read.
+  /// Resolves samples and binds the result for reading.
   void resolve() const;
 
   std::uint32_t width_ = 0;
@@ -93,10 +93,10 @@ class OffscreenTarget {
   std::uint32_t resolved_ = 0;  ///< Framebuffer object to read from.
 };
 
-/// How long the device itself was busy with what it was asked for between begin() and end(), by the extension
-/// GL_EXT_disjoint_timer_query. What the extension's absence or a disturbed clock leaves unknown has no figure. One
-/// measurement at a time, and no other query of elapsed time inside it. Its query object is freed with the context,
-/// which must be current in every call.
+/// Measures how long the device itself was busy with the commands between begin() and end(), by the extension
+/// GL_EXT_disjoint_timer_query. Without the extension, or with a disturbed clock, there is no result. One measurement
+/// at a time, and no other query of elapsed time inside it. Its query object is freed with the context, which must be
+/// current in every call.
 class GpuTimer {
  public:
   /// Looks for the extension in the current context and for its functions with `loader`, which only this call uses.
@@ -110,13 +110,13 @@ class GpuTimer {
   void begin();
   void end();
 
-  /// Seconds, once. Never waits: nothing while the device is not done, so that a game asks again a frame later; after
-  /// glFinish it is. Nothing, now and later, where the device's clock was disturbed meanwhile (it changed its speed,
-  /// say) or did not count at all.
+  /// Seconds, once. Never waits: none while the device is not done, so a game asks again a frame later; after glFinish
+  /// it is done. None, now and later, where the device's clock was disturbed (for example by a change of its speed) or
+  /// did not count at all.
   [[nodiscard]] std::optional<double> poll();
 
  private:
-  /// Types of OpenGL's own header, which whoever includes this one need not have.
+  /// Uses types of OpenGL's own header, which users of this header need not include.
   struct Functions {
     void (*get_integer)(unsigned name, int* value) = nullptr;
     void (*begin_query)(unsigned target, unsigned query) = nullptr;

@@ -46,17 +46,17 @@ Gallery components(const Asset& asset, const PictureSettings& picture) {
   return gallery;
 }
 
-/// All components, and beside them what changes.
+/// Adds a picture of all components, and those of the changing ones.
 void add_highlights(Gallery& gallery, const std::string& caption, PictureSettings picture) {
   gallery.pictures.push_back({caption, picture});
   picture.component = Component::kSpecular;
   gallery.pictures.push_back({caption + " (highlights only)", picture});
 }
 
-/// Of the first highlight and the second.
+/// The values for the first and the second highlight.
 using Pair = std::pair<float, float>;
 
-/// The material's members `first` and `second` as in each of `pairs`, told apart by `caption`.
+/// Sets the material's members `first` and `second` to each of `pairs`, with `caption` to distinguish them.
 void add_pairs(const Asset& asset, PictureSettings picture, std::initializer_list<Pair> pairs,
                float MaterialRecord::*first, float MaterialRecord::*second, const char* caption, Gallery& gallery) {
   for (const auto& [primary, secondary] : pairs) {
@@ -95,15 +95,15 @@ Gallery colors(const Asset& asset, PictureSettings picture) {
 
 struct Movement {
   std::string title;
-  std::string motion;  ///< Its name.
+  std::string motion;  ///< The motion's name.
   std::shared_ptr<const motion::HeadPath> path;
-  double yaw_degrees;                           ///< From where it is seen best.
+  double yaw_degrees;                           ///< The best viewing direction.
   std::array<double, kGalleryColumns> moments;  ///< Seconds.
 };
 
 constexpr const char* kCharge = "charge";
 
-/// One of head_looks().
+/// A movement of head_looks().
 Movement looking(const char* name, double yaw_degrees, const std::array<double, kGalleryColumns>& moments) {
   const motion::HeadLook& look =
       *std::ranges::find(motion::head_looks(), std::string_view(name), &motion::HeadLook::name);
@@ -137,7 +137,7 @@ void add_motion(PictureSettings picture, std::vector<Gallery>& galleries) {
 
 void add_swings(PictureSettings picture, std::vector<Gallery>& galleries) {
   constexpr int kMoments = 2 * int(kGalleryColumns);
-  constexpr double kFirst = 0.15, kStep = 0.15;  // seconds; the head goes on steadily from 0.3 on
+  constexpr double kFirst = 0.15, kStep = 0.15;  // Seconds; from 0.3 on the head moves steadily.
   picture.clip = motion::path_of(motion::Motion::kCharge);
   picture.yaw_degrees = 75;
   for (const Solver* const solver : {&kCoifSolver, &kThesisSolver}) {
@@ -212,7 +212,7 @@ tl::expected<GallerySheet, ToolError> render_gallery(const Asset& asset, const G
 
 namespace {
 
-constexpr double kMaxColor = 1000;  // of a material: formats/SPECIFICATION.md
+constexpr double kMaxColor = 1000;  // The largest value in a material: formats/SPECIFICATION.md.
 
 double linear(std::byte srgb) { return decode_srgb(std::to_integer<int>(srgb) / 255.0); }
 
@@ -237,7 +237,7 @@ MaterialRecord first_gallery() {
 MaterialRecord thesis_material(const Asset& asset) {
   MaterialRecord material = asset.material() != nullptr ? *asset.material() : first_gallery();
   material.shading = ShadingModel::kThesis;
-  material.light_cut = 0;  // which a bounded model may have; as published there is none
+  material.light_cut = 0;  // Bounded models may have one; the published model has none.
   return material;
 }
 

@@ -16,8 +16,8 @@
 
 namespace coif::render {
 
-/// The asset's own, or where it has none that of the thesis's first gallery; shaded by the thesis's model, whatever its
-/// own is.
+/// The asset's own material, or that of the thesis's first gallery if it has none; shaded by the thesis's model in
+/// either case.
 [[nodiscard]] MaterialRecord thesis_material(const Asset& asset);
 
 /// The asset's, or thesis_material() where it has none.
@@ -28,7 +28,7 @@ namespace coif::render {
 /// Mean of the base texture, linear, each texel counted by its alpha; white without a texture.
 [[nodiscard]] Eigen::Vector3d mean_base_color(const Asset& asset);
 
-/// That material, dyed: hair whose texture is on average of `color` (linear).
+/// That material, dyed: the hair's texture is on average of `color` (linear).
 [[nodiscard]] MaterialRecord dyed_material(const Asset& asset, const Eigen::Vector3d& color);
 
 // Many small pictures on one.
@@ -53,10 +53,10 @@ inline constexpr std::uint32_t kGalleries = 7;
 inline constexpr std::uint32_t kGalleryColumns = 6;
 
 struct GallerySettings {
-  std::uint32_t width = 320;  ///< Of one picture, pixels, 64..1024.
+  std::uint32_t width = 320;  ///< Width of one picture, pixels, 64..1024.
   std::uint32_t height = 320;
   std::uint32_t only = 0;               ///< One gallery, 1..kGalleries; 0: all.
-  const Solver* solver = &kCoifSolver;  ///< Of the first five; the sixth compares two, and the last has its own.
+  const Solver* solver = &kCoifSolver;  ///< For the first five; the sixth compares two, and the last has its own.
 };
 
 struct GalleryPicture {
@@ -69,23 +69,22 @@ struct Gallery {
   std::uint32_t number = 1;  ///< In the thesis, up to 5.
   std::string title;
   std::vector<GalleryPicture> pictures;
-  /// Of pictures that differ by their times alone: what moves the head, a motion's name or that of one of head_looks().
+  /// For pictures that differ only in time: the motion's name or that of one of head_looks().
   std::string motion{};
 };
 
-/// What to take pictures of: 1 components apart, 2 shifts of the highlights, 3 their exponents, 4 colours, 5 motion, as
-/// moments one after the other, 6 what hair does when the head has been charging: as cooked, and by Algorithm 1, 7 what
-/// a character brings along: a hand that goes through the hair, other sizes in the same run, a pose that the hair
-/// follows.
+/// The galleries: 1 separate components, 2 shifts of the highlights, 3 their exponents, 4 colours, 5 motion, as
+/// successive moments, 6 hair after the head has charged: as cooked, and by Algorithm 1, 7 features of characters: a
+/// hand that moves through the hair, other sizes in the same run, a pose that the hair follows.
 [[nodiscard]] std::vector<Gallery> thesis_galleries(const Asset& asset, const GallerySettings& settings);
 
 struct GallerySheet {
-  Picture sheet;  ///< draw_ms is that of all pictures together.
+  Picture sheet;  ///< draw_ms is for all pictures together.
   std::uint32_t pictures = 0;
 };
 
 /// Takes the pictures of `galleries` (not empty) in one OpenGL context and puts them on a sheet, `last` below them.
-/// `progress` hears of each one's caption before. Errors: those of PictureMaker.
+/// Calls `progress` with each caption before its picture. Errors: those of PictureMaker.
 tl::expected<GallerySheet, ToolError> draw_sheet(const Asset& asset, std::span<const Gallery> galleries,
                                                  std::uint32_t columns, std::vector<SheetSection> last,
                                                  const std::function<void(const std::string&)>& progress);
@@ -93,42 +92,44 @@ tl::expected<GallerySheet, ToolError> draw_sheet(const Asset& asset, std::span<c
 /// kUsage where a picture of a sheet is not to be so large or so small.
 tl::expected<void, ToolError> check_tile_size(std::uint32_t width, std::uint32_t height);
 
-/// Takes the pictures in one OpenGL context and puts them on a sheet. `progress` hears of each one's caption before.
-/// The same asset and driver give the same pixels. Errors: kUsage for settings out of range; those of PictureMaker.
+/// Takes the pictures in one OpenGL context and puts them on a sheet. Calls `progress` with each caption before its
+/// picture. The same asset and driver give the same pixels. Errors: kUsage for settings out of range; those of
+/// PictureMaker.
 tl::expected<GallerySheet, ToolError> render_gallery(const Asset& asset, const GallerySettings& settings,
                                                      const std::function<void(const std::string&)>& progress);
 
-/// Adds what shows hair on a character, by kCoifSolver whatever `picture` has. The asset outlives the galleries.
+/// Adds galleries of hair on a character, with kCoifSolver whatever `picture` has. The asset must outlive the
+/// galleries.
 void add_character_galleries(const Asset& asset, PictureSettings picture, std::vector<Gallery>& galleries);
 
 struct LookSettings {
-  std::uint32_t width = 280;  ///< Of one picture, pixels, 64..1024.
+  std::uint32_t width = 280;  ///< Width of one picture, pixels, 64..1024.
   std::uint32_t height = 280;
   std::string title;  ///< Above all pictures.
-  std::vector<std::string>
-      told;  ///< What the cook had to say, a paragraph each, below them; other bytes than ASCII are replaced.
+  /// Messages of the cook, a paragraph each, below the pictures; bytes other than ASCII are replaced.
+  std::vector<std::string> told;
 };
 
-/// One sheet that shows whether a cook came out right: the hair from all sides, its patches and the direction of its
-/// strands, the colliders through the hair, moments of three motions, the base texture and its alpha, and what the cook
-/// said. Errors: kUsage for a size out of range; those of PictureMaker.
+/// One sheet that shows whether a cook is right: the hair from all sides, its patches and the direction of its strands,
+/// the colliders through the hair, moments of three motions, the base texture and its alpha, and the cook's messages.
+/// Errors: kUsage for a size out of range; those of PictureMaker.
 tl::expected<GallerySheet, ToolError> render_look(const Asset& asset, const LookSettings& settings,
                                                   const std::function<void(const std::string&)>& progress);
 
-/// What stands on a patch.
+/// The label of a patch.
 struct PatchLabel {
   std::string text;        ///< ASCII.
-  bool is_marked = false;  ///< In red.
+  bool is_marked = false;  ///< Drawn in red.
 };
 
 struct PatchChartSettings {
-  std::uint32_t width = 800;  ///< Of one picture, pixels, 64..1024.
+  std::uint32_t width = 800;  ///< Width of one picture, pixels, 64..1024.
   std::uint32_t height = 800;
   std::string title;
 };
 
-/// Every patch of the finest level in a colour of its own, from six sides, with its label (one each) where it is seen
-/// and there is room for it. Errors: kUsage for a size out of range; those of PictureMaker.
+/// Every patch of the finest level in its own colour, from six sides, with its label (one each) where it is seen and
+/// there is room for it. Errors: kUsage for a size out of range; those of PictureMaker.
 tl::expected<GallerySheet, ToolError> render_patch_chart(const Asset& asset, std::span<const PatchLabel> labels,
                                                          const PatchChartSettings& settings,
                                                          const std::function<void(const std::string&)>& progress);

@@ -20,7 +20,8 @@
 namespace coif::render {
 namespace {
 
-/// Where hair hangs behind and below the head: the mean of what is drawn lower than the head's joint, model axes.
+/// The middle of the hair that hangs behind and below the head: the mean of everything drawn below the head's joint,
+/// model axes.
 Eigen::Vector3d hanging_hair(const Asset& asset) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero(), all = sum;
   std::size_t count = 0;

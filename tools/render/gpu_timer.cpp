@@ -19,8 +19,8 @@ bool find(const GlLoader& loader, const char* name, Function& function) {
   return function != nullptr;
 }
 
-/// Mesa's llvmpipe fills a picture tile by tile and tells how long the last tile took: 10 ms of the 536 ms that ten
-/// triangles over all of 1024 x 768 pixels take. Vertices do not count at all.
+/// Mesa's llvmpipe fills a picture tile by tile and reports only the last tile's time: 10 ms of the 536 ms that ten
+/// triangles over all of 1024 x 768 pixels take. It does not count vertices at all.
 bool counts_parts_only(const GlLoader& loader) {
   PFNGLGETSTRINGPROC get_string = nullptr;
   if (!find(loader, "glGetString", get_string)) return true;
@@ -58,7 +58,7 @@ bool GpuTimer::was_disjoint() const {
 
 void GpuTimer::begin() {
   if (!is_present()) return;
-  (void)was_disjoint();  // what happened before does not matter
+  (void)was_disjoint();  // Earlier disturbances do not matter.
   is_waiting_ = false;
   gl_.begin_query(GL_TIME_ELAPSED_EXT, query_);
 }

@@ -35,7 +35,8 @@ void main() { fragment = vec4(0.0, 0.0, 0.0, texture(shade, uv).r); }
 )glsl";
 
 constexpr float kDarkest = 0.72f;
-constexpr float kReach = 0.32f;  // of the body's height: how far its shade goes, and how high what casts one is
+constexpr float kReach =
+    0.32f;  // Share of the body's height: the reach of its shade, and the largest height of casters.
 
 /// A piece of surface above the ground.
 struct Caster {
@@ -49,7 +50,7 @@ std::vector<Caster> casters_of(std::span<const SolidMesh> meshes, const Eigen::Q
     for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
       std::array<Vector3f, 3> p;
       for (std::size_t k = 0; k < 3; ++k) p[k] = turn * mesh.vertices[mesh.triangles[i + k]].position;
-      // As seen from above: walls hide little of the sky.
+      // From above: walls hide little of the sky.
       const float area = 0.5f * std::abs((p[1] - p[0]).cross(p[2] - p[0]).y());
       casters.push_back({(p[0] + p[1] + p[2]) / 3, area});
     }
@@ -65,7 +66,7 @@ Eigen::AlignedBox3f box_of(std::span<const SolidMesh> meshes, const Eigen::Quate
   return box;
 }
 
-/// Adds what a caster hides of the sky, spread as widely as it is high.
+/// Adds the part of the sky that a caster hides, spread as widely as it is high.
 void spread(const Caster& caster, float height, float tall, const GroundShade& shade, std::vector<float>& hidden) {
   constexpr auto kSide = int(GroundShade::kSide);
   const float radius = 0.016f * tall + 0.75f * height, texel = 2 * shade.half / float(kSide);

@@ -15,16 +15,16 @@ namespace coif::render {
 
 /// When a picture has a ground.
 enum class GroundChoice {
-  kWhereSeen,  ///< Where it shows what a whole body stands on.
+  kWhereSeen,  ///< Where it shows the ground under a whole body.
   kAlways,
   kNever,
 };
 
-/// How dark a level ground is below what stands on it: a square. World axes, metres, from the head's joint.
+/// The shade on a level, square ground under the things that stand on it. World axes, metres, from the head's joint.
 struct GroundShade {
   Eigen::Vector3f middle = Eigen::Vector3f::Zero();
-  float half = 0;                     ///< Of a side; 0: nothing stands anywhere.
-  float head_height = 0;              ///< Of the joint above the ground, in heights of what is above the joint.
+  float half = 0;         ///< Half of a side; 0: nothing stands anywhere.
+  float head_height = 0;  ///< Height of the joint above the ground, as a multiple of the height above the joint.
   std::vector<std::uint8_t> opacity;  ///< kSide rows towards +Z of kSide texels towards +X.
 
   static constexpr std::uint32_t kSide = 192;

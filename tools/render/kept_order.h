@@ -27,7 +27,7 @@ class KeptBoneOrder {
   static tl::expected<std::unique_ptr<KeptBoneOrder>, ToolError> create(const Asset& asset);
 
   [[nodiscard]] BoneOrder& order() { return order_; }
-  /// What it took from the host.
+  /// Bytes taken from the host.
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
  private:
@@ -41,8 +41,7 @@ class KeptBoneOrder {
   BoneOrder order_;
 };
 
-/// RendererDesc::stream_bytes with which this asset's heads can be drawn in orders of their own, as far as there can be
-/// one.
+/// RendererDesc::stream_bytes with which this asset's heads can be drawn in orders of their own, if that is possible.
 [[nodiscard]] std::uint32_t stream_bytes_for(const Asset& asset);
 
 }  // namespace coif::render

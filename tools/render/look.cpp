@@ -76,7 +76,7 @@ std::vector<Gallery> what_to_look_at(const Asset& asset, const LookSettings& set
   return galleries;
 }
 
-/// As much of the texture as a tile shows, and beside it its alpha alone.
+/// As much of the texture as a tile shows, and its alpha alone beside it.
 std::vector<SheetTile> base_texture(const Asset& asset, const LookSettings& settings) {
   const TextureRecord* const texture = asset.texture(TextureRole::kBaseColor);
   if (texture == nullptr || texture->format != TexelFormat::kSrgb8Alpha8) return {};

@@ -22,7 +22,7 @@ constexpr float kMannequinScale = 0.98f;
 constexpr std::uint32_t kRings = 48;  // even: one is the equator
 constexpr std::uint32_t kSectors = 96;
 
-/// From a unit sphere's axes, its poles on Y, to head space.
+/// From a unit sphere's axes, with its poles on Y, to head space.
 Eigen::Quaternionf orientation(const ColliderRecord& collider) {
   if (collider.shape != ColliderShape::kCapsule) return Eigen::Map<const Eigen::Quaternionf>(collider.rotation);
   const Eigen::Map<const Eigen::Vector3f> axis(collider.axis);
@@ -65,7 +65,7 @@ SolidMesh mannequin_mesh(const ColliderRecord& collider) {
 std::vector<SolidMesh> mannequin_meshes(std::span<const ColliderRecord> colliders) {
   std::vector<SolidMesh> meshes;
   for (const ColliderRecord& collider : colliders) {
-    // A ball of a metre stands for a floor or a wall, not for anything to look at.
+    // A ball of a metre stands for a floor or a wall, which is not shown.
     const bool is_seen =
         is_solid(collider) && *std::max_element(std::begin(collider.radii), std::end(collider.radii)) < kLargestHead;
     if (is_seen) meshes.push_back(mannequin_mesh(collider));

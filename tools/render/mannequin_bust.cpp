@@ -15,7 +15,7 @@ struct HeadBall {
   Eigen::Vector3f center, radii;  ///< Metres.
 };
 
-// Of the portrait: the skull alone, which is what hair lies on, and skull with face.
+// Parts of the portrait: the skull alone, which hair lies on, and skull with face.
 const HeadBall kSkull{{0, 1.630f, -0.012f}, {0.0760f, 0.0915f, 0.0975f}};
 const HeadBall kWholeHead{{0, 1.606f, -0.006f}, {0.0760f, 0.1140f, 0.1010f}};
 
@@ -32,7 +32,7 @@ std::optional<HeadBall> head_among(std::span<const ColliderRecord> colliders) {
   return head;
 }
 
-/// What of the portrait a collider of that shape stands for: the longer, the more of the face.
+/// The part of the portrait that a collider of that shape stands for: the longer, the more of the face.
 HeadBall part_like(const HeadBall& ball) {
   const auto length = [](const HeadBall& b) { return b.radii.y() / b.radii.x(); };
   const float face = std::clamp((length(ball) - length(kSkull)) / (length(kWholeHead) - length(kSkull)), 0.0f, 1.0f);
@@ -40,12 +40,12 @@ HeadBall part_like(const HeadBall& ball) {
           kSkull.radii + face * (kWholeHead.radii - kSkull.radii)};
 }
 
-/// From the portrait to the head that a collider stands for.
+/// The transform from the portrait to the head that a collider stands for.
 class PortraitPlace {
  public:
   PortraitPlace(const HeadBall& head, bool faces_backwards)
       : from_(part_like(head)), to_(head), turn_(faces_backwards ? -1 : 1, 1, faces_backwards ? -1 : 1) {
-    // One for all axes: a face that is broader than it should be is nobody's.
+    // One factor for all axes: a face that is too broad looks wrong.
     scale_ = head.radii.cwiseQuotient(from_.radii).mean();
   }
 

@@ -21,8 +21,8 @@ void motion_color(float x, float y, std::span<float, 3> rgb) {
   const float share = std::min(std::hypot(x, y) / kFull, 1.0f);
   const float turn = std::atan2(y, x) / (2 * std::numbers::pi_v<float>);  // -0.5..0.5
   for (std::size_t k = 0; k < 3; ++k) {
-    const float away =
-        std::abs(turn - float(k) / 3 - std::round(turn - float(k) / 3));  // 0 at the channel's own hue, to 0.5
+    // 0 at the channel's own hue, to 0.5
+    const float away = std::abs(turn - float(k) / 3 - std::round(turn - float(k) / 3));
     const float full = std::clamp(2 - 6 * away, 0.0f, 1.0f);
     rgb[k] = kStanding + share * (0.8f * full - kStanding);
   }

@@ -14,19 +14,19 @@
 
 namespace coif::render {
 
-/// Vectors of motion as colours, for a picture: the hue is the way (red to the right, green to the upper left, blue to
-/// the lower left), and it is full from a hundredth of the picture in a frame on. Grey stands still.
+/// Motion vectors as colours, for a picture. The hue is the direction (red to the right, green to the upper left, blue
+/// to the lower left), and is full from a hundredth of the picture per frame on. Grey stands still.
 class MotionTarget {
  public:
   /// Pixels each way. kUnsupported where the device cannot draw to two half floats. Its objects are freed with the
   /// context.
   static tl::expected<MotionTarget, ToolError> create(std::uint32_t width, std::uint32_t height);
 
-  /// Binds and clears it for what is solid, whose depth alone is drawn; then draw_motion_vectors().
+  /// Binds and clears it; then draw the depth of solid things, then draw_motion_vectors().
   void begin() const;
 
-  /// Puts the colours of the pixels that have a vector over those of a picture of the same size: RGBA, linear, rows top
-  /// to bottom.
+  /// Puts the colours of pixels with a vector over those of a picture of the same size: RGBA, linear, rows top to
+  /// bottom.
   void color(std::span<float> radiance) const;
 
  private:

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kFramedSeconds = 3;
 constexpr double kBetween = 0.1;              ///< Seconds from one look to the next.
-constexpr std::size_t kMostPoints = 400'000;  ///< Of dense hair some are enough.
+constexpr std::size_t kMostPoints = 400'000;  ///< Dense hair needs only some of its points.
 
 std::vector<double> moments_until(double time) {
   std::vector<double> moments;

@@ -28,13 +28,13 @@ struct OrderPictures::Device {
     const TargetSize size{shot.width, shot.height, shot.samples};
     const auto found = targets.find(size);
     if (found != targets.end()) return &found->second;
-    // One sample is a framebuffer without multisampling: with it drivers may give more than was asked for.
+    // One sample means a framebuffer without multisampling; with it drivers may give more samples than requested.
     auto made = OffscreenTarget::create(shot.width, shot.height, shot.samples > 1 ? shot.samples : 0);
     if (!made) return tl::unexpected(made.error());
     return &targets.emplace(size, std::move(*made)).first->second;
   }
 
-  std::unique_ptr<DrawingDevice> drawing;  ///< Before what is made in it.
+  std::unique_ptr<DrawingDevice> drawing;  ///< Destroyed after the objects made in it.
   std::vector<std::unique_ptr<HairModel>> models;
   StageRenderer stage;
   std::map<TargetSize, OffscreenTarget> targets;
@@ -80,7 +80,7 @@ tl::expected<void, ToolError> OrderPictures::draw_scene(const HairShot& shot, bo
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   if (with_stage) {
-    // Only hair writes alpha, so that it tells how much of a pixel is hair.
+    // Only hair writes alpha, so it shows how much of a pixel is hair.
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     device_->stage.draw_backdrop();
     device_->stage.draw_bodies(camera, HeadPose{}, lights);

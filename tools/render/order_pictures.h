@@ -21,18 +21,18 @@
 
 namespace coif::render {
 
-/// One picture: which of the models, from where and how. The head stands at the origin, unturned, so views are in head
+/// The settings of one picture: model, view and mode. The head stands at the origin, unturned, so views are in head
 /// space.
 struct HairShot {
-  std::size_t model = 0;  ///< As OrderPictures::add() counts them.
+  std::size_t model = 0;  ///< From OrderPictures::add().
   const TransparencyMode* transparency = &kBlendMode;
   const MaterialRecord* material = nullptr;  ///< Instead of the asset's own, unless null.
   std::span<const Mat34> palette;            ///< Head space, one per bone.
   TriangleOrder* order = nullptr;            ///< Instead of the model's own orders, unless null.
-  double yaw_degrees = 0;                    ///< As PictureSettings.
+  double yaw_degrees = 0;                    ///< As in PictureSettings.
   double pitch_degrees = 0;
   std::uint32_t width = 256, height = 256;  ///< Pixels, 16..8192.
-  std::uint32_t samples = 1;                ///< Of a pixel.
+  std::uint32_t samples = 1;                ///< Per pixel.
   std::uint32_t lod = 0;
 };
 
@@ -40,8 +40,8 @@ struct HairShot {
 /// studio's backdrop, over the head that its colliders outline, by the studio's lights and perspective camera.
 class OrderPictures {
  public:
-  /// `asset`: what all variants have in common, bones and colliders; not kept. Errors: kUnsupported where no EGL
-  /// display with OpenGL ES 3.0 can be had, kBadInput for an asset without a mesh.
+  /// `asset`: source of bones and colliders, which all variants share; not kept. Errors: kUnsupported without an EGL
+  /// display with OpenGL ES 3.0, kBadInput for an asset without a mesh.
   static tl::expected<std::unique_ptr<OrderPictures>, ToolError> create(const Asset& asset,
                                                                         const RendererDesc& desc = {});
   ~OrderPictures();
@@ -51,16 +51,16 @@ class OrderPictures {
   /// Uploads another one in its place.
   tl::expected<void, ToolError> replace(std::size_t model, const Asset& variant);
 
-  /// The picture's own alpha is the share of each pixel that hair covers: the head and what is behind it count as none.
+  /// The picture's alpha is the share of each pixel that hair covers: the head and things behind it do not count.
   /// Errors: kBadInput, kUnsupported with the reason.
   tl::expected<Picture, ToolError> take(const HairShot& shot);
 
-  /// Draws a frame as take() does, the hair alone, and waits for the device: what is to be timed.
+  /// Draws a frame as take() does, the hair alone, and waits for the device; for timing.
   tl::expected<void, ToolError> draw(const HairShot& shot);
 
-  /// From the scene to the eye in head space, metres: where the camera of a shot stands.
+  /// Position of a shot's camera in head space, metres.
   [[nodiscard]] Eigen::Vector3d eye(const HairShot& shot) const;
-  /// The asset's own, or what is drawn where it has none.
+  /// The asset's own, or the default where it has none.
   [[nodiscard]] const MaterialRecord& material(std::size_t model) const;
   [[nodiscard]] std::string device() const;
 

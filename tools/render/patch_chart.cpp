@@ -27,7 +27,7 @@ struct ChartSide {
 constexpr ChartSide kChartSides[] = {{"front", 0, 5},  {"left side", 90, 5},   {"from above", 0, 75},
                                      {"back", 180, 5}, {"right side", -90, 5}, {"back, from below", 180, -35}};
 
-/// Which patch is seen in each pixel: a depth buffer of numbers instead of colours.
+/// The patch that is seen in each pixel: a depth buffer of numbers instead of colours.
 class SeenPatches {
  public:
   SeenPatches(std::uint32_t width, std::uint32_t height)
@@ -104,7 +104,8 @@ void draw_labels(std::span<const std::vector<Eigen::Vector2i>> pixels_of, std::s
   for (const std::size_t p : order) {
     const PictureText text(labels[p].text, picture.width, dot);
     const Eigen::Vector2i size(int(text.width() + 2 * dot), int(text.height() - dot));
-    if (pixels_of[p].size() < std::size_t(size.x()) * std::size_t(size.y()) / 4) return;  // and so the others
+    if (pixels_of[p].size() < std::size_t(size.x()) * std::size_t(size.y()) / 4)
+      return;  // Further patches are smaller still.
     const Eigen::Vector2i last(int(picture.width) - size.x() - 1, int(picture.height) - size.y() - 1);
     const Eigen::Vector2i corner = (middle_pixel(pixels_of[p]) - size / 2).cwiseMin(last).cwiseMax(0);
     const Eigen::AlignedBox2i box(corner, corner + size);

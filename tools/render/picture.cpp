@@ -26,7 +26,7 @@ constexpr double kMaxSeconds = 3600;
 constexpr std::uint32_t kShadowTexels = 1024;
 constexpr std::uint32_t kMostSamples = 8192;
 
-/// Of an asset with a mesh.
+/// Checks the settings for an asset with a mesh.
 tl::expected<void, ToolError> check(const Asset& asset, const PictureSettings& settings) {
   const auto side_ok = [](std::uint32_t side) { return side >= 16 && side <= 8192; };
   if (!side_ok(settings.width) || !side_ok(settings.height)) {
@@ -61,7 +61,7 @@ tl::expected<void, ToolError> check(const Asset& asset, const PictureSettings& s
 
 constexpr float kColliderColor[3] = {0.08f, 0.25f, 0.6f};  ///< Linear; no hair and no clay has it.
 
-/// Hair that lets see what is in it.
+/// Hair that one can look through.
 MaterialRecord like_glass(const Asset& asset) {
   constexpr float kAlpha = 0.3f;
   MaterialRecord material = thesis_material(asset);
@@ -120,7 +120,7 @@ tl::expected<std::optional<GroundRenderer>, ToolError> ground_of(const PictureSe
   return std::optional(*ground);
 }
 
-/// Samples are asked of the driver where somebody does, or transparency is made of them, or there are no others.
+/// The driver's samples are used if the user wants them, if transparency is made of them, or if there are no others.
 std::uint32_t samples_of_driver(const PictureSettings& settings) {
   const bool needs_them =
       covers_samples(*settings.transparency) || (settings.edge_samples == 0 && settings.oversampling == 1);
@@ -157,7 +157,7 @@ tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, const Pictu
   return picture;
 }
 
-/// Null: at rest. A clip is the file's own; our motions go where the face looks.
+/// Null: at rest. A clip keeps the file's directions; built-in motions go where the face looks.
 std::shared_ptr<const motion::HeadPath> played_path(const Asset& asset, const PictureSettings& settings) {
   if (settings.clip) return settings.clip;
   if (!settings.motion) return nullptr;
@@ -180,7 +180,7 @@ tl::expected<std::vector<Eigen::Vector3d>, ToolError> what_is_framed(const Asset
 tl::expected<FramedPicture, ToolError> frame_picture(const Asset& asset, const PictureSettings& settings) {
   auto points = what_is_framed(asset, settings, played_path(asset, settings).get());
   if (!points) return tl::unexpected(points.error());
-  // A face may be longer than what its hair lies on; whose it is does not matter.
+  // A face may be longer than the part that hair lies on, so the frame takes it in.
   if (settings.bust && settings.mannequin && !settings.colliders) {
     std::ranges::move(bust_outline(asset.colliders(), yaw_of_face(asset) != 0), std::back_inserter(*points));
   }
@@ -266,7 +266,7 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
 }
 
 tl::expected<Picture, ToolError> render_picture(const Asset& asset, const PictureSettings& settings) {
-  // Before a driver is asked for.
+  // Before a driver is needed.
   if (const auto checked = check_drawable(asset); !checked) return tl::unexpected(checked.error());
   if (const auto checked = check(asset, settings); !checked) return tl::unexpected(checked.error());
   auto maker = PictureMaker::create(asset);

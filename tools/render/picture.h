@@ -27,15 +27,14 @@
 
 namespace coif::render {
 
-/// The asset's material with another shading model; where it has none, that of the thesis's first gallery. Numbers that
-/// the model needs and the material lacks get a recipe's defaults; a cut of the lights' sum that was made for another
-/// model is dropped.
+/// The asset's material with another shading model; without one, that of the thesis's first gallery. Numbers that the
+/// model needs and the material lacks get a recipe's defaults; a light_cut that was made for another model is dropped.
 [[nodiscard]] MaterialRecord shaded_material(const Asset& asset, ShadingModel model);
 
-/// Every way to draw shadows, for tools that offer or compare them; name_of() tells what each is called.
+/// Every way to draw shadows, for tools that offer or compare them; name_of() has their names.
 [[nodiscard]] std::span<const ShadowTechnique* const> shadow_techniques();
 
-/// Every way to draw transparent hair, for tools that offer or compare them; name_of() tells what each is called.
+/// Every way to draw transparent hair, for tools that offer or compare them; name_of() has their names.
 [[nodiscard]] std::span<const TransparencyMode* const> transparency_modes();
 
 /// Samples per pixel of a target that the mode draws to at its best; 0: a target without multisampling.
@@ -54,30 +53,31 @@ struct PictureSettings {
   double time = 0;                               ///< Seconds into the motion.
   StepSettings step;
   const Solver* solver = &kCoifSolver;
-  /// Null: none. Of its colliders balls and capsules are drawn, solid.
+  /// Null: none. Balls and capsules among its colliders are drawn, solid.
   std::shared_ptr<const motion::HairCompany> company;
   Component component = Component::kAll;
   std::optional<MaterialRecord> material;  ///< Instead of the asset's.
-  bool patches = false;    ///< Instead of shaded hair: each patch in a colour of its own, without holes.
-  bool colliders = false;  ///< What hair collides with, seen through it, beside a body too. No shadows then.
+  bool patches = false;                    ///< Instead of shaded hair: each patch in its own colour, without holes.
+  bool colliders = false;  ///< The hair's colliders, seen through it, also with a body. No shadows then.
   std::optional<std::uint32_t> marked_patch;  ///< With `patches`: this one of the level in red, the others grey.
   std::uint32_t lod = 0;                      ///< Level of detail, below the asset's lod_count().
   const TransparencyMode* transparency = &kBlendMode;
   OrderChoice order = OrderChoice::kCooked;
-  const ShadowTechnique* shadows = nullptr;  ///< Of the key light; null: none.
+  const ShadowTechnique* shadows = nullptr;  ///< Shadows of the key light; null: none.
   std::uint32_t heads = 1;                   ///< Drawn in a grid.
-  std::uint32_t oversampling = 1;            ///< Shaded samples of each pixel, each way, 1..4.
-  /// Of edges in each of those, by the driver, which may have fewer; 0: the driver's with `oversampling` 1, else one.
+  std::uint32_t oversampling = 1;            ///< Shaded samples per pixel in each direction, 1..4.
+  /// Samples of edges in each of those, by the driver, which may have fewer; 0: the driver's default with
+  /// `oversampling` 1, else one.
   std::uint32_t edge_samples = 0;
   DebugView debug;      ///< Over the hair.
-  bool warm_up = true;  ///< Draw once before the frame that is timed, for what drivers put off until then.
+  bool warm_up = true;  ///< Draw once before the timed frame, for work that drivers put off.
   LightRig lights = LightRig::kMeasured;
   Backdrop backdrop;
-  GroundChoice ground = GroundChoice::kNever;  ///< The shade below what is drawn opaque.
+  GroundChoice ground = GroundChoice::kNever;  ///< The shade below opaque things.
   const importer::SourceModel* body =
       nullptr;                 ///< Drawn opaque instead of the collider: the source's meshes that are not hair.
   BodyTextures body_textures;  ///< The body's materials'; empty: clay where there should be one.
-  bool bust = false;           ///< ... or a head with a face in place of the largest of them.
+  bool bust = false;           ///< A head with a face in place of the largest of them.
   bool mannequin = true;       ///< Without `body`: draw the colliders that hair stays out of, as a plain head.
 };
 
@@ -87,16 +87,17 @@ struct Picture {
   std::vector<std::uint8_t> rgba;  ///< Rows top to bottom, sRGB.
   std::string device;              ///< GL_RENDERER.
   double draw_ms = 0;              ///< Last frame, glFinish to glFinish.
-  std::uint32_t edge_samples = 1;  ///< As the driver had them.
+  std::uint32_t edge_samples = 1;  ///< The driver's number.
 };
 
-/// What a picture shows, and from where.
+/// The contents and the frame of a picture.
 struct FramedPicture {
-  std::vector<Eigen::Vector3d> points;  ///< That have to be in it, of each head, from its joint; world axes, metres.
+  /// Points that must be in it, of each head, from its joint; world axes, metres.
+  std::vector<Eigen::Vector3d> points;
   CrowdView view;
 };
 
-/// As PictureMaker frames it. Errors: those of simulate_poses().
+/// Frames like PictureMaker. Errors: those of simulate_poses().
 tl::expected<FramedPicture, ToolError> frame_picture(const Asset& asset, const PictureSettings& settings);
 
 /// Pictures of one asset, which must outlive this object, in one OpenGL ES context; one of these at a time.

@@ -47,7 +47,7 @@ Status draw_scene(HairRenderer& renderer, const PictureScene& scene, const Offsc
   if (scene.ground != nullptr) {
     for (const Eigen::Vector3d& place : scene.view.places) scene.ground->draw(scene.view.camera, place);
   }
-  if (settings.patches) return Status::kOk;  // they are on the stage
+  if (settings.patches) return Status::kOk;  // They are on the stage.
   return renderer.draw(scene.model, heads, desc);
 }
 

@@ -15,14 +15,14 @@
 
 namespace coif::render {
 
-/// One picture, simulated and framed. Refers to what it is made of.
+/// One picture, simulated and framed. Keeps references to its parts.
 struct PictureScene {
   const HairModel& model;
   const StageRenderer& stage;
   const motion::HairPose& pose;
   const CrowdView& view;
   const ShadowBall& ball;
-  const MaterialRecord& glass;  ///< Of hair that is looked through.
+  const MaterialRecord& glass;  ///< For hair that one can look through.
   StudioShadow* shadow;         ///< Null: none.
   TriangleOrder* order;         ///< Null: the asset's own.
   const Asset& asset;
@@ -34,28 +34,29 @@ struct PictureScene {
 Status draw_scene(HairRenderer& renderer, const PictureScene& scene, const OffscreenTarget& target,
                   const PictureSettings& settings);
 
-/// Over what draw_scene() left.
+/// Draws over the result of draw_scene().
 tl::expected<void, ToolError> draw_debug_lines(const PictureScene& scene, const PictureSettings& settings);
 
 /// Into the picture's samples, as draw_scene() left them.
 tl::expected<void, ToolError> color_by_motion(HairRenderer& renderer, const PictureScene& scene,
                                               const PictureSettings& settings, std::span<float> radiance);
 
-/// Where a picture of a moving head looks: all that hair and head take up during the first seconds of the motion, and
-/// at the picture's own `time`, as far as the head's place (the camera follows it). So moments of one motion share one
-/// frame. World axes, metres from the head's joint, of the hair's own. Errors: those of simulate_poses().
+/// The points that a picture of a moving head frames: all places of hair and head during the first seconds of the
+/// motion, and at the picture's own `time`, relative to the head's position (the camera follows it). So moments of one
+/// motion share one frame. World axes, the hair's metres from the head's joint. Errors: those of simulate_poses().
 tl::expected<std::vector<Eigen::Vector3d>, ToolError> points_in_motion(const Asset& asset, const motion::HeadPath* path,
                                                                        double time, const StepSettings& step,
                                                                        const Solver* solver,
                                                                        const motion::HairCompany* company = nullptr);
 
-/// How a picture shows light that a screen cannot: radiance (linear, 0 or more) -> 0..1. What is darker than three
-/// quarters of white stays as it is; above that the brightest channel nears white without reaching it, and the others
-/// keep their ratio to it, so that highlights keep their hue and their form.
+/// Maps radiance (linear, 0 or more) to 0..1, since a screen cannot show all of it. Values below three quarters of
+/// white are unchanged; above, the brightest channel approaches white without reaching it, and the others keep their
+/// ratio to it, so that highlights keep their hue and their form.
 void apply_tone_curve(std::span<float, 3> radiance);
 
-/// Pixels of a picture from `oversampling` times as many each way: RGBA, linear, rows top to bottom, `width` * `height`
-/// blocks of them -> sRGB. Each sample gets its tone first, so that an edge before a highlight is as smooth as any.
+/// Makes the pixels of a picture from `oversampling` times as many in each direction: RGBA, linear, rows top to bottom,
+/// `width` * `height` blocks of them -> sRGB. The tone curve is applied to each sample first, so that an edge before a
+/// highlight is as smooth as any.
 [[nodiscard]] std::vector<std::uint8_t> develop(std::span<const float> samples, std::uint32_t width,
                                                 std::uint32_t height, std::uint32_t oversampling);
 

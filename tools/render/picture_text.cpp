@@ -9,7 +9,7 @@
 namespace coif::render {
 namespace {
 
-constexpr std::uint32_t kLineDots = 12;  // from line to line, as the font has it
+constexpr std::uint32_t kLineDots = 12;  // Line spacing of the font.
 
 struct FontVertex {
   float x, y, z;

@@ -20,7 +20,7 @@ class PictureText {
   [[nodiscard]] std::uint32_t width() const;   ///< Pixels, of the longest line.
   [[nodiscard]] std::uint32_t height() const;  ///< Pixels, with the space below each line.
 
-  /// Its upper left corner at (x, y). What lies outside of `picture` is left out.
+  /// Its upper left corner is at (x, y). Parts outside `picture` are left out.
   void draw(Picture& picture, std::uint32_t x, std::uint32_t y, const PictureColor& color) const;
 
  private:
@@ -29,7 +29,8 @@ class PictureText {
   std::uint32_t dot_;
 };
 
-/// Fills from the upper left corner to before the lower right one, as far as that is in the picture.
+/// Fills from the upper left corner up to but not including the lower right one; parts outside the picture are left
+/// out.
 void fill_rectangle(Picture& picture, std::uint32_t left, std::uint32_t top, std::uint32_t right, std::uint32_t bottom,
                     const PictureColor& color);
 

@@ -33,7 +33,7 @@ std::vector<Eigen::Vector3f> smooth_normals(const importer::SourceMesh& mesh) {
 
 namespace {
 
-/// For each node how much of the head's turning it does; empty where nothing follows the head's bone.
+/// For each node its share of the head's turn; empty where nothing follows the head's bone.
 std::vector<float> turning_of_nodes(const importer::SourceModel& model, const std::string& head_bone) {
   const auto head = std::ranges::find(model.nodes, head_bone, &importer::SourceNode::name);
   if (head_bone.empty() || head == model.nodes.end()) return {};
@@ -63,7 +63,7 @@ float turning_of(const importer::SourceMesh& mesh, std::size_t vertex, std::span
   return all > 0 ? sum / all : 0;
 }
 
-/// Under the head's whole turning only `share` of it is left.
+/// Reduces the head's whole turn to `share` of it.
 void turn_back(const Eigen::Quaternionf& turn, float share, SolidVertex& vertex) {
   const Eigen::Quaternionf back = turn.conjugate() * Eigen::Quaternionf::Identity().slerp(share, turn);
   vertex.position = back * vertex.position;
@@ -101,7 +101,7 @@ void dress(const importer::SourceModel& model, const importer::SourceMesh& mesh,
            SolidMesh& solid) {
   if (mesh.material >= std::min(textures.size(), model.materials.size()) || mesh.uvs.empty()) return;
   if (textures[mesh.material] == nullptr) return;
-  constexpr float kBlendedCutoff = 0.5f;  // what is blended is a hole or not, too: nothing sorts bodies
+  constexpr float kBlendedCutoff = 0.5f;  // Blended texels are holes or not, too: bodies are not sorted.
   const importer::SourceMaterial& material = model.materials[mesh.material];
   solid.texture = textures[mesh.material];
   solid.color = material.base_color.head<3>();

@@ -199,7 +199,7 @@ void StageRenderer::draw_bodies(const Camera& camera, const HeadPose& head, std:
   draw_meshes();
 }
 
-// A framebuffer without colour ignores what the shader says of it.
+// A framebuffer without colour ignores the shader's output.
 void StageRenderer::draw_casters(const Eigen::Matrix4f& clip_from_world, const HeadPose& head) const {
   set_placement(clip_from_world, head);
   draw_meshes();

@@ -43,7 +43,7 @@ struct SolidTexture {
   std::vector<std::uint8_t> rgba;
 };
 
-/// What is drawn opaque beneath the hair. Head space, metres.
+/// An opaque thing beneath the hair. Head space, metres.
 struct SolidMesh {
   std::vector<SolidVertex> vertices;
   std::vector<std::uint32_t> triangles;
@@ -53,7 +53,7 @@ struct SolidMesh {
   float roughness = 0.8f;                               ///< 0 a mirror .. 1 matte; only where BodyLook has gloss.
 };
 
-/// What is behind the hair: a gradient, and light in the middle of it. Linear colours.
+/// The background: a gradient, and light in the middle of it. Linear colours.
 struct Backdrop {
   std::array<float, 3> bottom = kBackdropBottom, top = kBackdropTop;
   std::array<float, 3> glow{};  ///< Added in the middle, fades outwards.
@@ -61,7 +61,7 @@ struct Backdrop {
   float opacity = 1;            ///< 0: nothing is there, and the picture transparent.
 };
 
-/// How light falls on bodies. The default is matte clay.
+/// The reflection of light on bodies. The default is matte clay.
 struct BodyLook {
   float ambient = kClayAmbient;  ///< Light from everywhere.
   float wrap = kClayWrap;        ///< How far light reaches around.
@@ -73,23 +73,22 @@ struct BodyLook {
 /// which would hide it.
 [[nodiscard]] std::vector<SolidMesh> mannequin_meshes(std::span<const ColliderRecord> colliders);
 
-/// Colliders of the game as they are beside a head at `head`, in its space: balls and capsules, what else there is is
-/// left out.
+/// Colliders of the game beside a head at `head`, in its space: balls and capsules; other shapes are left out.
 [[nodiscard]] std::vector<SolidMesh> moving_meshes(std::span<const MovingCollider> colliders, const HeadPose& head);
 
-/// How a body that stays where it is follows its head's turning.
+/// How a standing body follows the turn of its head.
 struct BodyTurn {
-  std::string head_bone;  ///< Its name in the source; where there is none, or nothing says what follows it, all turns.
-  Quat turn{};            ///< Of the head, world.
+  std::string head_bone;  ///< Its name in the source. Without it, or without skin weights, everything turns.
+  Quat turn{};            ///< The head's rotation, world.
 };
 
-/// A mesh of the source model; `head_joint` as in the asset's skeleton. A mesh without normals gets smooth ones. What
-/// follows the head bone or one below it turns, what follows the neck above it turns half as far, the rest stays: drawn
-/// under the head's pose, it is turned back here.
+/// A mesh of the source model; `head_joint` as in the asset's skeleton. A mesh without normals gets smooth ones. Parts
+/// on the head bone or below turn, parts on the neck above turn half as far, the rest stays: since all is drawn under
+/// the head's pose, these are turned back here.
 [[nodiscard]] SolidMesh body_mesh(const importer::SourceModel& model, const importer::SourceMesh& mesh,
                                   const Eigen::Vector3f& head_joint, const BodyTurn& pose = {});
 
-/// Of each material of a source its base texture, null where it has none that is known.
+/// For each material of a source its base texture, null where none is known.
 using BodyTextures = std::vector<std::shared_ptr<const SolidTexture>>;
 
 /// Gives a mesh of body_mesh() its texture, and the material's own colour with it.
@@ -97,20 +96,20 @@ void dress(const importer::SourceModel& model, const importer::SourceMesh& mesh,
            SolidMesh& solid);
 
 /// Every patch of a level as a surface of its own, without its texture's holes, in colours that differ most between
-/// patches that follow each other in the draw order: wrong joins and cuts are seen at a glance. Skinned with `palette`,
-/// one matrix per bone; head space, metres.
+/// patches that follow each other in the draw order, so that wrong joins and cuts are seen at a glance. Skinned with
+/// `palette`, one matrix per bone; head space, metres.
 [[nodiscard]] std::vector<SolidMesh> patch_surfaces(const Asset& asset, std::span<const Mat34> palette,
                                                     std::uint32_t lod);
 
 /// Paints one of `patches` red and all others grey.
 void mark_patch(std::size_t marked, std::span<SolidMesh> patches);
 
-// What surrounds the hair in a picture: backdrop and opaque bodies.
+// The surroundings of the hair in a picture: background and opaque bodies.
 
 /// Draws into the bound sRGB framebuffer. Its objects are freed with the OpenGL context.
 class StageRenderer {
  public:
-  /// `shadow`: what draw_bodies() will be given, or null.
+  /// `shadow`: the one for draw_bodies(), or null.
   static tl::expected<StageRenderer, ToolError> create(std::span<const SolidMesh> meshes,
                                                        const HairShadow* shadow = nullptr, const BodyLook& look = {});
 
@@ -124,7 +123,7 @@ class StageRenderer {
   void draw_bodies(const Camera& camera, const HeadPose& head, std::span<const Light> lights,
                    const HairShadow* shadow = nullptr) const;
 
-  /// The same without colour, for the bound shadow's depth.
+  /// Draws bodies without colour, for the bound shadow's depth.
   void draw_casters(const Eigen::Matrix4f& clip_from_world, const HeadPose& head) const;
 
  private:
@@ -146,7 +145,7 @@ class StageRenderer {
   std::uint32_t body_program_ = 0;
   std::uint32_t empty_vertex_array_ = 0;
   std::vector<Body> bodies_;
-  /// One for each image, however many meshes show it; null: white.
+  /// One for each image, whatever number of meshes shows it; null: white.
   std::map<std::shared_ptr<const SolidTexture>, std::uint32_t> textures_;
   BodyLook look_;
 };
@@ -178,7 +177,7 @@ class StudioShadow {
   std::unique_ptr<HairShadow> shadow_;
 };
 
-/// It draws some of a pixel's samples (alpha to coverage), of which there should be more than one.
+/// The mode draws some of a pixel's samples (alpha to coverage), so there should be more than one.
 [[nodiscard]] inline bool covers_samples(const TransparencyMode& mode) {
   return &mode == &kCoverageMode || &mode == &kProportionalMode || &mode == &kJitteredMode;
 }

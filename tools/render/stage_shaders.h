@@ -2,7 +2,7 @@
 
 namespace coif::render {
 
-// Shaders of what surrounds the hair: backdrop and opaque bodies, for stage_renderer.cpp.
+// Shaders of the hair's surroundings: background and opaque bodies, for stage_renderer.cpp.
 
 inline constexpr char kBackdropVertex[] = R"glsl(#version 300 es
 out vec2 spot;  // -1..1 in the picture
@@ -50,9 +50,10 @@ inline constexpr char kStagePreamble[] = "#version 300 es\nprecision highp float
 
 inline constexpr char kBodyWithoutShadow[] = "float key_light(vec3 place, vec3 n, float cosine) { return 1.0; }\n";
 
-// A surface is looked up a little above itself: light that grazes it would find it in shadow. Where it turns away it is
-// its own shadow, whose edge in the map has the steps of texels: it fades before. It is looked up all over a disc
-// (Vogel 1979, "A better way to construct the sunflower head"): a lock of a fringe would draw its outline on the cheek.
+// The shadow is looked up a little above the surface, since light that grazes it would find it in shadow. A surface
+// that turns away is in its own shadow, whose edge in the map has steps of texels, so light fades before that. The
+// lookup covers a disc (Vogel 1979, "A better way to construct the sunflower head"): with a single one a lock of a
+// fringe would draw its outline on the cheek.
 inline constexpr char kBodyWithShadow[] = R"glsl(
 uniform mat4 map_from_world;
 uniform vec4 shadow_depth;
@@ -76,8 +77,8 @@ float key_light(vec3 place, vec3 n, float cosine) {
 }
 )glsl";
 
-// Matte, and what a smooth surface mirrors: Blinn and Phong's highlight with Schlick's approximation of Fresnel's
-// share.
+// Matte light, and the mirror part of a smooth surface: Blinn and Phong's highlight with Schlick's approximation of
+// Fresnel's share.
 inline constexpr char kBodyFragment[] = R"glsl(
 uniform sampler2D base;
 uniform vec3 color;

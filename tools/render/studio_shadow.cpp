@@ -9,7 +9,7 @@ namespace coif::render {
 
 namespace {
 
-constexpr double kRoom = 1.1;  // of the radius
+constexpr double kRoom = 1.1;  // Factor on the radius.
 
 struct Ball {
   Eigen::Vector3d center;

@@ -10,7 +10,7 @@
 namespace coif::render {
 namespace {
 
-constexpr float kShoulder = 0.75f;  ///< Of white: where the curve leaves the straight line.
+constexpr float kShoulder = 0.75f;  ///< Share of white at which the curve leaves the straight line.
 
 std::uint8_t to_srgb(float linear) {
   return std::uint8_t(std::lround(255 * encode_srgb(std::clamp(linear, 0.0f, 1.0f))));
@@ -42,7 +42,7 @@ std::vector<std::uint8_t> develop(std::span<const float> samples, std::uint32_t 
         apply_tone_curve(std::span(sample).first<3>());
         for (std::size_t k = 0; k < 4; ++k) mean[k] += share * sample[k];
       }
-      // Pictures of a transparent backdrop hold colours as they are, not as much of them as is there.
+      // Pictures with a transparent background hold plain colours, not premultiplied ones.
       const float covered = mean[3] > 0 ? std::min(mean[3], 1.0f) : 1;
       for (std::size_t k = 0; k < 3; ++k) mean[k] /= covered;
       std::uint8_t* pixel = &pixels[4 * (y * width + x)];

@@ -17,7 +17,7 @@ namespace coif::validate {
   return asset.provenance() != nullptr && (asset.provenance()->flags & kProvenanceDraft) != 0;
 }
 
-// What may be doubtful in an asset that opens, subject by subject; asset_codes.cpp says what each code means.
+// Possible problems of an asset that opens, subject by subject; asset_codes.cpp has the meaning of each code.
 
 /// "bone 'fringe_2'", or "bone 7" where it has no name.
 [[nodiscard]] std::string bone_place(const Asset& asset, std::size_t bone);

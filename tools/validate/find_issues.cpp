@@ -162,7 +162,7 @@ Diagnostics find_source_issues(const importer::SourceModel& imported, const cook
     if (!is_told) first.push_back(make_issue("S105", cooked.error().message));
     return first;
   }
-  // What the cook says in full takes the place of what its first passes say.
+  // The whole cook's messages replace those of its first passes.
   Diagnostics issues = cook_issues(cooked->report);
   std::ranges::copy_if(first, std::back_inserter(issues),
                        [](const Diagnostic& issue) { return issue.severity == Severity::kInfo; });

@@ -10,30 +10,31 @@
 
 namespace coif::validate {
 
-/// What an asset that opens without error still does badly on screen: no error, but worth an artist's look.
+/// Visible problems of an asset that opens without error: no errors, but worth an artist's look.
 [[nodiscard]] Diagnostics find_asset_issues(const Asset& asset);
 
-/// Why an asset was refused; `status` is that of a failed open().
+/// The reason why an asset was refused; `status` is that of a failed open().
 [[nodiscard]] Diagnostic refusal_issue(const LoadStatus& status);
 
-/// Whether an asset was cooked from what `now` describes: source and recipe by their hashes, tool and importer by their
-/// versions; versions only where both hashes agree. Hashes do not cover texture files beside source and recipe.
+/// Whether an asset was cooked from the inputs that `now` describes: source and recipe by their hashes, tool and
+/// importer by their versions; versions only where both hashes agree. Hashes do not cover texture files beside source
+/// and recipe.
 [[nodiscard]] Diagnostics find_origin_issues(const Asset& asset, const ProvenanceRecord& now);
 
-/// Whether a cook of today gives the same chunks; what PROV says of the tools does not count.
+/// Whether a cook by this version gives the same chunks; the tools' entries in PROV do not count.
 [[nodiscard]] Diagnostics find_recook_issues(const Asset& asset, const Asset& cooked_anew);
 
 /// Why a source could not be imported.
 [[nodiscard]] Diagnostic import_issue(const ToolError& error);
 
-/// What a cook warned of.
+/// The warnings of a cook.
 [[nodiscard]] Diagnostics cook_issues(const cook::Findings& findings);
 
-/// What a cook of an imported source would stop at or warn of, as far as its first passes tell: which triangles are
-/// hair, whether they fall into strips, and whether unit and up axis of the file are the model's.
+/// The problems that would stop a cook of an imported source or cause warnings, as far as its first passes show: which
+/// triangles are hair, whether they form strips, and whether the file's unit and up axis are the model's.
 [[nodiscard]] Diagnostics find_source_issues(const importer::SourceModel& imported, const cook::Recipe& recipe);
 
-/// All that `cooked`, a cook of that source, stopped at or warned of, and what is worth knowing of the source.
+/// All problems that stopped `cooked`, a cook of that source, or caused warnings, and notes about the source.
 [[nodiscard]] Diagnostics find_source_issues(const importer::SourceModel& imported, const cook::Recipe& recipe,
                                              const tl::expected<cook::CookResult, ToolError>& cooked);
 

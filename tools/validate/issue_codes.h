@@ -15,10 +15,10 @@
 
 namespace coif::validate {
 
-/// With the severity that issue_codes() gives `code`, which must be one of them.
+/// With the severity of `code` in issue_codes(), which must have it.
 [[nodiscard]] Diagnostic make_issue(std::string_view code, std::string message, std::string where = "");
 
-/// Appends one whose message is written as by fmt::format().
+/// Appends an issue with a message in the syntax of fmt::format().
 template <typename... Args>
 void add_issue(Diagnostics& issues, std::string_view code, std::string where, fmt::format_string<Args...> message,
                Args&&... args) {
@@ -29,9 +29,9 @@ void add_issue(Diagnostics& issues, std::string_view code, std::string where, fm
 //   F1xx files            R1xx origin of an asset: its source, recipe and tool
 //   A1xx refused assets   A100 + the number of the reader's LoadCode
 //   A2xx doubtful assets  S10x unusable sources, S11x those that break their format's rules, S2xx doubtful ones
-//   C1xx what a cook warns of beside that
+//   C1xx other warnings of a cook
 
-/// What a code is about.
+/// The subject of a code.
 enum class IssueGroup {
   kContainer,
   kSkeleton,
@@ -52,7 +52,7 @@ struct IssueCode {
   IssueGroup group;
   Severity severity;
   const char* title;    ///< A few words.
-  const char* meaning;  ///< What is seen on screen, or why the file is no use.
+  const char* meaning;  ///< What one sees on screen, or why the file cannot be used.
   const char* cure;
   bool is_repaired = false;  ///< An error that a cook repairs and warns of.
 };
@@ -68,20 +68,20 @@ struct IssueCode {
 /// Null for text that is no code.
 [[nodiscard]] const IssueCode* find_issue_code(std::string_view code);
 
-// The parts of issue_codes(), by what they are said of.
+// The parts of issue_codes(), by subject.
 
 [[nodiscard]] std::span<const IssueCode> refusal_codes();  ///< Files and assets that cannot be opened.
 [[nodiscard]] std::span<const IssueCode> asset_codes();    ///< Assets that open and yet do badly.
 [[nodiscard]] std::span<const IssueCode> origin_codes();   ///< Sources, and whether assets still match theirs.
-[[nodiscard]] std::span<const IssueCode> cook_codes();     ///< What a cook makes of a source.
+[[nodiscard]] std::span<const IssueCode> cook_codes();     ///< About a source and its cook.
 
-/// All codes as a page in Markdown, which reads well on a terminal too: ISSUES.md.
+/// All codes as a page in Markdown, which is readable on a terminal too: ISSUES.md.
 [[nodiscard]] std::string code_page();
 
 /// {"codes": [{code, group, severity, title, meaning, cure, repaired}]}
 [[nodiscard]] std::string code_json();
 
-/// Which issues count and which are shown.
+/// The issues that count and those that are shown.
 struct IssuePolicy {
   Severity lowest = Severity::kInfo;   ///< Less severe ones are not shown; they count all the same.
   std::vector<std::string> ignored{};  ///< Codes that neither count nor are shown. Not for errors: may_ignore().
@@ -106,10 +106,10 @@ struct JudgedIssues {
   [[nodiscard]] bool valid() const { return errors == 0; }
 };
 
-/// False for an error that no cook repairs, which no build should let pass, and for what is no code.
+/// False for an error that no cook repairs, which no build should let pass, and for an unknown code.
 [[nodiscard]] bool may_ignore(std::string_view code);
 
-/// Whether an error of this code says that this program cannot read the file, not that something is wrong with it.
+/// Whether an error of this code means that this program cannot read the file, not that the file is wrong.
 [[nodiscard]] bool is_unsupported(std::string_view code);
 
 [[nodiscard]] JudgedIssues judge(Diagnostics issues, const IssuePolicy& policy);

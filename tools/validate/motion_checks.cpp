@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kHardlyAnyLength = 0.001f;  // metres
 constexpr float kMuchLonger = 5;            // than the median
-constexpr std::size_t kEnoughBones = 4;     // for a median that says something
+constexpr std::size_t kEnoughBones = 4;     // For a meaningful median.
 
 bool is_simulated(const BoneRecord& bone) { return bone.kind == BoneKind::kSimulated; }
 
@@ -78,7 +78,7 @@ void check_bones(const Asset& asset, Diagnostics& issues) {
 
 namespace {
 
-constexpr float kRestingDepth = 0.01f;  // of the head's radius
+constexpr float kRestingDepth = 0.01f;  // Share of the head's radius.
 constexpr float kNeverMoves = 0.9999f;
 constexpr float kRoundedGap = 1.0e-5f;  // metres, and of the gap
 
@@ -162,8 +162,8 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr int kMostWeight = 128;  // of 255
-constexpr float kFarAway = 0.6f;  // of the hair's size
+constexpr int kMostWeight = 128;  // In steps of 255.
+constexpr float kFarAway = 0.6f;  // Share of the hair's size.
 
 bool moves(const Asset& asset, const SkinRecord& skin) {
   for (std::size_t k = 0; k < 4; ++k) {
@@ -181,7 +181,7 @@ const BoneRecord* mover_of(const Asset& asset, const SkinRecord& skin) {
   return nullptr;
 }
 
-/// From a place to the segment that the bone is at rest, metres. Rest directions are in the parent's frame, which at
+/// Distance of a place from the bone's segment at rest, metres. Rest directions are in the parent's frame, which at
 /// rest has the axes of head space.
 float distance(const Vector3f& at, const BoneRecord& bone) {
   const Vector3f from = at - Vector3f(bone.joint);
@@ -219,8 +219,8 @@ void check_skin(const Asset& asset, Diagnostics& issues) {
 
 namespace {
 
-constexpr float kLargeError = 0.03f;  // of the chain's length, RMS
-constexpr float kDeep = 0.05f;        // of the collider's radius
+constexpr float kLargeError = 0.03f;  // Share of the chain's length, RMS.
+constexpr float kDeep = 0.05f;        // Share of the collider's radius.
 constexpr float kStretched = 0.01f;
 constexpr float kRounding = 1.001f;
 
@@ -230,7 +230,7 @@ bool is_chosen(const QualityRecord& row, const TuningRecord& tuning) {
   return float(row.substeps) == std::max(1.0f, std::ceil(tuning.substep_rate / row.frame_rate));
 }
 
-/// Worst of the rows that are run; what `tuning` says of itself where there are none.
+/// The worst of the rows that are used; the values in `tuning` itself if there are none.
 QualityRecord worst_of(const Asset& asset, const TuningRecord& tuning) {
   QualityRecord worst{};
   worst.rms_error = tuning.reached_error;
@@ -269,7 +269,7 @@ void check_origin(const Asset& asset, Diagnostics& issues) {
 void check_quality(const Asset& asset, Diagnostics& issues) {
   if (asset.dynamics().empty() || asset.skeleton().simulated_count == 0) return;
   if (asset.tuning() == nullptr) {
-    if (is_draft(asset)) return;  // A291 says so.
+    if (is_draft(asset)) return;  // A291 reports it.
     return add_issue(issues, "A283", "", "not tuned: the number of sub-steps is left to the game");
   }
   const QualityRecord worst = worst_of(asset, *asset.tuning());

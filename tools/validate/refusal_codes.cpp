@@ -76,7 +76,7 @@ using enum Severity;
 
 constexpr const char* kCookAgain = "Cook the source again.";
 
-/// Of a source that breaks the rules of its format where a cook knows how to go on.
+/// For a source that breaks the rules of its format in a way that a cook can handle.
 constexpr IssueCode broken(const char* code, const char* title, const char* meaning, const char* cure) {
   return {code, kSource, kError, title, meaning, cure, true};
 }

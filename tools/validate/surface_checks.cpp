@@ -103,8 +103,8 @@ void check_geometry(const Asset& asset, Diagnostics& issues) {
 
 namespace {
 
-constexpr float kTooWide = 1.5f;     // of the head's radius: the cooker cuts what is wider than 0.75
-constexpr float kHeadRadius = 0.1f;  // metres, where no collider tells
+constexpr float kTooWide = 1.5f;     // Share of the head's radius: the cook cuts patches wider than 0.75.
+constexpr float kHeadRadius = 0.1f;  // Metres, where no collider gives one.
 constexpr std::size_t kSections = 8;
 
 /// Groups of triangles that share a place.
@@ -126,7 +126,7 @@ std::size_t section_of(const VertexRecord& vertex) {
   return std::min(kSections - 1, place * kSections / 32767);
 }
 
-/// Mean over sections from root to tip of what a section spans across the strands, metres.
+/// Mean extent of the sections from root to tip across the strands, metres.
 float width_of(const Asset& asset, Corners corners) {
   std::array<Vector3f, kSections> along;
   along.fill(Vector3f::Zero());

@@ -13,7 +13,7 @@ namespace coif::validate {
 namespace {
 
 constexpr double kAll = 0.9995;
-constexpr double kThin = 0.75;            // of what the largest mip covers
+constexpr double kThin = 0.75;            // Share of the largest mip's coverage.
 constexpr std::uint32_t kFewTexels = 16;  // a side: hair so far away is hardly seen
 
 const char* place(TextureRole role) {
@@ -84,11 +84,11 @@ void check_alpha(const Asset& asset, Diagnostics& issues) {
 
 namespace {
 
-constexpr float kOneTexel = 1e-6f;  // of the texture's side
-constexpr float kDenseTexels = 40;  // to a millimetre
+constexpr float kOneTexel = 1e-6f;  // Share of the texture's side.
+constexpr float kDenseTexels = 40;  // Per millimetre.
 constexpr float kMillimetresPerMetre = 1000;
 
-/// Of the finest level of detail.
+/// On the finest level of detail.
 bool is_unwrapped(const Asset& asset, const PatchRecord& patch) {
   float low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
   for (const std::uint32_t corner : asset.indices().subspan(patch.first_index, patch.index_count)) {

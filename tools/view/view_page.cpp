@@ -21,7 +21,7 @@ bool is_file(const std::filesystem::path& path) {
   return std::filesystem::is_regular_file(path, ignored);
 }
 
-/// From the folder of the program that runs.
+/// Relative to the running program's folder.
 std::filesystem::path installed_page() {
   const std::filesystem::path program = platform::program_path();
   return program.empty() ? program : program.parent_path() / COIF_VIEW_PAGE_FROM_PROGRAM;
@@ -29,7 +29,7 @@ std::filesystem::path installed_page() {
 
 constexpr std::string_view kPlace = "@MOTION@";  // tools/view/page/script/page.html has it once
 
-/// As text of a script element, which "</script" would end.
+/// Text for a script element, which "</script" would end.
 std::string script_text(const nlohmann::ordered_json& json) {
   const std::string text = json.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace);
   std::string safe;

@@ -13,14 +13,14 @@
 
 namespace coif::view {
 
-/// Where the page lies that view_page() fills in, which the build for the web made: `named` unless empty, else beside
-/// the program as it is installed, else where this build tree was told that the other is. kUnsupported where there is
-/// none.
+/// Finds the page that view_page() fills in, which the build for the web made: `named` unless empty, else the one
+/// beside the installed program, else the one of the other build tree that was configured here. kUnsupported where
+/// there is none.
 [[nodiscard]] tl::expected<std::filesystem::path, ToolError> find_view_page(const std::filesystem::path& named);
 
-/// One page that shows this asset, with all that it needs inside; `name` is what the page calls it. `page` as
-/// find_view_page() found it. `sheet`: galleries to show instead, as sheet_json() has them; empty: none. kBadInput for
-/// a file that is no such page.
+/// A self-contained page that shows this asset; `name` is the asset's name on the page. `page` is from
+/// find_view_page(). `sheet`: galleries to show instead, from sheet_json(); empty: none. kBadInput for a file that is
+/// no such page.
 [[nodiscard]] tl::expected<std::string, ToolError> view_page(std::string_view page, std::span<const std::byte> asset,
                                                              std::string_view name, std::string_view sheet = {});
 

@@ -19,7 +19,7 @@ class VertexCache {
   [[nodiscard]] bool has(std::uint32_t vertex) const { return has_[vertex] != 0; }
   [[nodiscard]] std::span<const std::uint32_t> vertices() const { return vertices_; }
 
-  /// Shades what is missing.
+  /// Shades the vertices that are missing in the cache.
   void shade(const HairSurface::Triangle& triangle) {
     for (const std::uint32_t vertex : triangle.vertex) {
       if (has(vertex)) continue;
@@ -53,7 +53,7 @@ class PlaceSet {
     words_[place / kBits] &= ~(std::uint64_t{1} << place % kBits);
     --count_;
   }
-  /// Of a set that is not empty.
+  /// The set must not be empty.
   [[nodiscard]] std::uint32_t lowest() {
     while (words_[lowest_word_] == 0) ++lowest_word_;
     return lowest_word_ * kBits + std::uint32_t(std::countr_zero(words_[lowest_word_]));
@@ -62,7 +62,7 @@ class PlaceSet {
  private:
   static constexpr std::uint32_t kBits = 64;
   std::vector<std::uint64_t> words_;
-  std::uint32_t lowest_word_ = 0;  ///< All before it are empty.
+  std::uint32_t lowest_word_ = 0;  ///< All words before it are empty.
   std::size_t count_ = 0;
 };
 
@@ -131,10 +131,10 @@ class CacheOrder {
   const HairSurface& hair_;
   const UnitOrder& order_;
   std::vector<std::uint32_t> place_;
-  std::vector<std::uint32_t> held_by_;  ///< How many must come before each and have not yet.
+  std::vector<std::uint32_t> held_by_;  ///< For each, the number of units that must come first and have not come yet.
   UnitLists<std::uint32_t> holds_;
   UnitLists<std::uint32_t> of_vertex_;
-  PlaceSet free_;  ///< Those that nothing holds back.
+  PlaceSet free_;  ///< Units that nothing holds back.
   VertexCache cache_;
 };
 

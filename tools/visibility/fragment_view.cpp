@@ -23,7 +23,7 @@ GridFrame axes_towards(const Eigen::Vector3f& towards_eye) {
 
 void set_lines(const ViewGrid& grid, const ProjectedHair& hair, GridFrame& frame) {
   frame.spacing = grid.spacing;
-  // The first line passes half a step outside: one that touched the outermost corner would say nothing.
+  // The first line lies half a step outside: one that touched the outermost corner would see nothing.
   frame.left = hair.low.x() - 0.5f * frame.spacing;
   frame.bottom = hair.low.y() - 0.5f * frame.spacing;
   frame.columns = std::size_t(std::ceil((hair.high.x() - frame.left) / frame.spacing)) + 1;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kEncodedSteps = 8192;
 
-/// By the square root of a channel, which spreads the dark ones.
+/// Indexed by the square root of a channel, which spreads the dark ones.
 const std::array<float, kEncodedSteps + 1>& encoding() {
   static const auto table = [] {
     std::array<float, kEncodedSteps + 1> encoded{};
@@ -50,7 +50,7 @@ float highlight(const Eigen::Vector3f& tangent, const Eigen::Vector3f& half, flo
   return smoothstep(along + 1) * std::pow(across, exponent);
 }
 
-constexpr float kMeanMask = 0.5f;  ///< Of the secondary highlight, where a texture says where it is.
+constexpr float kMeanMask = 0.5f;  ///< Value of the secondary highlight's mask, where a texture has one.
 
 }  // namespace
 

@@ -14,14 +14,14 @@
 
 namespace coif::visibility {
 
-/// What a picture shows is sRGB-encoded: `linear` 0..1, by channel, within 0.0002.
+/// sRGB encoding: `linear` 0..1, by channel, within 0.0002.
 [[nodiscard]] Eigen::Array3f encode_srgb(const Eigen::Array3f& linear);
 
 /// Linear colour of texels, largest mip first; filtered within a mip.
 class ColorTexture {
  public:
   explicit ColorTexture(const Asset& asset);
-  /// Of the nearer mip, times the material's colour.
+  /// The colour in the nearer mip, times the material's colour.
   [[nodiscard]] Eigen::Array3f at(const Eigen::Vector2f& uv, const MipChoice& mip) const;
 
  private:
@@ -38,7 +38,7 @@ struct ViewAxes {
   Eigen::Vector3f right, up, back;
 };
 
-/// A light of the studio (base/studio.h) as it stands in a view, with which it moves.
+/// A light of the studio (base/studio.h) in a view, with which it moves.
 struct ViewLight {
   Eigen::Vector3f towards;  ///< Unit, head space.
   Eigen::Vector3f half;     ///< Unit, between that and the eye.
@@ -47,13 +47,13 @@ struct ViewLight {
 using ViewLights = std::array<ViewLight, kStudioLights.size()>;
 [[nodiscard]] ViewLights lights_in(const ViewAxes& view);
 
-/// Hair and head in the light of the tools' pictures (base/studio.h): what colours the layers of a pixel have, for
-/// judging how much it matters which of them is seen. Wrapped diffuse light, both highlights of the thesis, and the
-/// ambient term, as shaders/shading.glsl has them for kThesis; other models' highlights are left out. Light falls as at
-/// rest, and highlights are where they would be without the texture that moves them.
+/// Hair and head in the light of the tools' pictures (base/studio.h): the colours of a pixel's layers, to judge how
+/// much their order matters. Wrapped diffuse light, both highlights of the thesis, and the ambient term, as in
+/// shaders/shading.glsl for kThesis; other models' highlights are left out. Light is that at rest, and highlights are
+/// where they would be without the texture that shifts them.
 class HairLight {
  public:
-  explicit HairLight(const Asset& asset);  ///< One with a mesh; keeps nothing of it.
+  explicit HairLight(const Asset& asset);  ///< The asset must have a mesh; keeps nothing of it.
 
   /// Linear, of a point of a triangle with these corners at these shares, seen from the side of its front or back.
   [[nodiscard]] Eigen::Array3f of_hair(const std::uint32_t (&corners)[3], const Eigen::Vector3f& share, bool is_front,
@@ -71,7 +71,7 @@ class HairLight {
   std::vector<Vertex> vertices_;
 };
 
-/// Linear colour of the head where a line of sight meets it: a mannequin's clay.
+/// Linear colour of the head at a line of sight: a mannequin's clay.
 [[nodiscard]] Eigen::Array3f light_on_head(const Eigen::Vector3f& normal, const ViewLights& lights);
 
 /// Linear, behind all; `height`: 0 at the picture's bottom, 1 at its top.

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kFloatDigits = 23, kFloatBias = 127;
 
-/// Of stored values.
+/// Alphas of the stored values.
 constexpr auto kAlphaOf = [] {
   std::array<float, 256> alpha{};
   for (std::size_t i = 0; i < alpha.size(); ++i) alpha[i] = float(i) / 255.0f;

@@ -12,7 +12,7 @@
 
 namespace coif::visibility {
 
-/// Which mips of a texture fit a triangle's size in the picture: one, and how far to the next smaller one.
+/// The mip of a texture that fits a triangle's size in the picture, and how far to blend to the next smaller one.
 struct MipChoice {
   std::uint32_t level = 0;
   float next = 0;  ///< 0..1.
@@ -25,17 +25,17 @@ class AlphaTexture {
   explicit AlphaTexture(const Asset& asset);
 
   /// For texture coordinates that change by `dx` from pixel to pixel along a row and by `dy` along a column. The share
-  /// of the next mip is linear in size, not in its logarithm: within a twelfth of a mip of what OpenGL asks for, and
-  /// the same on every machine.
+  /// of the next mip is linear in size, not in its logarithm: within a twelfth of a mip of OpenGL's rule, and the same
+  /// on every machine.
   [[nodiscard]] MipChoice choose_mip(const Eigen::Vector2f& dx, const Eigen::Vector2f& dy) const;
 
   [[nodiscard]] float at(const Eigen::Vector2f& uv, const MipChoice& mip) const;
 
-  /// Gives a mip the alpha of these RGBA texels, as many as it has.
+  /// Gives a mip the alpha of these RGBA texels, which must have its size.
   void set_texels(std::size_t mip, std::span<const std::uint8_t> rgba);
 
  private:
-  /// With one texel more at each end of every row and column, which is that at the other end, as texels repeat.
+  /// Rows and columns have one more texel at each end, equal to that at the other end, as texels repeat.
   class Level {
    public:
     Level(std::uint32_t width, std::uint32_t height);
@@ -48,7 +48,7 @@ class AlphaTexture {
    private:
     float width_, height_;
     std::size_t stride_;
-    std::vector<std::uint8_t> alpha_;  ///< As stored: a quarter of the memory that is read.
+    std::vector<std::uint8_t> alpha_;  ///< As stored: a quarter of the memory traffic.
   };
   std::vector<Level> levels_;
   float factor_ = 1;
@@ -70,30 +70,31 @@ class SolidsAlong {
   struct Ball {
     Eigen::Matrix3f to_unit;
     Eigen::Vector3f center, along;
-    float square;  ///< Of the length of `along`.
+    float square;  ///< Square of the length of `along`.
   };
   std::vector<Ball> balls_;
   std::vector<ColliderRecord> others_;
   Eigen::Vector3f along_;
 };
 
-/// What pictures of a level of detail of an asset have in common, whatever its pose.
+/// The data that pictures of a level of detail share, in any pose.
 struct HairSurface {
   struct Triangle {
     std::uint32_t vertex[3];
-    std::uint32_t patch;  ///< Of Asset::lod_patches(lod).
+    std::uint32_t patch;  ///< Index into Asset::lod_patches(lod).
   };
 
-  explicit HairSurface(const Asset& asset, std::uint32_t lod = 0);  ///< One with a mesh; keeps nothing of it.
+  /// The asset must have a mesh; keeps nothing of it.
+  explicit HairSurface(const Asset& asset, std::uint32_t lod = 0);
 
   std::vector<Triangle> triangles;      ///< In stored order.
-  std::vector<std::uint32_t> vertices;  ///< That triangles have, ascending.
+  std::vector<std::uint32_t> vertices;  ///< Vertices of triangles, ascending.
   std::vector<Eigen::Vector2f> uvs;     ///< Per vertex.
   AlphaTexture alpha;
   float faintest = 0;  ///< Alphas below are never drawn.
   bool double_sided = true;
   std::uint32_t patch_count = 0;
-  std::vector<ColliderRecord> solids;  ///< The head, as far as colliders tell it: what hides the hair behind it.
+  std::vector<ColliderRecord> solids;  ///< The head's colliders, which hide the hair behind them.
 };
 
 /// Every vertex in one pose, head space, metres. `palette`: one matrix per bone; empty for the rest pose.

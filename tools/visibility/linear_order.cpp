@@ -10,7 +10,7 @@ namespace coif::visibility {
 namespace {
 
 constexpr int kMostSweeps = 100;
-constexpr double kLeastGain = 1.0e-9;  ///< Of all votes' weight: what rounding may pretend.
+constexpr double kLeastGain = 1.0e-9;  ///< Share of all votes' weight: a gain that could be rounding.
 
 std::size_t unit_range(std::span<const Vote> votes, std::span<const std::uint32_t> order) {
   std::uint32_t largest = 0;
@@ -37,7 +37,7 @@ UnitLists<Opinion> opinions_of(std::span<const Vote> votes, std::size_t units) {
 /// along it (Dietz and Sleator 1987, "Two algorithms for maintaining order in a list", in its simplest form).
 class MovingOrder {
  public:
-  /// `units`: how many numbers there are of units.
+  /// `units`: number of unit ids.
   MovingOrder(std::span<const std::uint32_t> order, std::size_t units)
       : end_(std::uint32_t(units)),
         count_(order.size()),
@@ -55,7 +55,7 @@ class MovingOrder {
     spread();
   }
 
-  static constexpr std::uint32_t kNowhere = 0;  ///< Of units that the order does not have.
+  static constexpr std::uint32_t kNowhere = 0;  ///< For units that the order does not have.
   [[nodiscard]] std::uint32_t place(std::uint32_t unit) const { return place_[unit]; }
 
   void move_before(std::uint32_t unit, std::uint32_t other) {
@@ -77,7 +77,7 @@ class MovingOrder {
  private:
   static constexpr std::uint64_t kPlaces = std::uint64_t{1} << 32;
 
-  /// All as far apart as can be.
+  /// Spreads all as far apart as possible.
   void spread() {
     const std::uint64_t step = kPlaces / (count_ + 1);
     std::uint64_t place = 0;
@@ -130,7 +130,7 @@ class InsertionSearch {
  private:
   struct Step {
     std::uint32_t place;
-    float gain;  ///< Of going past the other from where the unit is.
+    float gain;  ///< Gain of passing the other unit from the present place.
   };
 
   /// Puts the unit where it loses least; false where it is there. Then it stays there until one moves that it has an
@@ -157,7 +157,7 @@ class InsertionSearch {
     return true;
   }
 
-  /// Those that a best move may take: on either side no further than the last one that gains. Mostly there are none, or
+  /// Finds the steps that a best move may take: on either side up to the last one that gains. Mostly there are none, or
   /// few.
   void find_steps(std::uint32_t unit) {
     const std::uint32_t here = order_.place(unit);

@@ -25,7 +25,7 @@ class Clustering {
     return go_on();
   }
 
-  /// The same, with orders for the cells that they have.
+  /// The same, with orders for the present cells.
   CellOrders refine_as_assigned(CellOrders found) {
     result_ = std::move(found);
     improved_for_.clear();
@@ -104,7 +104,7 @@ class Clustering {
     return changed;
   }
 
-  /// An order whose cells are still the same is as good for them as it gets.
+  /// An order whose cells are unchanged cannot get better for them.
   void improve() {
     const auto has_changed = [&](std::size_t k) {
       if (improved_for_.empty()) return true;
@@ -175,9 +175,9 @@ CellOrders refine_clusters(const CellVotes& cells, CellOrders found, const platf
 
 namespace {
 
-/// From the middle of what an order is drawn for towards the eye; not unit.
+/// The mean direction from the hair towards the eye of the cells that use an order; not unit.
 Eigen::Vector3f mean_direction(const CellOrders& found, std::size_t order) {
-  constexpr std::uint32_t kDirections = 4;  // of a cell: their mean is near its middle
+  constexpr std::uint32_t kDirections = 4;  // Per cell: their mean is near its middle.
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   for (std::uint32_t cell = 0; cell < kViewCells; ++cell) {
     if (found.order_of[cell] != order) continue;
@@ -204,7 +204,7 @@ UnitOrder by_depth(const HairSurface& hair, std::span<const Eigen::Vector3f> pos
 
 CellOrders refine_from_depth(const HairSurface& hair, std::span<const Eigen::Vector3f> positions,
                              const CellVotes& cells, CellOrders found, const platform::Threads& threads) {
-  if (found.orders.size() < 2) return found;  // one for all directions: none of them is its own
+  if (found.orders.size() < 2) return found;  // A single order serves all directions, so none of them is its own.
   for (std::size_t k = 0; k < found.orders.size(); ++k) {
     found.orders[k] = by_depth(hair, positions, mean_direction(found, k));
   }

@@ -26,7 +26,7 @@ namespace {
 constexpr std::uint32_t kDigitBits = 11;
 constexpr std::size_t kFewVotes = 512;  // are sorted by comparing them
 
-/// Those of one digit of a unit, counted from the lowest one, after those of lower digits, else as they came.
+/// Sorts by one digit of a unit, counted from the lowest one; equal ones keep their order.
 void sort_by_digit(std::span<const Vote> votes, std::uint32_t Vote::*unit, std::uint32_t lowest, std::uint32_t shift,
                    std::span<Vote> out) {
   constexpr std::uint32_t kDigits = 1u << kDigitBits;
@@ -39,7 +39,8 @@ void sort_by_digit(std::span<const Vote> votes, std::uint32_t Vote::*unit, std::
 
 std::tuple<std::uint32_t, std::uint32_t> pair_of(const Vote& vote) { return {vote.first, vote.second}; }
 
-/// By the first unit, then by the second, else as they came: digit by digit, since there are many of few units.
+/// Sorts by the first unit, then by the second; equal ones keep their order. Digit by digit, since there are many votes
+/// of few units.
 void sort_by_pair(std::vector<Vote>& votes) {
   if (votes.size() < kFewVotes) {
     std::ranges::stable_sort(votes, {}, pair_of);
@@ -56,7 +57,7 @@ void sort_by_pair(std::vector<Vote>& votes) {
   }
 }
 
-/// One vote per pair. Votes of a pair are added in the order in which they came, so that sums are always the same.
+/// One vote per pair. Votes of a pair are added in their order, so that sums are always the same.
 void merge(std::vector<Vote>& votes) {
   sort_by_pair(votes);
   std::size_t kept = 0;
@@ -78,7 +79,7 @@ Vote vote_of(std::uint32_t before, std::uint32_t after, float weight) {
 void vote(std::span<const Layer> blended, std::span<const std::uint32_t> unit_of, bool faces_together,
           std::vector<Vote>& votes) {
   for (std::size_t near = 0; near + 1 < blended.size(); ++near) {
-    float passes = blended[near].alpha;  // of the light before `near` comes in below
+    float passes = blended[near].alpha;  // Share of the light; `near` is included below.
     for (std::size_t i = 0; i < near; ++i) passes *= 1 - blended[i].alpha;
     const std::uint32_t over = unit_of[blended[near].triangle];
     for (std::size_t far = near + 1; far < blended.size(); ++far) {
@@ -119,7 +120,7 @@ std::vector<Vote> votes_of_groups(std::span<const Vote> votes, std::span<const s
 
 namespace {
 
-constexpr std::size_t kVotesOfPart = 16'384;  // fit a processor's own cache, sorted ones beside them
+constexpr std::size_t kVotesOfPart = 16'384;  // Fits a processor's own cache together with the sorted ones.
 
 using VoteLists = std::span<const std::span<const Vote>>;
 
@@ -129,8 +130,8 @@ std::size_t count_of(VoteLists lists) {
   return count;
 }
 
-/// First units that cut all votes into parts of about so many, as their places in the longest list tell: each part's
-/// lowest, and one above all.
+/// First units that divide all votes into parts of about this size, judged by the longest list: each part's lowest
+/// unit, and one above all.
 std::vector<std::uint32_t> part_bounds(VoteLists lists) {
   const auto longest = std::ranges::max(lists, {}, [](const auto& votes) { return votes.size(); });
   const std::size_t parts = count_of(lists) / kVotesOfPart + 1;

@@ -12,24 +12,24 @@
 
 namespace coif::visibility {
 
-/// Errors of pictures drawn in some order, as picture_error() says; PSNR over the pixels that hair covers, dB.
+/// Errors of pictures drawn in some order, see picture_error(); PSNR over the pixels that hair covers, dB.
 struct OrderQuality {
-  double psnr = 0;     ///< Of all views' pixels.
+  double psnr = 0;     ///< Over all views' pixels.
   double median = 0;   ///< Over the views at rest.
-  double worst = 0;    ///< Of the views at rest.
+  double worst = 0;    ///< Among the views at rest.
   double moving = 0;   ///< Median over the views in motion; that of those at rest where there are none.
-  double blended = 0;  ///< Layers per pixel that are blended: what drawing costs.
+  double blended = 0;  ///< Blended layers per pixel: the cost of drawing.
 };
 
-/// The hair from sides that no order is found from. What takes long to see is seen once, and judged with any threshold
-/// and the mips that belong to it.
+/// The hair from sides that no order is found from. The slow part is done once; any threshold, with the mips that
+/// belong to it, can then be judged.
 class JudgedHair {
  public:
   /// `settings`: its solid_alpha does not matter.
   JudgedHair(const SeenHair& hair, std::span<const HairPositions> poses, const SampleSettings& settings);
 
   struct View {
-    std::uint32_t cell = 0;  ///< That its direction lies in.
+    std::uint32_t cell = 0;  ///< The cell of its direction.
     std::uint32_t pose = 0;
     SeenHits hits;
   };
@@ -43,10 +43,10 @@ class JudgedHair {
   std::vector<View> views_;
 };
 
-/// How much alpha the judged hair has, and how much of it is looked at.
+/// The alpha of the judged hair, and how many views are used.
 struct JudgeSettings {
   float least_threshold = 0.95f;   ///< Rules that are judged must have no lower opaque threshold.
-  std::size_t views_per_cell = 1;  ///< The first of those that there are.
+  std::size_t views_per_cell = 1;  ///< The first of the existing ones.
   platform::Threads threads = 1;   ///< Without influence on the result.
 };
 
@@ -59,7 +59,7 @@ class OrderJudge {
   [[nodiscard]] OrderQuality judge(const CellOrders& orders, const DrawRule& rule) const;
   /// The best that any order could do.
   [[nodiscard]] double best_psnr(const DrawRule& rule) const;
-  /// What is blended per line, on average over the views.
+  /// Blended layers per line, mean over the views.
   [[nodiscard]] double blended(const DrawRule& rule) const;
 
  private:

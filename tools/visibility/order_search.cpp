@@ -23,7 +23,7 @@ namespace {
 constexpr double kUnseenPsnr = 59;          ///< dB: rounding colours to eight bits errs as much.
 constexpr double kPlainGain = 1;            ///< dB.
 constexpr double kMostLostToCache = 0.2;    ///< dB.
-constexpr std::uint32_t kJudgeSeed = 1000;  ///< Far from those that orders are found from.
+constexpr std::uint32_t kJudgeSeed = 1000;  ///< Far from the seeds of views that orders are found from.
 
 SampleSettings samples_wanted(const OrderSearchSettings& settings, std::size_t views_per_cell, std::uint32_t seed) {
   SampleSettings wanted;
@@ -73,7 +73,7 @@ class OrderSearch {
         judge_(judge_of(hair, judged, settings)),
         patch_of_(patches_of(hair)) {}
 
-  /// `from`: null, or what to refine.
+  /// `from`: null, or the orders to refine.
   FoundOrders run(const FoundOrders* from) {
     start();
     consider(rules(from), from);
@@ -93,7 +93,7 @@ class OrderSearch {
     return rules;
   }
 
-  /// What was found with faces apart is nearly as good as it could be, and with faces together could be better.
+  /// True if the result with faces apart is nearly as good as it could be, and with faces together could be better.
   [[nodiscard]] bool faces_limit() const {
     if (best_.rule.faces_together || settings_.faces_together || !hair_.double_sided) return false;
     const double apart = judge_.best_psnr(rule_of(hair_, settings_, false));
@@ -143,7 +143,7 @@ class OrderSearch {
     if (candidate.found.psnr > best_.found.psnr) best_ = std::move(candidate);
   }
 
-  /// The triangles' votes, for each rule. Only votes are kept of a view: of fine hair they take a hundredth of its
+  /// The triangles' votes, for each rule. Of a view only votes are kept: for fine hair they take a hundredth of its
   /// layers' memory.
   [[nodiscard]] std::vector<CellVotes> cell_votes(std::span<const DrawRule> rules) const {
     std::vector<std::uint32_t> own(patch_of_.size());
@@ -211,7 +211,7 @@ class OrderSearch {
     candidate.by_view = std::move(clusters);
   }
 
-  /// The same, as far as votes tell, with more vertices shared between triangles.
+  /// The same, as far as votes allow, with more vertices shared between triangles.
   [[nodiscard]] CellOrders for_cache(const CellOrders& clusters, const CellVotes& cells) const {
     CellOrders shared = clusters;
     const platform::Threads inner = settings_.threads.divided_by(shared.orders.size());
@@ -227,7 +227,7 @@ class OrderSearch {
   const UnitOrder& head_;
   const RestVotes& seen_;
   OrderJudge judge_;
-  std::vector<std::uint32_t> patch_of_;  ///< Of each triangle.
+  std::vector<std::uint32_t> patch_of_;  ///< Per triangle.
   FoundOrders best_;
 };
 

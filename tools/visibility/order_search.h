@@ -12,34 +12,36 @@
 
 namespace coif::visibility {
 
-/// All triangles of each unit after those of the unit before it; stored order within.
+/// All triangles of each unit after those of the unit before it; in stored order within a unit.
 [[nodiscard]] UnitOrder triangles_in_order(std::span<const std::uint32_t> unit_order,
                                            std::span<const std::uint32_t> unit_of_triangle);
 
 struct OrderSearchSettings {
   std::size_t max_orders = 8;  ///< The stored one included; 1: no others.
-  double min_gain =
-      0.5;  ///< dB that other orders must be better by than the stored one; what eight bits do not show is no gain.
+  /// dB by which other orders must be better than the stored one: eight bits do not show less.
+  double min_gain = 0.5;
   float opaque_threshold = 0.95f;
-  std::optional<bool> faces_together;  ///< None: what is better.
-  std::size_t views_per_cell = 32;     ///< That orders are found from; time grows with both, and what is missed falls.
-  std::size_t judge_views_per_cell = 2;  ///< That orders are judged by: others; no more than the judged hair has.
+  std::optional<bool> faces_together;  ///< None: the better one.
+  /// Views that orders are found from; with more, time grows and fewer conflicts are missed.
+  std::size_t views_per_cell = 32;
+  /// Other views that orders are judged by; at most as many as the judged hair has.
+  std::size_t judge_views_per_cell = 2;
   std::size_t lines_per_view = 4000;
   platform::Threads threads = 1;  ///< Without influence on the result.
 };
 
-/// How to draw the hair, and how good that is.
+/// How to draw the hair, and the quality of that.
 struct FoundOrders {
   DrawRule rule;
   UnitOrder patches;    ///< The best order of whole patches.
   CellOrders by_view;   ///< Orders of triangles for directions; none where they would gain too little.
   OrderQuality head;    ///< By distance from the head, faces apart.
   OrderQuality single;  ///< `patches`, for all directions.
-  OrderQuality found;   ///< What is drawn: `by_view`, else `single`.
+  OrderQuality found;   ///< The result: `by_view`, else `single`.
   double limit = 0;     ///< dB that the best conceivable order has.
 };
 
-/// The views that settings say to judge by. For any other settings with as many lines, too.
+/// The views by which the settings judge. Also for any other settings with as many lines.
 [[nodiscard]] JudgedHair judged_hair(const SeenHair& hair, std::span<const HairPositions> poses,
                                      const OrderSearchSettings& settings);
 
@@ -53,9 +55,9 @@ struct FoundOrders {
                                         std::span<const HairPositions> poses, const UnitOrder& by_head_distance,
                                         const OrderSearchSettings& settings);
 
-/// The same from where a search with fewer views got to, with its faces and no more orders than it found: most of a
-/// search's time goes into finding which directions belong together, and few views tell that as well. `seen`: votes of
-/// the same hair in its first pose, along as many lines, that need not be found again.
+/// Continues a search with fewer views, with its faces and at most its number of orders: most of a search's time goes
+/// into grouping the directions, for which few views suffice. `seen`: votes of the same hair in its first pose, along
+/// as many lines, that need not be found again.
 [[nodiscard]] FoundOrders refine_orders(const HairSurface& hair, const JudgedHair& judged,
                                         std::span<const HairPositions> poses, const UnitOrder& by_head_distance,
                                         const FoundOrders& found, const OrderSearchSettings& settings,
@@ -66,7 +68,7 @@ struct FoundOrders {
 [[nodiscard]] double share_of_order(const HairSurface& hair, const JudgedHair& judged, const FoundOrders& orders,
                                     const OrderSearchSettings& settings);
 
-/// How good orders are that were found with another threshold, by the views that the search judges by.
+/// The quality of orders that were found with another threshold, by the views that the search judges by.
 [[nodiscard]] OrderQuality judge_orders(const HairSurface& hair, const JudgedHair& judged, const FoundOrders& orders,
                                         const OrderSearchSettings& settings);
 

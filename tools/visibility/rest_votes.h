@@ -11,15 +11,15 @@
 
 namespace coif::visibility {
 
-/// What some views of the hair at rest want of its triangles, drawn by one rule: for who would look along the same
-/// lines again.
+/// The votes of some views of the hair at rest on its triangles, for one rule. Saves looking along the same lines
+/// again.
 class RestVotes {
  public:
   RestVotes() = default;
   RestVotes(const DrawRule& rule, std::size_t views_per_cell)
       : rule_(rule), views_per_cell_(views_per_cell), votes_(kViewCells * views_per_cell) {}
 
-  /// `view`: number of it in its cell, below views_per_cell. Different ones may be kept at the same time.
+  /// `view`: its number in its cell, below views_per_cell. Different ones may be kept at the same time.
   void keep(std::size_t cell, std::size_t view, std::vector<Vote> votes) {
     votes_[cell * views_per_cell_ + view] = std::move(votes);
   }

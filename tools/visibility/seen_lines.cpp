@@ -14,12 +14,12 @@ namespace {
 constexpr float kUnseenShare = 1.0f / 1024;  ///< Share of a pixel.
 constexpr float kFaintestOfAll = 1.0f / 512;
 constexpr float kHidesAll = 0.999f;
-/// What mips of any threshold make of alphas: these stay solid, and of all so much is left. In two cooks, of curly hair
-/// and of 102,070 triangles, no threshold was judged more than 0.04 dB and 0.03 blended layers differently than
-/// without.
+/// Bounds of alphas in the mips of any threshold: above the first they stay solid, and at least the second share is
+/// left. In two cooks, of curly hair and of 102,070 triangles, no threshold was judged more than 0.04 dB and 0.03
+/// blended layers differently than without these bounds.
 constexpr float kSolidInAll = 0.97f, kLeastKept = 0.7f;
 constexpr float kPicturePixels = 160;
-/// Of the hair's width in a picture: its border, and that its middle is further away than its nearest points.
+/// Factor on the hair's width in a picture: its border, and that its middle is further away than its nearest points.
 constexpr float kFrame = 1.2f;
 
 float pixel_of(std::span<const Eigen::Vector3f> positions, const ViewAxes& axes) {
@@ -43,7 +43,7 @@ ViewAxes axes_of(const Eigen::Vector3f& towards_eye) {
   return axes;
 }
 
-/// Finds what lines of a view show.
+/// Finds the visible layers of a view's lines.
 class LayerLight {
  public:
   LayerLight(const SeenHair& hair, std::span<const Eigen::Vector3f> positions, const ViewAxes& axes, float pixel)
@@ -69,7 +69,7 @@ class LayerLight {
     return {color.min(1.0f), uv, mip, fragment.triangle & 0x7FFFFFFFu, fragment.is_front ? 1u : 0u};
   }
 
-  /// What is behind all hair on a line through `origin`; `height`: in the picture, 0..1.
+  /// The background of a line through `origin`; `height`: in the picture, 0..1.
   [[nodiscard]] Eigen::Array3f behind(const Eigen::Vector3f& origin, float height) const {
     float nearest = std::numeric_limits<float>::infinity();
     Eigen::Array3f color = backdrop(height);
@@ -174,7 +174,7 @@ namespace {
 struct DrawnLayer {
   std::uint64_t key;
   const SeenLayer* layer;
-  float share;  ///< Of the pixel, where depth sorts.
+  float share;  ///< Share in the pixel, if sorted by depth.
 };
 
 /// Squared differences of one line. Its memory is shared by calls.

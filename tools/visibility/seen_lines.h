@@ -12,7 +12,7 @@
 
 namespace coif::visibility {
 
-/// A fragment with what a picture shows of it.
+/// A fragment with its colour in a picture.
 struct SeenLayer {
   Eigen::Array3f color;  ///< Linear, lit.
   float alpha = 0;
@@ -35,13 +35,14 @@ struct SeenLines {
 
 /// Hair that pictures of are judged.
 struct SeenHair {
-  explicit SeenHair(const Asset& asset) : surface(asset), light(asset) {}  ///< One with a mesh; keeps nothing of it.
+  /// The asset must have a mesh; keeps nothing of it.
+  explicit SeenHair(const Asset& asset) : surface(asset), light(asset) {}
   HairSurface surface;
   HairLight light;
 };
 
-/// Where a line meets the hair, with all that a picture may show of it but the alpha, which depends on the texture's
-/// mips.
+/// An intersection of a line with the hair, with everything that a picture may show except the alpha, which depends on
+/// the texture's mips.
 struct SeenHit {
   Eigen::Array3f color;  ///< Linear, lit.
   Eigen::Vector2f uv;
@@ -50,38 +51,38 @@ struct SeenHit {
   std::uint32_t is_front : 1 = 0;
 };
 
-/// Pixels of one view in which hair may be seen, each with its hits, nearest first: what takes long to find, and is the
-/// same whatever the mips' alpha and the threshold.
+/// Pixels of one view in which hair may be seen, each with its hits, nearest first: the slow part, independent of the
+/// mips' alpha and the threshold.
 struct SeenHits {
   std::vector<std::uint32_t> begin = {0};  ///< Per line and one more: its first hit.
   std::vector<SeenHit> hits;
-  std::vector<Eigen::Array3f> behind;  ///< As SeenLines.
+  std::vector<Eigen::Array3f> behind;  ///< As in SeenLines.
 };
 
-/// Looks at the hair at `positions` as from `towards_eye`, along lines so many metres apart, mips as in a picture that
-/// the hair fills with 160 pixels, which is what `coif report order` takes. What so many layers lie before that it is
-/// hidden whatever the mips are made to hide is left out.
+/// Looks at the hair at `positions` from `towards_eye`, along lines this many metres apart, with the mips of a picture
+/// that the hair fills with 160 pixels, as in `coif report order`. Hits behind so many layers that they are hidden with
+/// any mips are left out.
 [[nodiscard]] SeenHits see_hits(const SeenHair& hair, std::span<const Eigen::Vector3f> positions,
                                 const Eigen::Vector3f& towards_eye, float spacing);
 
-/// What those hits are with this alpha. `opaque_threshold`: the least that lines will be drawn with; what is
-/// behind a layer that hides all in that picture and in the exact one is left out.
+/// The hits with this alpha. `opaque_threshold`: the smallest with which lines will be drawn; layers behind one that
+/// hides everything in that picture and in the exact one are left out.
 [[nodiscard]] SeenLines lines_of(const SeenHits& hits, const AlphaTexture& alpha, float opaque_threshold);
 
-/// Both at once, with the hair's own alpha.
+/// Both steps at once, with the hair's own alpha.
 [[nodiscard]] SeenLines see_lines(const SeenHair& hair, std::span<const Eigen::Vector3f> positions,
                                   const Eigen::Vector3f& towards_eye, float spacing, float opaque_threshold);
 
 /// Spread of colours that a picture in the tools' light does not show but another light would, RMS, of 1.
 inline constexpr double kOtherLightSpread = 0.01;
 
-/// Squared difference (of encoded channels, 0..1, mean of the three), as a sum over lines, between the picture in which
-/// every pixel is sorted by depth and every alpha counts as it is, and that drawn by the rule. `rank`: of each
+/// Squared difference (of encoded channels, 0..1, mean of the three), summed over lines, between the exact picture, in
+/// which every pixel is sorted by depth and every alpha is its own, and the one drawn by the rule. `rank`: of each
 /// triangle, lower ones drawn first; empty: all layers sorted by depth, the best that any order could do.
 [[nodiscard]] double picture_error(const SeenLines& lines, std::span<const std::uint32_t> rank, const DrawRule& rule);
 
-/// What drawing a view's lines by the rule costs, in blended layers per line: each of those, and all behind a solid one
-/// that the depth test spares count nothing.
+/// The cost of drawing a view's lines by the rule, in blended layers per line. Solid layers, and layers behind a solid
+/// one, which the depth test rejects, do not count.
 [[nodiscard]] double blended_layers(const SeenLines& lines, const DrawRule& rule);
 
 }  // namespace coif::visibility

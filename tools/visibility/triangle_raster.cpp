@@ -8,8 +8,8 @@
 namespace coif::visibility {
 namespace {
 
-/// Corners are put on a grid this much finer than that of the lines, so that edges are whole numbers: two triangles of
-/// a card never both have a line, nor do both miss it.
+/// Corners are put on a grid this much finer than that of the lines, so that edges are integers: two triangles of a
+/// card never both have a line, nor do both miss it.
 constexpr std::uint32_t kStepBits = 8;
 constexpr std::int32_t kSteps = 1 << kStepBits;
 constexpr double kMostSteps = 1 << 30;
@@ -67,7 +67,7 @@ TriangleRaster::TriangleRaster(const HairSurface& hair, std::span<const Eigen::V
 
 std::vector<PlacedFragment> TriangleRaster::run() {
   const std::vector<Met> order = near_to_far(met_triangles());
-  // From near to far they lie anywhere in memory.
+  // From near to far they are scattered in memory.
   constexpr std::size_t kAhead = 16;
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (i + 2 * kAhead < order.size()) __builtin_prefetch(&hair_.triangles[order[i + 2 * kAhead].triangle]);
@@ -88,7 +88,7 @@ std::int64_t TriangleRaster::edge(const Corner& a, const Corner& b, std::int64_t
 /// other.
 bool TriangleRaster::owns_edge(const Corner& a, const Corner& b) { return b.y != a.y ? b.y > a.y : b.x < a.x; }
 
-/// Those with lines in their boxes: of fine hair most have none.
+/// Triangles with lines in their boxes: in fine hair most have none.
 std::vector<TriangleRaster::Met> TriangleRaster::met_triangles() const {
   std::vector<Met> met(hair_.triangles.size());
   const auto least = [](auto a, auto b, auto c) { return std::min(std::min(a, b), c); };
@@ -110,8 +110,8 @@ std::vector<TriangleRaster::Met> TriangleRaster::met_triangles() const {
   return met;
 }
 
-/// So that what is solid comes before most of what it hides: in slices, each in stored order, in which neighbours share
-/// memory.
+/// Sorts solid triangles from near to far in slices, so that most hidden triangles come after those that hide them.
+/// Each slice keeps the stored order, in which neighbours share memory.
 std::vector<TriangleRaster::Met> TriangleRaster::near_to_far(const std::vector<Met>& met) const {
   constexpr std::uint32_t kSlices = 64;
   const float low = projected_.low.z(), high = projected_.high.z();
@@ -127,7 +127,7 @@ std::vector<TriangleRaster::Met> TriangleRaster::near_to_far(const std::vector<M
   return sorted;
 }
 
-/// Of a line, found when it is first asked for: many lines meet nothing.
+/// The value of a line, computed at the first use: many lines meet nothing.
 float& TriangleRaster::covered_from(std::size_t line) {
   float& covered = covered_from_[line];
   if (std::isnan(covered)) {
@@ -170,7 +170,7 @@ void TriangleRaster::draw(const Met& met) {
   visit_lines(box);
 }
 
-/// What only triangles need of which a line meets more than the box.
+/// Sets up the data of a triangle when a line inside its box first meets the triangle itself.
 void TriangleRaster::meet() {
   is_met_ = true;
   for (int k = 0; k < 3; ++k) {
@@ -198,7 +198,7 @@ void TriangleRaster::visit_lines(const Met& box) {
     const Corner &a = corner_[(k + 1) % 3], &b = corner_[(k + 2) % 3];
     inside[k] = edge(a, b, std::int64_t(box.first_column) * kSteps, std::int64_t(box.first_row) * kSteps);
     owns_[k] = owns_edge(a, b);
-    if (!owns_[k]) --inside[k];  // then a line on the edge is outside
+    if (!owns_[k]) --inside[k];  // Then a line on the edge is outside.
     by_column[k] = -std::int64_t(b.y - a.y) * kSteps;
     by_row[k] = std::int64_t(b.x - a.x) * kSteps;
   }
@@ -218,8 +218,8 @@ void TriangleRaster::visit_lines(const Met& box) {
   for (std::size_t i = 0; i < inside_count_; ++i) visit(inside_[i].line, inside_[i].areas);
 }
 
-/// Most triangles have some lines in their boxes and fewer inside, of which no branch foretells where they begin: all
-/// are written down, and those inside kept.
+/// Most triangles have some lines in their boxes and fewer inside, and no branch predicts where they begin. So all are
+/// written, and those inside are kept.
 void TriangleRaster::note_row(std::size_t line, std::size_t columns, Areas at, const Areas& by_column) {
   std::size_t count = inside_count_;
   for (std::size_t column = 0; column < columns; ++column) {
@@ -240,7 +240,7 @@ void TriangleRaster::visit_row(std::size_t line, std::size_t columns, Areas at, 
   for (; column < columns && (at[0] | at[1] | at[2]) >= 0; go_on()) visit(line + column, at);
 }
 
-/// A line that meets the triangle. `inside`: twice the areas that it makes with the edges, less 1 with those that are
+/// Adds a line that meets the triangle. `inside`: twice the areas between it and the edges, minus 1 for edges that are
 /// not owned.
 void TriangleRaster::visit(std::size_t line, const Areas& inside) {
   float& covered = covered_from(line);

@@ -22,21 +22,21 @@ struct PlacedFragment {
 struct ProjectedHair {
   ProjectedHair(const HairSurface& hair, std::span<const Eigen::Vector3f> positions, const GridFrame& axes);
 
-  std::vector<Eigen::Array3f> points;          ///< Of each vertex that is used: along right, up and towards_eye.
-  Eigen::Array3f low{0, 0, 0}, high{0, 0, 0};  ///< Of all of them.
+  std::vector<Eigen::Array3f> points;          ///< For each used vertex: along right, up and towards_eye.
+  Eigen::Array3f low{0, 0, 0}, high{0, 0, 0};  ///< Bounds of the points.
 };
 
-/// Finds which lines of a grid meet which triangles, and what they meet there. One picture each.
+/// Finds which lines of a grid meet which triangles, and where. One picture each.
 class TriangleRaster {
  public:
   /// Keeps references to all that it is given.
   TriangleRaster(const HairSurface& hair, std::span<const Eigen::Vector3f> positions, const ProjectedHair& projected,
                  const ViewGrid& grid, const GridFrame& frame);
 
-  /// In no order. What a fragment hides that was found before is left out.
+  /// In no order. Fragments that are hidden by earlier ones are left out.
   [[nodiscard]] std::vector<PlacedFragment> run();
 
-  /// After run(), per line with fragments: where the head hides what is behind it; only where the grid leaves that out.
+  /// After run(), per line with fragments: the depth of the head; only if the grid leaves out what it hides.
   [[nodiscard]] std::vector<float> take_solid_depth() { return std::move(solid_depth_); }
 
  private:
@@ -52,7 +52,7 @@ class TriangleRaster {
     std::int32_t first_column, last_column, first_row, last_row;
   };
 
-  /// Twice those that a line makes with the three edges, less 1 with those that are not owned.
+  /// Twice the areas between a line and the three edges, minus 1 for edges that are not owned.
   using Areas = std::array<std::int64_t, 3>;
   struct InsideLine {
     std::size_t line;
@@ -81,13 +81,13 @@ class TriangleRaster {
   const GridFrame& frame_;
   SolidsAlong solids_;
   float faintest_;
-  float depth_slack_;                ///< By which rounding may set a fragment's depth off, metres.
+  float depth_slack_;                ///< Largest rounding error of a fragment's depth, metres.
   std::vector<Corner> corners_;      ///< Per vertex.
-  std::vector<float> covered_from_;  ///< Per line: the nearest solid fragment so far; NaN where none was asked for yet.
+  std::vector<float> covered_from_;  ///< Per line: the nearest solid fragment so far; NaN before the first use.
   std::vector<float> solid_depth_;
   std::vector<PlacedFragment> placed_;
 
-  // Of the triangle that is drawn.
+  // The present triangle.
   std::array<std::uint32_t, 3> vertex_{};
   Corner corner_[3];
   float nearest_ = 0;

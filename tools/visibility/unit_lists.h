@@ -11,7 +11,8 @@ namespace coif::visibility {
 template <typename Item>
 class UnitLists {
  public:
-  /// `for_all` is called twice with what adds an item to a unit's list, and must do so in the same order.
+  /// `for_all` is called twice with a function that adds an item to a unit's list, and must call that in the same
+  /// order.
   template <typename ForAll>
   UnitLists(std::size_t units, const ForAll& for_all) : begin_(units + 1, 0) {
     for_all([&](std::uint32_t unit, const Item&) { ++begin_[unit + 1]; });

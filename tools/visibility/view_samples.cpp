@@ -43,8 +43,8 @@ namespace {
 /// effectiveness of quasirandom sequences".
 constexpr double kStepX = 0.7548776662466927, kStepY = 0.5698402909980532;
 
-/// Area that the hair covers in a picture, on average over all directions: a quarter of both sides' of a convex body
-/// (Cauchy's formula); for hair, whose cards lie before each other, the box around it says enough.
+/// Area that the hair covers in a picture, on average over all directions: a quarter of the surface of a convex body
+/// (Cauchy's formula). For hair, whose cards hide each other, the box around it is good enough.
 double mean_outline(std::span<const Eigen::Vector3f> positions) {
   Eigen::AlignedBox3f box;
   for (const Eigen::Vector3f& p : positions) box.extend(p);

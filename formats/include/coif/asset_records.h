@@ -17,14 +17,16 @@ namespace coif {
 
 static_assert(std::endian::native == std::endian::little, "a .coif is used in place; big-endian hosts need a reader");
 
-inline constexpr std::uint32_t kNone = 0xFFFFFFFFu;     ///< "No such bone, chain or name".
-inline constexpr std::uint32_t kMaxBones = 4096;        ///< So that whatever has one value per bone stays small.
-inline constexpr std::uint32_t kMaxColliders = 32;      ///< A bone's set of colliders is one word.
-inline constexpr std::uint32_t kMaxBodyColliders = 32;  ///< As kMaxColliders, of those that hang from the body's bones.
+inline constexpr std::uint32_t kNone = 0xFFFFFFFFu;  ///< "No such bone, chain or name".
+inline constexpr std::uint32_t kMaxBones = 4096;     ///< Keeps everything that has one value per bone small.
+inline constexpr std::uint32_t kMaxColliders = 32;   ///< A bone's set of colliders is one word.
+/// As kMaxColliders, for colliders that hang from the body's bones.
+inline constexpr std::uint32_t kMaxBodyColliders = 32;
 inline constexpr std::uint32_t kMaxLods = 8;
 inline constexpr std::uint32_t kMaxOrders = 32;  ///< Draw orders of one asset, the stored one included.
-inline constexpr std::uint32_t kViewCells = 96;  ///< Directions to look from that may have an order each: view_cells.h.
-/// Bones of a chain whose children are not all behind a walk in stored order: what a solver has to keep at hand.
+inline constexpr std::uint32_t kViewCells = 96;  ///< Viewing directions that may have an order each: view_cells.h.
+/// Most bones of a chain that may be open (see ChainRecord) at one place of the stored order. A solver keeps that many
+/// at hand.
 inline constexpr std::uint32_t kMaxOpenBones = 16;
 
 /// The model looks along -Z at rest; otherwise along +Z. For pictures and names; the simulation does not care.
@@ -40,8 +42,8 @@ struct SkeletonRecord {
   /// (p, q * conjugate(head_rotation)).
   float head_joint[3];
   float head_rotation[4];
-  /// 0..1: how much of the head's velocity the air around it does not take on. At 0 a head that moves steadily leaves
-  /// its hair alone, at 1 hair streams back in the world's air.
+  /// 0..1: the share of the head's velocity that the air around it does not take on. At 0 a head that moves steadily
+  /// does not disturb its hair; at 1 the hair streams back as in still air.
   float air_lag;
 };
 static_assert(sizeof(SkeletonRecord) == 48);
@@ -67,14 +69,14 @@ struct BoneRecord {
 };
 static_assert(sizeof(BoneRecord) == 48);
 
-/// Which of the models in runtime/docs/MODEL.md a chain's dynamics are meant for.
+/// The model in runtime/docs/MODEL.md that a chain's dynamics are meant for.
 enum class ChainModel : std::uint32_t {
   kCascade = 0,  ///< Bones do not hold back their parents.
-  kPassive = 1,  ///< They do.
+  kPassive = 1,  ///< Bones hold back their parents.
 };
 
-/// A tree of simulated bones that hangs from one rigid bone. A bone of it is open from its own place in the order to
-/// that of its last child; at no place more than kMaxOpenBones are, those that open or close there included.
+/// A tree of simulated bones that hangs from one rigid bone. A bone is open from its own place in the stored order to
+/// the place of its last child. At most kMaxOpenBones are open at any place; bones that open or close there count.
 struct ChainRecord {
   std::uint32_t first_bone;
   std::uint32_t bone_count;
@@ -83,13 +85,13 @@ struct ChainRecord {
 };
 static_assert(sizeof(ChainRecord) == 16);
 
-inline constexpr float kNoAngleLimit = 3.14159274f;  ///< Half a turn: no direction is further.
+inline constexpr float kNoAngleLimit = 3.14159274f;  ///< Half a turn: no direction is further away.
 
-/// A torsion at which a twist is gone at once: frames are the shortest arcs, and no twist is stored or computed.
+/// With this torsion a twist is gone at once: frames are the shortest arcs, and no twist is stored or computed.
 inline constexpr float kShortestArc = 1e6f;
 
-/// How a bone moves. `thesis` reads resistance, `coif` what it was baked into: stiffness and damping
-/// (runtime/docs/MODEL.md); both read friction, gravity and the hit radius.
+/// How a bone moves. `thesis` reads resistance; `coif` reads stiffness and damping, which were baked from it
+/// (runtime/docs/MODEL.md). Both read friction, gravity and the hit radius.
 struct DynamicsRecord {
   float resistance;      ///< Pull to the default pose per step of the authoring rate, 0..1 (thesis 5.2).
   float friction;        ///< Velocity loss relative to the air, 1/s, >= 0.
@@ -101,13 +103,13 @@ struct DynamicsRecord {
   float torsion;         ///< Rate at which a twist against the parent decays, 1/s, 0..kShortestArc.
   float angle_limit;     ///< Largest angle to the default direction, radians, 0..kNoAngleLimit.
   float parent_share;    ///< Share of the pull that turns with the parent, 0..1; the rest turns with the head.
-  float lean[2];         ///< Where the default direction is, beside the rest direction: pull_direction(). Zero: there.
+  /// Where the default direction is relative to the rest direction: see pull_direction(). Zero: both are the same.
+  float lean[2];
 };
 static_assert(sizeof(DynamicsRecord) == 48);
 
-/// What the artist asked for where DynamicsRecord has something else: the numbers of a bone before its chain was made
-/// to have one motion. `thesis` reads the friction of here, and so do the comparisons of `coif report`, with all the
-/// rest.
+/// The artist's own numbers, where DynamicsRecord has others: the cook changed them so that the chain has one
+/// well-defined motion. `thesis` reads its friction from here; the comparisons of `coif report` read all of them.
 struct AskedRecord {
   float friction;      ///< As DynamicsRecord::friction.
   float damping;       ///< As DynamicsRecord::damping.
@@ -115,7 +117,7 @@ struct AskedRecord {
 };
 static_assert(sizeof(AskedRecord) == 12);
 
-/// What bounds a bone's direction, as VRMC_springBone_limit 1.0 defines it.
+/// How a bone's direction is limited, as VRMC_springBone_limit 1.0 defines it.
 enum class LimitKind : std::uint32_t {
   kUnlimited = 0,
   kCone = 1,       ///< At most angles[0] from the middle direction.
@@ -123,23 +125,24 @@ enum class LimitKind : std::uint32_t {
   kSpherical = 3,  ///< Pitch, about x, at most angles[0] to either side; yaw, towards x, at most angles[1].
 };
 
-/// Largest yaw of a spherical limit: a quarter of a turn.
+/// Largest yaw of a spherical limit: a quarter turn.
 inline constexpr float kMostYaw = kNoAngleLimit / 2;
 
-/// Where a bone's particle may be, seen from its joint: d is the unit direction in the limit's own axes, whose y is the
-/// middle direction. Cone: d.y >= cos(angles[0]). Hinge: d.x = 0, and that. Spherical: d = (sin(yaw), cos(yaw)
+/// Where a bone's particle may be, seen from its joint. d is the unit direction in the limit's own axes, whose y is the
+/// middle direction. Cone: d.y >= cos(angles[0]). Hinge: d.x = 0, and the same. Spherical: d = (sin(yaw), cos(yaw)
 /// cos(pitch), cos(yaw) sin(pitch)) with |pitch| <= angles[0] and |yaw| <= angles[1].
 struct LimitRecord {
   LimitKind kind;
-  float angles[2];  ///< Radians, 0..kNoAngleLimit; the second, of a spherical limit alone, 0..kMostYaw. 0 without
-                    ///< meaning.
+  /// Radians. The first is 0..kNoAngleLimit; the second is 0..kMostYaw and for spherical limits only. An unused angle
+  /// is 0.
+  float angles[2];
   float reserved;
   float rotation[4];  ///< Unit quaternion (x, y, z, w) from the limit's own axes to the parent's frame.
 };
 static_assert(sizeof(LimitRecord) == 32);
 
-/// Two bones of equal depth in two chains, whose particles stay together as those of one sheet do. The links of a depth
-/// are trees: each says how a bone hangs on one that was named before it.
+/// Two bones of equal depth in two chains, whose particles stay together as in one sheet of hair. The links of one
+/// depth form trees: each link hangs `bone` on a bone that an earlier link named.
 struct LinkRecord {
   std::uint32_t bone;
   std::uint32_t to;
@@ -148,10 +151,10 @@ struct LinkRecord {
 };
 static_assert(sizeof(LinkRecord) == 16);
 
-/// The default direction at rest, unit: where a bone with this unit rest direction is pulled to. `lean` (length at most
-/// 1) goes along two directions at right angles to it (Duff et al. 2017, "Building an Orthonormal Basis, Revisited"),
-/// what is left of a unit along itself. A bone whose pull leans against its weight rests where it was modelled. `solver
-/// thesis` knows no lean.
+/// The default direction at rest, unit: the direction that a bone with this unit rest direction is pulled to. `lean`
+/// (length at most 1) has its components along two directions at right angles to the rest direction (Duff et al. 2017,
+/// "Building an Orthonormal Basis, Revisited"); the component along the rest direction completes it to unit length. A
+/// bone whose pull leans against its weight rests where it was modelled. `solver thesis` knows no lean.
 inline void pull_direction(const float (&rest)[3], const float (&lean)[2], float (&pull)[3]) {
   const float sign = rest[2] < 0.0f ? -1.0f : 1.0f;
   const float a = -1.0f / (sign + rest[2]), b = rest[0] * rest[1] * a;
@@ -169,7 +172,7 @@ enum class ColliderShape : std::uint32_t {
   kPlane = 3,    ///< All points behind the plane through `center` with the normal `axis`.
   /// The convex hull of two balls: radii[0] around `center`, radii[1] around `center + axis`, neither inside the other.
   kTaperedCapsule = 4,
-  kBox = 5,  ///< Never in a file: what a game may add (coif/character.h).
+  kBox = 5,  ///< Never in a file: a shape that a game may add (coif/character.h).
 };
 
 /// Hair stays inside the shape instead of outside of it. Spheres and capsules only.
@@ -182,7 +185,8 @@ struct ColliderRecord {
   std::uint32_t reserved;
   float center[3];  ///< Head space, metres. Capsule: one end of its segment. Plane: a point on it.
   float reserved_center;
-  /// Semi-axes, metres, > 0; all equal for spheres and capsules; 0 for a plane; tapered capsule: both ends', then 0.
+  /// Semi-axes, metres, > 0. All equal for spheres and capsules; 0 for a plane; a tapered capsule has the radii of both
+  /// ends, then 0.
   float radii[3];
   float reserved_radii;
   float rotation[4];  ///< Unit quaternion (x, y, z, w) from the ellipsoid's axes to head space.
@@ -191,8 +195,8 @@ struct ColliderRecord {
 };
 static_assert(sizeof(ColliderRecord) == 80);
 
-/// A bone of the body that wears the hair, by its name in the source: what body colliders hang from. Where it is in
-/// each step the host says: what is at x in head space at rest is at pose * rest^-1 * x, both of them poses of this
+/// A bone of the body that wears the hair, with its name in the source. Body colliders hang from it. The host gives its
+/// pose in each step. A point at x in head space at rest then is at pose * rest^-1 * x, where both are poses of this
 /// bone.
 struct BodyBoneRecord {
   std::uint32_t name;  ///< Byte offset into NAME; never kNone.
@@ -203,8 +207,8 @@ static_assert(sizeof(BodyBoneRecord) == 32);
 
 struct VertexRecord {
   float position[3];  ///< Rest pose, head space, metres.
-  /// xyz: snorm16; w: share of the light from everywhere that other hair and the head let through to here in the rest
-  /// pose, 0 none, 32767 all of it.
+  /// xyz: snorm16. w: share of the ambient light that other hair and the head let through to here in the rest pose, 0
+  /// none, 32767 all of it.
   std::int16_t normal[4];
   std::int16_t tangent[4];  ///< xyz: snorm16, root to tip; w: place along the strand, 0 root, 32767 tip.
   float uv[2];              ///< V grows downwards in the image (first row of texels is V = 0).
@@ -220,29 +224,30 @@ static_assert(sizeof(SkinRecord) == 12);
 struct PatchRecord {
   std::uint32_t first_index;  ///< Into INDX; patches follow each other without gap.
   std::uint32_t index_count;  ///< A multiple of 3, > 0.
-  float head_distance;       ///< How far the patch's area centre is from the head's centre, metres: the thesis's order.
-  std::uint32_t bone;        ///< The bone with most weight on the patch.
+  /// Distance from the patch's area centre to the head's centre, metres; the thesis sorts by it.
+  float head_distance;
+  std::uint32_t bone;        ///< The bone with the most weight on the patch.
   std::uint32_t file_place;  ///< The patch's place in the order of the source file; levels of detail share it.
 };
 static_assert(sizeof(PatchRecord) == 20);
 
-// Draw orders. Order 0 is that of INDX; ORDR holds the others one after the other, each of them all triangles, every
-// level of detail in its own range of positions: triangle t is the three indices from 3 t on. VIEW has for each cell of
-// directions (coif/view_cells.h, from the head towards the eye in head space) the number of the order that suits it.
+// Draw orders. Order 0 is that of INDX. ORDR holds the others one after the other. Each lists all triangles, every
+// level of detail in its own range of positions; triangle t is the three indices from 3 t on. VIEW has the number of
+// the best order for each cell of directions (coif/view_cells.h, from the head towards the eye in head space).
 
-/// A level of detail: consecutive patches, drawn in their order. Coarser levels simulate fewer bones: LODB holds for
-/// each bone in how many levels, counted from the finest, it is simulated. In the others it is rigid to its parent.
+/// A level of detail: consecutive patches, drawn in their order. Coarser levels simulate fewer bones. LODB says for
+/// each bone in how many levels, counted from the finest, it is simulated; in the others it is rigid to its parent.
 struct LodRecord {
   std::uint32_t first_patch;  ///< Into PTCH; levels follow each other without gap.
   std::uint32_t patch_count;  ///< > 0.
-  /// Fitting where the head collider's height covers at least this share of the viewport's; falls from level to level,
-  /// 0 for the last.
+  /// The level fits where the head collider's height covers at least this share of the viewport's height. Falls from
+  /// level to level; 0 for the last.
   float screen_size;
   float error;  ///< Largest distance of the surface from level 0's, metres; grows from level to level.
 };
 static_assert(sizeof(LodRecord) == 16);
 
-/// Cooked in a hurry, to look at: not what a game ships.
+/// Cooked quickly for a preview; a game must not ship it.
 inline constexpr std::uint32_t kProvenanceDraft = 1;
 
 struct ProvenanceRecord {
@@ -254,25 +259,25 @@ struct ProvenanceRecord {
 };
 static_assert(sizeof(ProvenanceRecord) == 32);
 
-/// How the asset wants to be simulated: the cheapest way that met the error asked for when it was cooked.
+/// How the asset should be simulated: the cheapest way that met the error asked for when it was cooked.
 struct TuningRecord {
   float substep_rate;   ///< A step of dt is made of ceil(dt * substep_rate) parts, at least one. Hz, >= 0.
   float asked_error;    ///< RMS of the tips, share of the chain's length; 0: only a cost was asked for.
-  float reached_error;  ///< At the worst of the frame rates and motions measured.
+  float reached_error;  ///< In the worst case of the frame rates and motions measured.
   float asked_cost;     ///< Nanoseconds per head and frame; 0: any.
-  float cost;           ///< Nominal, at the worst of the frame rates; see QualityRecord.
+  float cost;           ///< Nominal nanoseconds, in the worst case of the frame rates; see QualityRecord.
   float slowest_rate;   ///< Frames per second that were asked for, > 0.
   float fastest_rate;   ///< At least slowest_rate.
-  std::uint32_t met;    ///< 1 where what was asked was reached, else 0.
+  std::uint32_t met;    ///< 1 where the request was met, else 0.
 };
 static_assert(sizeof(TuningRecord) == 32);
 
-/// What one way to simulate the asset costs and how wrong it is, over the motions of the suite.
+/// The cost and the error of one way to simulate the asset, over the motions of the suite.
 struct QualityRecord {
   float frame_rate;        ///< Frames per second, > 0.
   std::uint32_t substeps;  ///< In each frame, > 0.
   float rms_error;         ///< In the worst motion: tips against the converged solution, share of the chain's length.
-  float max_error;         ///< Largest of all.
+  float max_error;         ///< Largest error of any motion.
   float stretch;           ///< Worst |length / rest - 1|.
   float penetration;       ///< Worst depth over the collider's radius.
   float cost;              ///< Nominal nanoseconds per head and frame: a fixed figure per bone, so that bytes repeat.
@@ -280,7 +285,7 @@ struct QualityRecord {
 };
 static_assert(sizeof(QualityRecord) == 32);
 
-/// A motion that the cook tried, by its name.
+/// The name of a motion that the cook tried.
 struct MotionNameRecord {
   char name[16];  ///< UTF-8, not empty; the bytes behind it are zero, the last one always.
 };

@@ -1,9 +1,9 @@
 #pragma once
-// The file around the records: header, table of chunks, and the one list of what chunks there are. Whatever treats
-// chunks alike goes by that list: ids, the reader's bounds, alignment and needs, the views of an Asset, what the writer
-// writes in which order, `coif strip`, reports, and the test of formats/SPECIFICATION.md. A new chunk takes a record
-// (coif/asset_records.h), a row here, an accessor with its meaning (coif/asset.h), a check of its content
-// (formats/check_*.cpp), its place in the specification, and a pass of the cook that fills AssetContents.
+// The file around the records: header, table of chunks, and one list of all kinds of chunk. All code that treats chunks
+// alike reads that list: ids, the reader's bounds, alignment and needs, the views of an Asset, the writer's order,
+// `coif strip`, reports, and the test of formats/SPECIFICATION.md. A new chunk takes a record (coif/asset_records.h), a
+// row here, an accessor with its meaning (coif/asset.h), a check of its content (formats/check_*.cpp), its place in the
+// specification, and a pass of the cook that fills AssetContents.
 
 #include <coif/asset_records.h>
 
@@ -26,8 +26,8 @@ struct FileHeader {
   std::uint16_t minor;
   std::uint32_t chunk_count;
   std::uint64_t total_bytes;  ///< The length of the whole file, header included.
-  /// XXH64 of the chunk table, seeded with the XXH64 (seed 0) of the header's first 24 bytes. The table has the hashes
-  /// of the chunks, and bytes between them are zero: every byte of the file is covered.
+  /// XXH64 of the chunk table, seeded with the XXH64 (seed 0) of the header's first 24 bytes. The table holds the
+  /// hashes of the chunks, and the bytes between chunks are zero, so every byte of the file is covered.
   std::uint64_t table_hash;
 };
 static_assert(sizeof(FileHeader) == 32);
@@ -134,23 +134,24 @@ COIF_CHUNKS(COIF_RECORD)
 
 enum class ChunkCount : std::uint8_t { kOne, kMany };
 
-/// What has to stay in memory while a game uses the asset.
+/// Who uses a chunk, and so how long it has to stay in memory.
 enum class ChunkUse : std::uint8_t {
   kSimulation,  ///< Stays as long as the hair is simulated.
   kDrawing,     ///< May go once the mesh is on the graphics card.
-  /// As kDrawing, and nearly all bytes of an asset: whatever the values, in range they do no harm, so that their hashes
-  /// may be compared later (Asset::verify_draw_data()).
+  /// As kDrawing. These chunks are nearly all bytes of an asset. Values in range do no harm, so their hashes may be
+  /// compared later (Asset::verify_draw_data()).
   kDrawData,
   kTools,  ///< A game never reads it.
 };
 
-/// Whether a chunk may be absent, and what it is without others.
+/// Whether a chunk may be absent, and what happens to it without other chunks.
 struct ChunkNeeds {
   enum class Presence : std::uint8_t {
-    kAlways,       ///< No asset is without it.
-    kOptional,     ///< It needs no other.
-    kIdleWithout,  ///< It means nothing without `ids`: who takes those out takes it too; the file opens all the same.
-    kRefusedWithout,  ///< A file that has it and not `ids` is refused.
+    kAlways,    ///< Every asset has it.
+    kOptional,  ///< It needs no other.
+    /// It means nothing without `ids`: a strip that removes those removes it too, but a file opens with it.
+    kIdleWithout,
+    kRefusedWithout,  ///< A file that has it but not `ids` is refused.
   };
   Presence presence;
   std::uint32_t ids[2] = {0, 0};  ///< 0: no other.
@@ -163,11 +164,11 @@ constexpr ChunkNeeds refused_without(std::uint32_t id, std::uint32_t other = 0) 
   return {ChunkNeeds::Presence::kRefusedWithout, {id, other}};
 }
 
-/// A row as the reader wants it.
+/// A row in the form that the reader uses.
 struct ChunkLayout {
   std::uint32_t id;
   std::uint16_t record_bytes;
-  std::uint16_t alignment;  ///< What its place in the file is a multiple of, bytes.
+  std::uint16_t alignment;  ///< Its offset in the file is a multiple of this, bytes.
   ChunkCount count;
   ChunkUse use;
   ChunkNeeds needs;
@@ -181,21 +182,21 @@ inline constexpr ChunkLayout kChunkLayouts[] = {
 };
 inline constexpr std::size_t kChunkKinds = sizeof kChunkLayouts / sizeof kChunkLayouts[0];
 
-/// Chunks of many records in the first `rows` rows.
+/// How many chunks of the first `rows` rows may have many records.
 constexpr std::size_t count_arrays(std::size_t rows) {
   std::size_t count = 0;
   for (std::size_t row = 0; row < rows; ++row) count += kChunkLayouts[row].count == ChunkCount::kMany ? 1 : 0;
   return count;
 }
 
-/// Its place in kChunkLayouts; kChunkKinds for a chunk that this version does not know.
+/// The chunk's row in kChunkLayouts; kChunkKinds for a chunk that this version does not know.
 constexpr std::size_t chunk_row(std::uint32_t id) {
   std::size_t row = 0;
   while (row < kChunkKinds && kChunkLayouts[row].id != id) ++row;
   return row;
 }
 
-/// What the format asks of a chunk's place, bytes.
+/// The alignment that the format demands of a chunk's offset, bytes.
 constexpr std::size_t chunk_alignment(std::uint32_t id) {
   const std::size_t row = chunk_row(id);
   return row < kChunkKinds ? kChunkLayouts[row].alignment : 16;
@@ -206,7 +207,7 @@ constexpr bool is_draw_data(std::uint32_t id) {
   return row < kChunkKinds && kChunkLayouts[row].use == ChunkUse::kDrawData;
 }
 
-/// True where no asset is without the chunk: it cannot be left out.
+/// True for a chunk that every asset must have.
 constexpr bool is_needed_chunk(std::uint32_t id) {
   const std::size_t row = chunk_row(id);
   return row < kChunkKinds && kChunkLayouts[row].needs.presence == ChunkNeeds::Presence::kAlways;

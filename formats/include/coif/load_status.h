@@ -30,7 +30,7 @@ enum class LoadCode : std::uint8_t {
   kBoneJoint,       ///< A bone does not start where its simulated parent ends.
   kColliderSet,     ///< A bone's set names a collider that does not exist, or belongs to a rigid bone.
   kChainCover,      ///< Chains do not cover the simulated bones exactly once.
-  kOpenBones,       ///< A chain's order keeps more bones waiting for children than a solver has room for.
+  kOpenBones,       ///< A chain's order keeps more bones open, waiting for children, than a solver has room for.
   kPatchCover,      ///< Patches do not cover the index list exactly once, in order.
   kLodCover,        ///< Levels of detail do not cover the patches exactly once, in order.
   kLodOrder,        ///< Screen sizes do not fall to 0 from level to level, or errors do not grow from 0.

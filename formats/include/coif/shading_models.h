@@ -1,5 +1,5 @@
 #pragma once
-// The shading models that there are, one row each: what reads a material asks this table instead of naming them.
+// One row for each shading model. Code that reads a material asks this table instead of naming models.
 
 #include <coif/appearance_records.h>
 
@@ -7,13 +7,13 @@
 
 namespace coif {
 
-/// What a shading model takes of a material.
+/// Which values of a material a shading model uses.
 struct ShadingTraits {
-  const char* name;  ///< As recipes and the command line call it.
-  bool has_primary;  ///< Highlights that it has at all.
+  const char* name;  ///< The name in recipes and on the command line.
+  bool has_primary;  ///< Which highlights it can have.
   bool has_secondary;
-  bool has_colored_highlights;  ///< Colours and exponents are the material's, and a black highlight is none.
-  bool has_fiber;               ///< Takes tilt, roughness and scatter.
+  bool has_colored_highlights;  ///< Uses the material's colours and exponents; a black highlight is off.
+  bool has_fiber;               ///< Uses tilt, roughness and scatter.
 };
 
 /// In the order of ShadingModel.

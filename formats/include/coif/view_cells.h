@@ -1,6 +1,6 @@
 #pragma once
-// Directions to look from, in cells: a cube around the head with 4 x 4 cells to a face. An asset may have a draw order
-// for each of them (chunk VIEW).
+// Viewing directions in cells: a cube around the head with 4 x 4 cells on each face. An asset may have a draw order for
+// each cell (chunk VIEW).
 
 #include <coif/asset_records.h>
 
@@ -9,12 +9,12 @@
 
 namespace coif {
 
-/// Cells are equal in angle along the two middle lines of a face, so the edge between the outer two is the tangent of
-/// an eighth of a turn's half: cells differ in solid angle by a factor of 1.3 instead of 3 for equal squares.
+/// tan(pi / 8), the edge between a face's inner and outer cells: cells are equal in angle along the two middle lines of
+/// a face. So they differ in solid angle by a factor of 1.3; equal squares would differ by 3.
 inline constexpr float kViewCellEdge = 0.41421356f;
 
-/// The cell, below kViewCells, that a direction lies in; of any length, in head space, from the head towards the eye.
-/// Some cell for a direction of 0 or NaN.
+/// The cell, below kViewCells, of a direction of any length, in head space, from the head towards the eye. A direction
+/// of 0 or NaN gives some cell.
 constexpr std::uint32_t view_cell(const float (&direction)[3]) {
   const auto size = [&](std::uint32_t axis) { return direction[axis] < 0 ? -direction[axis] : direction[axis]; };
   const std::uint32_t xy = size(0) >= size(1) ? 0 : 1;
@@ -27,7 +27,7 @@ constexpr std::uint32_t view_cell(const float (&direction)[3]) {
   return 16 * face + 4 * place(direction[(axis + 2) % 3]) + place(direction[(axis + 1) % 3]);
 }
 
-/// Writes the unit direction of a cell's middle.
+/// Writes the unit direction to a cell's middle.
 inline void view_cell_direction(std::uint32_t cell, float (&direction)[3]) {
   constexpr float kMiddles[4] = {-0.66817864f, -0.19891237f, 0.19891237f,
                                  0.66817864f};  // tan of -3, -1, 1, 3 * pi / 16

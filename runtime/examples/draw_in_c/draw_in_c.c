@@ -1,8 +1,8 @@
-/* Hair drawn by a renderer of its own, in C, from coif.h alone: the asset's mesh, textures and material, its draw
- * orders, and the shaders of shaders/, put together as the README there says. One head at rest, seen from an angle in
- * degrees, as `coif render FILE.coif --view YAW,PITCH --size 512x384 --shadows none` draws it.
+/* A renderer for hair, written in C with coif.h alone. It takes the mesh, textures, material and draw orders from the
+ * asset, and puts the shaders of shaders/ together as the README there says. It draws one head at rest from an angle in
+ * degrees, as `coif render FILE.coif --view YAW,PITCH --size 512x384 --shadows none` does.
  *
- *   draw_in_c FILE.coif SHADER_FOLDER OUT.ppm YAW PITCH [bald]        bald: all but the hair
+ *   draw_in_c FILE.coif SHADER_FOLDER OUT.ppm YAW PITCH [bald]        bald: draws everything but the hair
  */
 #include "../asset_file.h"
 #include "hair_model.h"
@@ -16,14 +16,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WIDTH = 512, HEIGHT = 384, FINER = 2 }; /* samples of a pixel, each way */
+enum { WIDTH = 512, HEIGHT = 384, FINER = 2 }; /* pixels of the picture; FINER samples of each, each way */
 
 static int fail(const char* what, const char* why) {
   fprintf(stderr, "draw_in_c: %s: %s\n", what, why);
   return EXIT_FAILURE;
 }
 
-/* One row of the table in shaders/README.md: texels from x to y in alpha, from z on as solid ones. */
+/* One row of the table in shaders/README.md: draws texels whose alpha is from range[0] to range[1], and those from
+ * range[2] on as solid ones. */
 typedef struct pass {
   GLuint program;
   float range[3];
@@ -94,7 +95,7 @@ static coif_status draw_head(const model* drawn, const coif_draw_view* view, con
   return COIF_OK;
 }
 
-/* One head, which comes to rest in two seconds. */
+/* Lets the hair of one head come to rest for two seconds. */
 static coif_status make_hair(const block* file, const coif_head_pose* head, block* memory, coif_hair** hair) {
   coif_hair_desc desc;
   coif_step_settings settings;

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BONES_OF_ROW = 256 }; /* of palette_texture, three texels each */
+enum { BONES_OF_ROW = 256 }; /* bones in a row of palette_texture, three texels each */
 
 static const void* at_byte(size_t offset) { return (const void*)offset; }
 
@@ -32,7 +32,7 @@ static int upload_mesh(model* drawn, const coif_asset* asset) {
   const size_t index_bytes = (size_t)drawn->hair.order_count * drawn->hair.indices_of_order * drawn->hair.index_bytes;
   void* const indices = malloc(index_bytes);
   GLuint buffers[2];
-  if (coif_write_draw_orders(asset, &drawn->hair, indices, index_bytes) != COIF_OK) { /* null, where malloc gave none */
+  if (coif_write_draw_orders(asset, &drawn->hair, indices, index_bytes) != COIF_OK) { /* also if malloc failed */
     free(indices);
     return 0;
   }
@@ -186,7 +186,7 @@ const char* model_load(model* made, const coif_asset* asset, const char* folder)
   return made->color_program != 0 && made->depth_program != 0 ? NULL : "the driver refuses the shaders";
 }
 
-/* A row of texels is 256 bones, the last one what is left. */
+/* A row of texels holds 256 bones; the last row holds the rest. */
 static void send_palette(const model* drawn, const coif_mat34* palette) {
   uint32_t first;
   glActiveTexture(GL_TEXTURE0 + ROLES);

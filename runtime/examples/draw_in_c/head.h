@@ -6,14 +6,13 @@
 
 #define HEAD_VERTICES (49 * 97)
 
-/* Whether it is part of a head, and not a floor or what keeps hair in. This studio knows balls and ellipsoids. */
+/* Whether the collider is part of a head, not a floor or one that keeps hair inside. Knows spheres and ellipsoids. */
 int head_is_shown(const coif_collider* ball);
 
-/* Position and normal of one of HEAD_VERTICES, a little inside: hair rests on the collider itself. Head space, metres.
- */
+/* Position and normal of one of HEAD_VERTICES. Head space, metres; a little inside the collider, where hair rests. */
 void head_vertex(const coif_collider* ball, int vertex, float* position, float* normal);
 
-/* Positions are attribute 0, normals 1. Uploads, draws and forgets it: a picture is drawn once. */
+/* Attribute 0 is the position, 1 the normal. Uploads, draws and deletes the mesh, since a picture is drawn once. */
 void head_draw(const coif_collider* ball);
 
 #endif

@@ -64,7 +64,7 @@ static char* read_text(const char* path) {
   return text;
 }
 
-/* Where the piece's text begins: after the line that names it. */
+/* The beginning of the piece's text, after the line that names it. */
 static const char* find_piece(const char* text, const char* piece) {
   const size_t length = strlen(piece);
   const char* at = text;

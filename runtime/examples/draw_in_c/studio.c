@@ -9,14 +9,14 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Right, up and back of the camera, and linear colours: key, fill and rim. */
+/* Key, fill and rim: the direction in the camera's axes (right, up, back), and the linear colour. */
 static const float lights[STUDIO_LIGHTS][2][3] = {{{-0.3f, 1.0f, 0.2f}, {1.2f, 1.17f, 1.12f}},
                                                   {{0.4f, -0.3f, 1.0f}, {0.22f, 0.23f, 0.25f}},
                                                   {{0.9f, 0.1f, -0.6f}, {0.15f, 0.17f, 0.22f}}};
 
 static double dot(const double* a, const double* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/* What has to be in the picture, in the camera's axes. */
+/* The points that have to be in the picture, in the camera's axes. */
 typedef struct frame {
   double axes[3][3]; /* right, up, back */
   double low[3], high[3];
@@ -54,7 +54,7 @@ static int add_points(frame* seen, const coif_asset* asset) {
   return 1;
 }
 
-/* As near as all points are seen under these half angles' tangents; a border of 8 %. */
+/* The least distance from which all points are seen within half angles of these tangents, plus a border of 8 %. */
 static double distance_to(const frame* seen, const double* center, double tan_x, double tan_y) {
   double distance = 0;
   size_t i;
@@ -207,7 +207,7 @@ void studio_draw(const studio* drawn, const coif_asset* asset) {
   }
 }
 
-/* Light above three quarters of white comes near to white and never reaches it; colours keep their hue. */
+/* Adds the sample to `sum`. Light above three quarters of white approaches white without reaching it; hues stay. */
 static void add_shown(const float* sample, double* sum) {
   const double shoulder = 0.75, room = 1 - shoulder;
   const double most = fmax(sample[0], fmax(sample[1], sample[2]));

@@ -1,5 +1,5 @@
-/* Where `coif render` takes its pictures, in C: its camera, its lights, what is behind the hair and in it, and how
- * linear light becomes a picture. For draw_in_c.c, whose pictures can be compared with those. */
+/* The studio of `coif render`, in C: camera, lights, backdrop, head, and how linear light becomes a picture. So the
+ * pictures of draw_in_c.c can be compared with those of `coif render`. */
 #ifndef STUDIO_H
 #define STUDIO_H
 
@@ -13,15 +13,16 @@ typedef struct studio {
   unsigned head_program, backdrop_program;
 } studio;
 
-/* The head at the world's origin, seen from `yaw` degrees off its face and `pitch` degrees above; as near as the hair
- * and the head's ellipsoids allow. 0 where there is nothing to see, or the driver refuses. The context is current. */
+/* The head is at the world's origin, seen from `yaw` degrees off its face and `pitch` degrees above, as near as the
+ * hair and the head's ellipsoids allow. The context has to be current. 0 if there is nothing to see or the driver
+ * refuses. */
 int studio_create(studio* made, const coif_asset* asset, double yaw, double pitch, double aspect);
 
-/* Backdrop and head, into the framebuffer that is bound; clears its depth. */
+/* Draws backdrop and head into the bound framebuffer, and clears its depth. */
 void studio_draw(const studio* drawn, const coif_asset* asset);
 
-/* Linear light, `finer` samples of a pixel each way, the lowest row first, becomes bytes of sRGB, the highest row
- * first. */
+/* Turns linear light, with `finer` samples of a pixel each way and the lowest row first, into bytes of sRGB with the
+ * highest row first. */
 void studio_develop(const float* samples, int width, int height, int finer, unsigned char* rgb);
 
 #endif

@@ -7,7 +7,7 @@ namespace coif {
 namespace {
 
 constexpr std::uint32_t kLayersOfTexture = 4;
-// Sums of the layers' thickness in shaders/hair_shadow.glsl, in units of the first.
+// Sum of the layers' thicknesses in shaders/hair_shadow.glsl, where the first layer's is 1.
 constexpr float kFourLayers = 15.0f, kEightLayers = 49.2578125f;
 
 bool has_far_layers(const ShadowDesc& desc) { return desc.layers > kLayersOfTexture; }

@@ -10,7 +10,7 @@ namespace coif {
 namespace {
 
 constexpr std::uint32_t kFewestPeels = 2, kUsualPeels = 6, kMostPeels = 6;
-// The map is made part by part, so that the layers that are peeled take little memory beside it.
+// The map is made part by part, so that the peeled layers take little extra memory.
 constexpr std::uint32_t kPartsEachWay = 4, kSmallestPart = 64;
 constexpr GLint kDepthUnit = 0, kAlphaUnit = kMostPeels, kUnpeeledUnit = 2 * kMostPeels, kSolidUnit = kUnpeeledUnit + 1;
 static_assert(kSolidUnit < 16, "OpenGL ES 3.0 promises as many units");
@@ -64,7 +64,7 @@ PassList plan_unpeeled(const MaterialRecord& material, const AlphaRange& texture
 struct Peeled {
   explicit Peeled(const ShadowState& shadow) : depth(shadow.scratch), alpha(depth + kMostPeels) {}
   const GLuint* depth;
-  const GLuint* alpha;  ///< And after the last one's the opacity of what is not peeled.
+  const GLuint* alpha;  ///< After the last layer: the opacity of the hair that is not peeled.
 };
 
 bool build_program_of_steps(ShadowState& shadow) {
@@ -166,7 +166,7 @@ class Peeling {
     functions_.ClearBufferfv(GL_COLOR, 0, kNothing);
   }
 
-  /// What the first layer lies behind.
+  /// Clears the depth that the first layer lies behind.
   void clear_first() const {
     attach(peeled_.depth[peels_ - 1], peeled_.alpha[peels_ - 1]);
     clear(0);
@@ -179,7 +179,7 @@ class Peeling {
     return draw_hair(shadow_, kPeelStage, crowds_, part_);
   }
 
-  /// Without a depth buffer: all is drawn.
+  /// Draws without a depth buffer, so all hair counts.
   Status add_unpeeled() const {
     attach(0, shadow_.scratch[kUnpeeledUnit]);
     clear(1);

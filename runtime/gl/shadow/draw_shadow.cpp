@@ -17,7 +17,7 @@ void clear_stage(const ShadowState& shadow, ShadowFramebuffer framebuffer) {
   for (GLint i = 0; i < shadow.layer_targets; ++i) shadow.functions.ClearBufferfv(GL_COLOR, i, kNothing);
 }
 
-/// Column-major; what lies in the part fills what lay in the whole map.
+/// Scales the projection so that the part fills the whole map. Column-major.
 void clip_to_part(const MapPart& part, std::uint32_t size, float (&clip)[16]) {
   const float scale = float(size) / float(part.size);
   const float offset[2] = {scale - 1 - 2 * float(part.left) / float(part.size),
@@ -57,7 +57,7 @@ Status draw_crowd(const ShadowState& shadow, const ShadowStage& stage, const Sha
   const GlFunctions& gl = shadow.gl();
   const ModelState& model = *ModelState::of(*crowd.model);
   const MaterialRecord& material = material_of(crowd);
-  DrawView view;  // its origin close enough to the map that distances from it are small
+  DrawView view;  // The view's origin is so close to the map that distances from it are small.
   view.eye = {float(shadow.view.eye[0]), float(shadow.view.eye[1]), float(shadow.view.eye[2])};
   DrawBlock block;
   const Status filled = fill_draw_block(view, material, model.layout.rows_of_head, block);

@@ -1,4 +1,4 @@
-// Maps that add up how much hair there is: their textures, and the hair that is left out of them.
+// Maps that add up the amount of hair: their textures, and the solid hair that they leave out.
 
 #include "gl/shadow/shadow_state.h"
 #include "gl/textures.h"
@@ -6,9 +6,10 @@
 namespace coif {
 namespace {
 
-// Bytes hold opacities up to this, where a fiftieth of the light is left, in steps of a sixtieth.
+// The largest opacity that bytes hold, in steps of a sixtieth. It leaves a fiftieth of the light.
 constexpr float kByteUnit = 4.0f;
-// From here on less than a tenth of the light passes, and hair is solid: a layer would smear it over its thickness.
+// From this alpha on less than a tenth of the light passes, so hair counts as solid: a layer would smear it over its
+// thickness.
 constexpr float kSolidHairFrom = 0.9f;
 constexpr GLenum kTargets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2};
 

@@ -5,7 +5,7 @@
 namespace coif {
 namespace {
 
-// Of a texel that is half there the shadow is wrong by half either way.
+// At an alpha of one half either choice makes the shadow wrong by half.
 constexpr float kSolidFrom = 0.5f;
 
 PassList plan(const MaterialRecord& material, const AlphaRange& texture, const ShadowLookup&) {
@@ -23,8 +23,8 @@ std::uint64_t bytes(const ShadowState& shadow) { return texels_times(shadow.desc
 
 }  // namespace
 
-// The biases, here and of the deep map, have the least error over several real haircuts, see `coif report FILE
-// shadows`: with less, cards shade themselves; with more, those that lie close beneath others are lit.
+// The biases here and of the deep map have the least error over several real haircuts, see `coif report FILE shadows`.
+// With smaller ones cards shade themselves; with larger ones cards close beneath others are lit.
 const ShadowTechnique kPlainShadow = {.name = "plain",
                                       .caster_slope_bias = 1,
                                       .texel_bias = 0.5f,

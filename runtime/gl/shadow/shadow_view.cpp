@@ -1,4 +1,4 @@
-// Where a shadow's light looks from, and where a point lies in its map.
+// A shadow's view from its light, and where a point lies in its map.
 
 #include "gl/shadow/shadow_state.h"
 
@@ -7,7 +7,7 @@
 namespace coif {
 namespace {
 
-constexpr double kNearestLight = 1.05;  // of the ball's radius, from its centre
+constexpr double kNearestLight = 1.05;  // Share of the ball's radius, from its centre.
 
 double dot(const double (&a)[3], const double (&b)[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -15,7 +15,7 @@ void cross(const double (&a)[3], const double (&b)[3], double (&out)[3]) {
   for (int i = 0; i < 3; ++i) out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
 }
 
-/// False for no direction.
+/// Returns false for a vector without direction.
 bool normalize(double (&v)[3]) {
   const double length = std::sqrt(dot(v, v));
   if (!(length > 0.0 && std::isfinite(length))) return false;
@@ -23,7 +23,7 @@ bool normalize(double (&v)[3]) {
   return true;
 }
 
-/// Of the map to the right and to the top, across the third.
+/// Fills the map's axes to the right and to the top, at right angles to the third.
 void fill_axes(double (&axes)[3][3]) {
   const bool is_steep = std::fabs(axes[2][1]) > 0.99;
   const double upright[3] = {is_steep ? 1.0 : 0.0, is_steep ? 0.0 : 1.0, 0.0};
@@ -32,7 +32,7 @@ void fill_axes(double (&axes)[3][3]) {
   cross(axes[2], axes[0], axes[1]);
 }
 
-/// To whole texels, so that the shadow's edges do not crawl while the ball moves.
+/// Rounds to whole texels, so that the shadow's edges do not crawl while the ball moves.
 void snap(const double (&axes)[3][3], double texel, double (&center)[3]) {
   for (int k = 0; k < 2; ++k) {
     const double place = dot(axes[k], center);
@@ -66,11 +66,11 @@ bool aim(const Light& light, const ShadowBall& ball, std::uint32_t size, ShadowV
   return true;
 }
 
-// To 0..1 within the map, its depth growing away from the light; homogeneous for a light with a place.
+// Maps to 0..1 within the map, with depth growing away from the light; homogeneous for a light with a position.
 void ShadowState::map_from_origin(const Vec3& origin, double (&rows)[4][4]) const {
   const double offset[3] = {double(origin.x) - view.eye[0], double(origin.y) - view.eye[1],
                             double(origin.z) - view.eye[2]};
-  double seen[3][4];  // along the view's axes
+  double seen[3][4];  // Coordinates along the view's axes.
   for (int k = 0; k < 3; ++k) {
     for (int i = 0; i < 3; ++i) seen[k][i] = view.axes[k][i];
     seen[k][3] = dot(view.axes[k], offset);

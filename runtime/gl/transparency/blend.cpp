@@ -9,10 +9,10 @@ Pass faces_pass(GLenum culled, const MaterialRecord& material) {
   return pass;
 }
 
-/// Texels from the opaque threshold on count as solid; what is fainter blends; below the discard threshold nothing is
+/// Texels from the opaque threshold on count as solid; fainter ones blend. Below the discard threshold nothing is
 /// drawn, which spares the blend unit the empty parts of the texture. Back faces come first, since over most of a head
-/// they are the far side, but for assets that were found to look better with both faces in one order. One-sided hair
-/// has no back faces to draw.
+/// they are the far side, except for assets that look better with both faces in one order. One-sided hair has no back
+/// faces to draw.
 PassList plan(const MaterialRecord& material, const AlphaRange& texture) {
   const AlphaRange alpha = drawn_alpha(material, texture);
   const bool both_faces = (material.flags & kMaterialDoubleSided) != 0;

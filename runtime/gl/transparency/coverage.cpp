@@ -9,14 +9,14 @@ namespace {
 constexpr FragmentCode kSharpenedCode = {
     .id = 1, .keep = kShaderKeepSharpenedGlsl, .output = kShaderCoverageOutputGlsl};
 
-// Where hair covers half: there the part of an edge that is drawn though it should not be is as large as the part that
-// is missing. Cut at the opaque threshold, hair would be too thin.
+// The alpha at which hair covers half: there the part of an edge that is wrongly drawn is as large as the part that is
+// missing. With a cut at the opaque threshold hair would be too thin.
 constexpr float kCut = 0.5f;
 
 PassList plan(const MaterialRecord& material, const AlphaRange& texture) {
   Pass pass = solid_pass(material);
   if (pass.alpha_min > kCut) pass.alpha_min = kCut > material.discard_threshold ? kCut : material.discard_threshold;
-  pass.blended = true;  // for the target's alpha, see draw_covered()
+  pass.blended = true;  // Blends for the target's alpha, see draw_covered().
   pass.code = &kSharpenedCode;
   PassList drawn;
   drawn.add_for(drawn_alpha(material, texture), pass);

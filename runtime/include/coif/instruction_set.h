@@ -6,9 +6,9 @@
 
 namespace coif {
 
-/// What the simulation may be run with. Every one of them gives the same bits.
+/// The instructions that the simulation runs on. Every set gives the same bits.
 enum class InstructionSet : std::uint8_t {
-  kBest = 0,      ///< The widest that this build has and this processor knows.
+  kBest = 0,      ///< The widest that this build has and this processor supports.
   kScalar = 1,    ///< One chain at a time; for comparison.
   kPortable = 2,  ///< Four lanes in plain C++, for processors without any of the following.
   kSse4 = 3,
@@ -18,10 +18,10 @@ enum class InstructionSet : std::uint8_t {
   kWasm = 7,
 };
 
-/// The widest that this build has and this processor knows; never kBest.
+/// The widest that this build has and this processor supports; never kBest.
 [[nodiscard]] COIF_API InstructionSet best_instruction_set();
 
-/// False for those that are not in this build or that this processor lacks.
+/// False for a set that is not in this build or that this processor lacks.
 [[nodiscard]] COIF_API bool can_run(InstructionSet set);
 
 /// For logs and reports: "AVX2". Static storage, never null.

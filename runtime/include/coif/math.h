@@ -1,5 +1,5 @@
 #pragma once
-// The few types that cross the runtime's interface. Plain data; hosts cast their own.
+// The few types of the runtime's interface. Plain data; hosts convert their own.
 
 namespace coif {
 

@@ -18,14 +18,14 @@ class HairShadow;
 struct ModelState;
 struct RendererState;
 
-/// The host's way to find an OpenGL ES function: eglGetProcAddress or the like. Must return null for unknown names, and
-/// live as long as what was made with it.
+/// The host's function that finds OpenGL ES functions: eglGetProcAddress or the like. Must return null for unknown
+/// names, and live as long as the object that was made with it.
 struct GlLoader {
   void* (*get_proc)(const char* name, void* user) = nullptr;
   void* user = nullptr;
 };
 
-/// From where, in what light and how a crowd is drawn.
+/// The view, the lights and the way in which a crowd is drawn.
 struct DrawDesc {
   float clip_from_world[16] = {};  ///< Column-major, OpenGL clip space; must not mirror (front faces stay front).
   Vec3 eye;                        ///< World, metres.
@@ -34,53 +34,52 @@ struct DrawDesc {
   /// Replaces the asset's material when not null; must stay valid during the call.
   const MaterialRecord* material = nullptr;
   const TransparencyMode* transparency = &kBlendMode;
-  const HairShadow* shadow = nullptr;  ///< Drawn for one of the lights, see coif/shadow.h; null: none.
-  std::uint32_t shadowed_light = 0;    ///< Which of `lights` that is.
-  /// Makes each head's order of triangles anew, of the model's own asset (BoneOrder); null: the asset's own orders.
-  /// Must stay valid during the call.
+  const HairShadow* shadow = nullptr;  ///< Shadow of one of the lights, see coif/shadow.h; null: none.
+  std::uint32_t shadowed_light = 0;    ///< Which of `lights` casts `shadow`.
+  /// Sorts each head's triangles in each frame (BoneOrder of the model's own asset); null: the asset's own orders. Must
+  /// stay valid during the call.
   TriangleOrder* order = nullptr;
   /// The framebuffer encodes sRGB itself (GL_SRGB8_ALPHA8). Otherwise the shader encodes: solid hair looks the same,
-  /// but blending happens between encoded values, which makes soft tips darker. Over an edge whose alpha rises evenly
-  /// from 0 to 1 that is an error (PSNR) of 19 dB for light hair before a dark wall, 20 dB for dark hair before a light
-  /// one, 42 dB for brown before mid grey and 49 dB for hair over hair of nearly its brightness.
+  /// but encoded values are blended, which makes soft tips darker. Over an edge whose alpha rises evenly from 0 to 1
+  /// the error (PSNR) is 19 dB for light hair before a dark wall, 20 dB for dark hair before a light one, 42 dB for
+  /// brown before mid grey and 49 dB for hair over hair of nearly its brightness.
   bool framebuffer_is_srgb = false;
 };
 
-/// What the renderer's one buffer for a frame's data is like.
+/// Sizes of the renderer's buffers, and its variant of OpenGL.
 struct RendererDesc {
-  /// Bytes, 1 MiB..256 MiB. Holds the bone matrices of all crowds of some three frames: 48 bytes for each bone and
-  /// head, and as much again for each time they are drawn; with DrawDesc::order also the indices of each head's level,
-  /// of which a quarter of the stream has to hold one head's with a block of matrices. Where it is too small, draw()
-  /// waits for the GPU.
+  /// Size of the stream, the renderer's one buffer for a frame's data, in bytes, 1 MiB..256 MiB. It holds the bone
+  /// matrices of all crowds for about three frames: 48 bytes for each bone and head, once for each time that they are
+  /// drawn. With DrawDesc::order it also holds the indices of each head's level; a quarter of the stream must have room
+  /// for one head's indices and a block of matrices. Where it is too small, draw() waits for the GPU.
   std::uint32_t stream_bytes = 4u << 20;
   /// Most bytes of a uniform block, 16 KiB..64 KiB; less where the driver offers less. A draw call shows as many heads
-  /// as have their matrices in one block; an asset with more bones than a block holds is drawn head by head.
+  /// as have their matrices in one block. An asset with more bones than a block holds is drawn head by head.
   std::uint32_t block_bytes = 64u << 10;
-  /// Bytes that kExactMode takes for lists of soft texels where the driver has OpenGL ES 3.1, 64 KiB..1 GiB: 20 for
-  /// each that is in front of what is solid. It peels layer by layer where they are too few, which is slower by far.
+  /// Bytes of kExactMode's lists of soft texels, used where the driver has OpenGL ES 3.1, 64 KiB..1 GiB: 20 for each
+  /// soft texel in front of the solid ones. If they do not suffice, kExactMode peels layer by layer, which is far
+  /// slower.
   std::uint32_t list_bytes = 64u << 20;
-  /// Null: the driver has all of OpenGL ES 3.0. &kWebGl for WebGL 2, where kExactMode and DrawDesc::order are not to be
-  /// had.
+  /// Null: the driver has all of OpenGL ES 3.0. &kWebGl: WebGL 2, without kExactMode and DrawDesc::order.
   const WebGlCode* webgl = nullptr;
-  /// With `webgl`: at least a quarter of stream_bytes, at a multiple of 4, written before it is sent. Must outlive the
-  /// renderer.
+  /// With `webgl`: memory in which data is written before it is sent, at least a quarter of stream_bytes, at a multiple
+  /// of 4. Must outlive the renderer.
   std::span<std::byte> scratch{};
 };
 
 class HairModel;
 
-/// Programs shared by all models of one OpenGL context. Each is built when the first model that needs it is uploaded,
-/// and does only what that model needs. The context must be current in every call. Allocates nothing itself. The
-/// destructor calls no OpenGL function: call destroy() while the context lives.
+/// Programs shared by all models of one OpenGL context. Each program is built when the first model that needs it is
+/// uploaded, and has only what that model needs. The context must be current in every call. Allocates nothing itself.
+/// The destructor calls no OpenGL function: call destroy() while the context lives.
 class COIF_API HairRenderer {
  public:
   HairRenderer() = default;
   HairRenderer(const HairRenderer&) = delete;
   HairRenderer& operator=(const HairRenderer&) = delete;
 
-  /// Finds the functions; OpenGL ES 3.0 or later. kBadArgument without get_proc or for a size out of range; kDriver
-  /// when a function is missing or there is no memory, see failure(). A renderer that exists already is destroyed
-  /// first.
+  /// Finds the functions of OpenGL ES 3.0 or later. kBadArgument without get_proc or for a size out of range; kDriver
+  /// when a function is missing or there is no memory, see failure(). Destroys an existing renderer first.
   Status create(const GlLoader& loader, const RendererDesc& desc = {});
 
   /// Frees what create() made. Models of this renderer must have been destroyed before.
@@ -88,26 +87,26 @@ class COIF_API HairRenderer {
 
   [[nodiscard]] bool is_created() const;
 
-  /// Draws heads of one asset into the bound framebuffer and viewport, which need a depth buffer: those that may be in
-  /// view, all that share a level of detail and a draw order at once. kBlendMode takes four passes (thesis 5.3.1), one
-  /// draw call each: opaque texels; back faces of the rest, blended; its front faces; depth only. A pass that no texel
-  /// of the asset can be in is left out: hair without transparent texels takes one. Without kMaterialDoubleSided in the
-  /// material's flags back faces are not drawn at all, which saves the second pass. Colour leaves premultiplied with
-  /// alpha. Draw what is opaque before, what is transparent after.
+  /// Draws heads of one asset into the bound framebuffer and viewport, which need a depth buffer. Heads out of view are
+  /// left out; all heads with the same level of detail and draw order are drawn together. kBlendMode takes four passes
+  /// (thesis 5.3.1), one draw call each: opaque texels; back faces of the rest, blended; its front faces; depth only. A
+  /// pass that no texel of the asset can need is left out: hair without transparent texels takes one. Without
+  /// kMaterialDoubleSided in the material's flags back faces are not drawn at all, which saves the second pass. The
+  /// colour written is premultiplied with alpha. Draw opaque things before, transparent things after.
   ///
-  /// Heads are drawn in the order given; where transparent strands of two heads overlap, the further one should come
-  /// first. Coarser levels are drawn before finer ones. Never waits for the GPU while the stream is large enough, and
-  /// never makes or grows an OpenGL object but a missing program. (Neither is true of kExactMode.)
+  /// Heads are drawn in the order given; where transparent strands of two heads overlap, the further head should come
+  /// first. Coarser levels are drawn before finer ones. Except in kExactMode, draw() never waits for the GPU while the
+  /// stream is large enough, and never makes or grows an OpenGL object except a missing program.
   ///
-  /// With DrawDesc::order each head is drawn by itself with its own order, all passes in turn, from indices that are
-  /// sent with its matrices: the stream's buffer is then bound as GL_ELEMENT_ARRAY_BUFFER too, which WebGL 2 refuses:
+  /// With DrawDesc::order each head is drawn by itself in its own order, all passes in turn, from indices that are sent
+  /// with its matrices. This binds the stream's buffer as GL_ELEMENT_ARRAY_BUFFER too, which WebGL 2 refuses:
   /// kBadArgument with RendererDesc::webgl.
   ///
-  /// kNotCreated without a created renderer and an uploaded model of it; kSizeMismatch when a palette has not one
-  /// matrix per bone (hair without SKIN may also have none); kBadPose and kBadScale as check_instance(); kBadArgument
-  /// for too many lights, no such level or a number out of its range, an order that was not made of such an asset or
-  /// whose indices the stream has no room for. After these no OpenGL function has been called. kDriver when a program
-  /// was missing, see prepare(), and is refused; nothing is drawn then.
+  /// kNotCreated without a created renderer and a model uploaded by it; kSizeMismatch unless a palette has one matrix
+  /// per bone (hair without SKIN may also have none); kBadPose and kBadScale as check_instance(); kBadArgument for too
+  /// many lights, a level that does not exist, a number out of its range, or an order that was made of another asset or
+  /// whose indices do not fit into the stream. These errors come before any OpenGL call. kDriver when a missing program
+  /// (see prepare()) cannot be built; nothing is drawn then.
   ///
   /// Sets, and leaves at OpenGL's initial value: program, vertex array, active texture unit; where the asset has them,
   /// 2D texture and sampler of units 0 (base colour), 1 (shift and mask), 9 (normals) and 10 (strands); uniform buffer
@@ -120,17 +119,17 @@ class COIF_API HairRenderer {
   /// for kExactMode.
   Status draw(const HairModel& model, std::span<const HairInstance> instances, const DrawDesc& desc);
 
-  /// Builds those programs that draw() with this description would have to build first. An asset drawn with its own
-  /// material has them since upload(). Spares a pause in the first frame with Component::kDirection, or with a material
-  /// that asks for more than the asset's own (a highlight where that one's is black). Looks at `material`, `component`
-  /// and `transparency` alone. Errors as draw()'s; kDriver: see failure().
+  /// Builds the programs that draw() with this description would build first. upload() has built those for the asset's
+  /// own material. Avoids a pause in the first frame with Component::kDirection, or with a material that needs more
+  /// than the asset's own (for example a highlight where the asset's is black). Reads only `material`, `component` and
+  /// `transparency`. Errors as draw(); kDriver: see failure().
   Status prepare(const HairModel& model, const DrawDesc& desc);
 
-  /// Programs built so far. Models that need the same share them; they live as long as the renderer.
+  /// The number of programs built so far. Models with the same needs share them; they live as long as the renderer.
   [[nodiscard]] std::uint32_t program_count() const;
 
-  /// Why the last call, a model's upload() too, returned kDriver: the missing function's name or the compiler's log,
-  /// cut to fit. Never null.
+  /// Why the last call (upload() of a model included) returned kDriver: the missing function's name or the compiler's
+  /// log, cut to fit. Never null.
   [[nodiscard]] const char* failure() const;
 
  private:
@@ -149,18 +148,18 @@ class COIF_API HairModel {
   HairModel(const HairModel&) = delete;
   HairModel& operator=(const HairModel&) = delete;
 
-  /// Copies mesh and textures to the GPU and builds the programs that the asset needs, drawn with its own material in
-  /// this way, and that `renderer` lacks; afterwards the asset may go. Absent textures count as white, as shift 0.5 and
-  /// as mask 1, an absent material is that of the thesis's Gallery 1, double-sided. Textures repeat only where a
-  /// vertex's UV leaves 0..1. `renderer` must outlive this model. kNotCreated, kAssetLacksData (no mesh), kDriver (out
-  /// of memory, texture too large, shader refused; see HairRenderer::failure()); a failure leaves what was uploaded
-  /// before.
+  /// Copies mesh and textures to the GPU and builds the programs that the asset needs with its own material and
+  /// `transparency`, unless `renderer` has them. The asset may go afterwards. Absent textures count as white, as shift
+  /// 0.5 and as mask 1; an absent material is that of the thesis's Gallery 1, double-sided. Textures repeat only where
+  /// a vertex's UV leaves 0..1. `renderer` must outlive this model. kNotCreated, kAssetLacksData (no mesh), kDriver
+  /// (out of memory, texture too large, shader refused; see HairRenderer::failure()). After a failure the model
+  /// uploaded before is still there.
   ///
   /// Clears OpenGL's error flags. Leaves at their initial values: program, vertex array, array buffer, pixel unpack
   /// buffer and the GL_UNPACK parameters, active texture unit, 2D texture of unit 0.
   Status upload(HairRenderer& renderer, const Asset& asset, const TransparencyMode& transparency = kBlendMode);
 
-  /// Frees what upload() made. Harmless when there is nothing.
+  /// Frees what upload() made. Does nothing without it.
   void destroy();
 
   [[nodiscard]] bool is_uploaded() const { return state_ != nullptr; }

@@ -6,8 +6,8 @@
 
 namespace coif {
 
-/// Result of a runtime call. Anything but kOk leaves the state and every output as they were, where a call does not say
-/// otherwise.
+/// Result of a runtime call. Unless a call says otherwise, any value but kOk leaves the state and all outputs as they
+/// were.
 enum class [[nodiscard]] Status : std::uint8_t{
     kOk = 0,
     kBadTimeStep,     ///< dt is not a number, below zero or infinite.
@@ -17,12 +17,12 @@ enum class [[nodiscard]] Status : std::uint8_t{
     kMemoryTooSmall,  ///< The memory given is smaller than memory_need() says, or not aligned.
     kNotCreated,      ///< The object has not been created, or its creation failed.
     kAssetLacksData,  ///< The asset has no chunk that this call needs (for example no mesh to draw).
-    kSizeMismatch,    ///< Spans of a job do not belong together.
+    kSizeMismatch,    ///< Spans that belong together have different sizes.
     kDriver,          ///< OpenGL ES refused: function missing, shader not compiled, out of memory.
     kForeignState,    ///< The saved state is that of another asset, solver or number of heads, or of another version.
-    kDamagedState,    ///< The saved state is none, or was changed or cut after it was saved.
+    kDamagedState,    ///< The bytes are not a saved state, or were changed or cut after it was saved.
     kNotAsked,        ///< The hair was created without what this call needs: see HairDesc.
-    kBadScale,        ///< HeadPose::scale is outside of kSmallestScale..kLargestScale; 0 is a scale that nobody set.
+    kBadScale,  ///< HeadPose::scale is outside kSmallestScale..kLargestScale; a scale of 0 was probably never set.
 };
 
 /// One sentence, static storage, never null.

@@ -4,10 +4,9 @@
 
 namespace coif {
 
-/// What stands in for parts of OpenGL ES 3.0 that WebGL 2 lacks: mapped buffers and fences that are waited for, and EAC
-/// textures, which most browsers do not have either and are sent as GL_RG8 instead, decoded on their way. What is drawn
-/// is the same, but for the last 3 of 11 bits of those texels. See RendererDesc::webgl; a program that does not name
-/// kWebGl holds nothing of it.
+/// Replaces the parts of OpenGL ES 3.0 that WebGL 2 lacks: mapped buffers, waiting for fences, and EAC textures. Most
+/// browsers lack these too, so they are decoded and sent as GL_RG8. The picture is the same, except for the last 3 of
+/// 11 bits of those texels. See RendererDesc::webgl. A program that does not name kWebGl does not link this code.
 struct WebGlCode;
 extern COIF_API const WebGlCode kWebGl;
 

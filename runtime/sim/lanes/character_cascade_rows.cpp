@@ -1,4 +1,4 @@
-// The cascade's step of a row of chains for hair on a character: with colliders that move and poses to follow. Compiled
+// The cascade's step of a row of chains for hair on a character, with moving colliders and poses to follow. Compiled
 // once per instruction set.
 
 #undef HWY_TARGET_INCLUDE

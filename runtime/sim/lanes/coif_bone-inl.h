@@ -1,5 +1,5 @@
-// One bone on its way through a step of the model in runtime/docs/MODEL.md. Section names are those of MODEL.md, "The
-// step". Compiled once per instruction set.
+// The step of one bone in the model of runtime/docs/MODEL.md. Section names are those of MODEL.md, "The step". Compiled
+// once per instruction set.
 
 #include "contact-inl.h"
 #include "lane_math-inl.h"
@@ -19,10 +19,10 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// How what a bone hangs from moves during the step: its parent's tail, or its joint on the head.
+/// The motion during the step of the point that a bone hangs from: its parent's tail, or its joint on the head.
 template <class D>
 struct Carrier {
-  V3<D> way;  ///< Metres, from where the head was to where it is.
+  V3<D> way;  ///< Metres, from its place before the step to its place after it.
   V3<D> velocity_before;
   V3<D> angular_velocity_before;
   V3<D> velocity;
@@ -31,7 +31,7 @@ struct Carrier {
   V3<D> position;  ///< At the end, head space.
 };
 
-/// As copy() of lane_math-inl.h.
+/// See copy() in lane_math-inl.h.
 template <class D>
 HWY_INLINE void copy_carrier(D d, const Carrier<D>& from, Carrier<D>& to) {
   copy(d, from.way, to.way);
@@ -43,48 +43,48 @@ HWY_INLINE void copy_carrier(D d, const Carrier<D>& from, Carrier<D>& to) {
   copy(d, from.position, to.position);
 }
 
-/// The default position: where it goes, as directions and velocities seen from the carrier.
+/// The motion of the default position, as directions and velocities relative to the carrier.
 template <class D>
 struct Target {
   V3<D> by_parent;        ///< Unit, head space: the rest direction in the parent's frame.
-  V3<D> arm;              ///< World.
+  V3<D> arm;              ///< The default direction, world.
   V3<D> turning;          ///< Velocity of `arm` at the end of the step, 1/s.
   V3<D> velocity;         ///< Relative to the carrier's, m/s; at the end of the step.
-  V3<D> velocity_before;  ///< At its start.
+  V3<D> velocity_before;  ///< The same at the start of the step.
 };
 
 template <class D>
 struct BoneMotion {
   V3<D> direction;  ///< Unit, world.
-  V3<D> velocity;   ///< Of the tail relative to the carrier's, m/s.
+  V3<D> velocity;   ///< Velocity of the tail relative to the carrier's, m/s.
 };
 
-/// Section 3, in bone lengths. The force along the bone has its mean direction over the step: with either end's the
-/// method is of first order.
+/// Section 3, in bone lengths. The force along the bone has its mean direction over the step; with the direction at
+/// either end the method would be of first order.
 template <class D>
 HWY_INLINE BoneMotion<D> keep_length(D d, const V3<D>& free, const V3<D>& velocity, const V3<D>& before,
                                      V<D> velocity_per_way) {
   const auto one = hn::Set(d, 1.0f), zero = hn::Zero(d);
-  const V3<D> mean = add(d, free, before);  // no need of unit length: the root below is homogeneous
+  const V3<D> mean = add(d, free, before);  // Needs no unit length: the root below is homogeneous.
   const auto free2 = dot(d, free, free), cosine = dot(d, free, before);
-  const auto along = hn::Add(free2, cosine);  // free mean, of which mean mean is left to add
+  const auto along = hn::Add(free2, cosine);  // free . mean; mean . mean is still to be added.
   const auto mean2 = hn::Add(along, hn::Add(cosine, one));
   const auto along2 = hn::Mul(along, along), lack = hn::Sub(one, free2);
   const auto root2 = hn::Add(along2, hn::Mul(mean2, lack));
   const auto has_mean =
       hn::And(hn::And(hn::Gt(along2, hn::Mul(hn::Set(d, 0.1f), mean2)), hn::Gt(along, zero)), hn::Gt(root2, zero));
-  const auto reach = hn::Div(lack, hn::Add(along, hn::Sqrt(root2)));  // not a number without a mean: replaced below
+  const auto reach = hn::Div(lack, hn::Add(along, hn::Sqrt(root2)));  // Not a number without a mean: replaced below.
   V3<D> kept = add_scaled(d, free, mean, reach);
-  // Unit but for rounding, for which one step of Newton's method does; unless a free end many lengths away left only
-  // that.
+  // Unit except for rounding, which one step of Newton's method removes; unless a free end many lengths away left
+  // nothing but rounding.
   const auto size2 = dot(d, kept, kept);
   const auto off_unit = hn::Abs(hn::Sub(size2, one));
   const auto is_unit = hn::And(has_mean, hn::Lt(off_unit, hn::Set(d, 1e-3f)));
   V3<D> way = scale(d, mean, reach);
   kept = scale(d, kept, hn::Sub(hn::Set(d, 1.5f), hn::Mul(hn::Set(d, 0.5f), size2)));
   if (HWY_UNLIKELY(!hn::AllTrue(d, is_unit))) {
-    // A free end far to the side, or behind the start, has no sensible mean: straight to the length instead. Straight
-    // back through the start it cannot go: balanced on that line it stays, off it the next step finds the side.
+    // A free end far to the side, or behind the start, has no sensible mean: go straight to the length instead. A bone
+    // cannot go straight back through its start: balanced on that line it stays; off it, the next step finds the side.
     const V3<D> straight = direction_or(d, free, before);
     const auto is_back = hn::And(hn::Not(has_mean), hn::Lt(dot(d, straight, before), hn::Set(d, -0.9999f)));
     const V3<D> now = choose<D>(is_back, before, straight);
@@ -94,13 +94,13 @@ HWY_INLINE BoneMotion<D> keep_length(D d, const V3<D>& free, const V3<D>& veloci
   return {kept, across(d, add_scaled(d, velocity, way, velocity_per_way), kept)};
 }
 
-/// Section 4. `cosine` of the largest angle; `by_parent` as the target's, in world axes. Against the stop, the bone
-/// moves as its default position does.
+/// Section 4. `cosine` of the largest angle; `by_parent` as in Target, in world axes. Against the stop, the bone moves
+/// as its default position does.
 template <class D>
 HWY_INLINE void keep_in_limit(D d, V<D> cosine, const V3<D>& by_parent, const Target<D>& target, BoneMotion<D>& now) {
   const auto zero = hn::Zero(d);
   const V3<D> axis = direction_or(d, target.arm, by_parent);
-  // A cosine that rounds to one tells no small angles apart: such a bone is always turned back.
+  // A cosine that rounds to one does not distinguish small angles, so such a bone is always turned back.
   const auto is_over = hn::Or(hn::Lt(dot(d, now.direction, axis), cosine), hn::Ge(cosine, hn::Set(d, 1.0f)));
   if (HWY_LIKELY(hn::AllFalse(d, is_over))) return;
   const V3<D> limited = tilted(d, now.direction, axis, cosine, Vec3{0.0f, 1.0f, 0.0f});
@@ -109,15 +109,15 @@ HWY_INLINE void keep_in_limit(D d, V<D> cosine, const V3<D>& by_parent, const Ta
   V3<D> velocity = across(d, now.velocity, limited);
   const auto leaving = dot(d, sub(d, velocity, target.velocity), inwards);
   const auto has_side = hn::Gt(size2, hn::Set(d, 1e-6f)), stops = hn::And(has_side, hn::Lt(leaving, zero));
-  const auto taken = hn::Div(leaving, size2);  // not a number without a side: not chosen
+  const auto taken = hn::Div(leaving, size2);  // Not a number without a side; not chosen then.
   velocity = choose<D>(stops, sub_scaled(d, velocity, inwards, taken), velocity);
-  // So narrow a limit leaves no way inwards: the bone is locked to its default position.
+  // A limit this narrow leaves no way inwards, so the bone is locked to its default position.
   velocity = choose<D>(has_side, velocity, target.velocity);
   now.direction = choose<D>(is_over, limited, now.direction);
   now.velocity = choose<D>(is_over, velocity, now.velocity);
 }
 
-/// Where the levels of detail that simulate the bone end.
+/// Lanes whose level of detail does not simulate the bone.
 template <class D>
 HWY_INLINE hn::Mask<D> is_rigid(D d, const RowStep& row, std::size_t bone, std::size_t lane) {
   const hn::Rebind<std::int32_t, D> di;
@@ -125,7 +125,8 @@ HWY_INLINE hn::Mask<D> is_rigid(D d, const RowStep& row, std::size_t bone, std::
   return hn::Le(levels, hn::Set(d, float(row.level)));
 }
 
-/// There it keeps its rest direction in its parent's frame: `arm`, and `by_parent` in head space.
+/// Where the bone is not simulated it keeps its rest direction in its parent's frame: `arm`, and `by_parent` in head
+/// space.
 template <class D>
 HWY_INLINE void stay_rigid(D d, hn::Mask<D> rigid, const Carrier<D>& from, const V3<D>& by_parent, const V3<D>& arm,
                            V<D> length, BoneMotion<D>& now, V3<D>& direction) {
@@ -134,13 +135,13 @@ HWY_INLINE void stay_rigid(D d, hn::Mask<D> rigid, const Carrier<D>& from, const
   direction = choose<D>(rigid, by_parent, direction);
 }
 
-/// Lanes that have the bone, where some have not.
+/// Lanes that have the bone; with chains of different lengths some lack it.
 template <class D>
 HWY_INLINE hn::Mask<D> has_bone(D d, const RowStep& row, std::size_t bone, std::size_t lane) {
   return hn::Lt(hn::Iota(d, float(lane)), hn::Set(d, float(row.bones[bone].lanes)));
 }
 
-/// `value`, and zero where the bone is no chain's last one.
+/// `value`, or zero where the bone is not its chain's last one.
 template <class D>
 HWY_INLINE V<D> of_last_bones(D d, const RowStep& row, std::size_t bone, std::size_t lane, V<D> value) {
   if (HWY_LIKELY((row.bones[bone].features & kRowEnds) == 0)) return value;
@@ -148,7 +149,7 @@ HWY_INLINE V<D> of_last_bones(D d, const RowStep& row, std::size_t bone, std::si
   return bone + 1 == row.bones.size() ? here : hn::IfThenZeroElse(has_bone(d, row, bone + 1, lane), here);
 }
 
-/// Finds where a joint is that moves rigidly with the head, and how fast; `joint` in head space, `turn` the head's
+/// Finds the place and the velocity of a joint that is rigid to the head. `joint`: head space. `turn`: the head's
 /// rotation at the end of the step.
 template <class D>
 HWY_INLINE void joint_on_head(D d, const RowStep& row, std::size_t lane, const M3<D>& turn, const V3<D>& joint,
@@ -167,14 +168,14 @@ HWY_INLINE void joint_on_head(D d, const RowStep& row, std::size_t lane, const M
   carrier.frame = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
 }
 
-/// Section 4, of a bone of a row that is bounded: turns `now` and `direction`, which is now.direction in head space, to
-/// where the limit about the frame of `from` allows it. `limited` is what colliders need for the same. Returns where
-/// the bone was beyond.
+/// Section 4, for a bounded bone of a row: turns `now` and `direction`, which is now.direction in head space, into the
+/// limit about the frame of `from`. Fills `limited` for the colliders' code. Returns where the bone was beyond its
+/// limit.
 template <class D>
 HWY_INLINE hn::Mask<D> keep_in_limit(D d, const RowStep& row, std::size_t lane, std::size_t bone,
                                      const Carrier<D>& from, LimitedBone<V<D>>& limited, BoneMotion<D>& now,
                                      V3<D>& direction) {
-  V3<D> turned[3] = {direction, now.direction, now.velocity};  // copies: what is in registers stays there
+  V3<D> turned[3] = {direction, now.direction, now.velocity};  // Copies, so that values in registers stay there.
   limited.row = &row;
   limited.lane = lane;
   limited.bone = bone;
@@ -191,10 +192,10 @@ HWY_INLINE hn::Mask<D> keep_in_limit(D d, const RowStep& row, std::size_t lane, 
   return hn::Gt(limited.beyond, hn::Zero(d));
 }
 
-/// Section 4, of bone `bone` of the row, which starts at `start` (head space) with `start_velocity` and got there by
-/// `start_way`, as Carrier::way. That is null where colliders shall push at the end of the step alone. `direction` is
-/// now.direction in head space and follows it; `limited`, which may be null, is from keep_in_limit(). Returns the lanes
-/// in which the bone touched something.
+/// Section 4, for bone `bone` of the row, which starts at `start` (head space) with `start_velocity`. `start_way`: its
+/// start's way, as Carrier::way; null where colliders push at the end of the step only. `direction` is now.direction in
+/// head space and is updated with it. `limited`, which may be null, is from keep_in_limit(). Returns the lanes in which
+/// the bone touched something.
 template <class D>
 HWY_INLINE hn::Mask<D> keep_clear_of(D d, const RowStep& row, std::size_t lane, const M3<D>& turn, std::size_t bone,
                                      const V3<D>& start, const V3<D>& start_velocity,
@@ -206,7 +207,7 @@ HWY_INLINE hn::Mask<D> keep_clear_of(D d, const RowStep& row, std::size_t lane, 
   const auto length = load(d, constants.length, lane), hit_radius = load(d, constants.hit_radius, lane);
   const auto is_near = in_reach(d, colliders, set, start, hn::Add(length, hit_radius));
   if (HWY_LIKELY(hn::AllFalse(d, is_near))) return is_near;
-  // Far enough in one step, the bone may have jumped through a collider.
+  // A bone that moves far enough in one step may have jumped through a collider.
   const MoveLanes& move = *row.move;
   auto reached = hn::Lt(dot(d, before, now.direction), load(d, move.near_cosine, lane));
   const auto in_head_space = [&] { return rotate_back(d, load(d, move.from_head_before, lane), before); };

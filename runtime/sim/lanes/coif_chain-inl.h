@@ -43,7 +43,8 @@ class CoifChain {
  private:
   HWY_INLINE void advance(std::size_t i);
 
-  /// What the children hang from. The motion before the step is put together from what was stored after the last one.
+  /// Stores the point that the children hang from. Its motion before the step is composed of the values stored after
+  /// the last one.
   HWY_INLINE void leave_carrier(Carrier<D>& tail, CoifState& state, const Carrier<D>& from, const BoneMotion<D>& now,
                                 const V3<D>& before, const V3<D>& speed_before, const V3<D>& swing, V<D> spin,
                                 V<D> length, V<D> per_length, const M3<D>& frame, const V3<D>& direction) {
@@ -59,8 +60,8 @@ class CoifChain {
     store(d_, spin, state.spin, lane_);
   }
 
-  /// Section 2. The velocity before is that of the direction stored after the last step, under its parent's motion
-  /// then.
+  /// Section 2. The velocity before the step is that of the direction stored after the last step, under its parent's
+  /// motion then.
   HWY_INLINE Target<D> target_of(const RowBone& shape, const PoseLanes* pose, bool leans, const BoneLanes& bone,
                                  const Carrier<D>& from, const V3<D>& arm_before, V<D> length) const {
     const V3<D> rest = load(d_, bone.rest, lane_), pull = leans ? load(d_, bone.pull, lane_) : rest;
@@ -81,7 +82,7 @@ class CoifChain {
       const V3<D> with_head = cross(d_, load(d_, move.angular_velocity, lane_), by_head);
       turning = add_scaled(d_, scale(d_, turning, share), with_head, rest_share);
       target.arm = add_scaled(d_, scale(d_, target.arm, share), by_head, rest_share);
-      // What was stored is the blend; its head's part turned with the head, and the rest of it with the parent.
+      // The stored arm is the blend. Its head's part has turned with the head, and the rest of it with the parent.
       const V3<D> by_head_before =
           scale(d_, rotate(d_, load(d_, move.from_head_before, lane_), asked_before), rest_share);
       const V3<D> by_parent_before = sub(d_, arm_before, by_head_before);
@@ -103,8 +104,8 @@ class CoifChain {
     return air;
   }
 
-  /// Section 2 and 3: the exact answer of the oscillator about the moving default position, then the force that keeps
-  /// the length.
+  /// Sections 2 and 3: the exact response of the oscillator about the moving default position, then the force that
+  /// keeps the length.
   HWY_INLINE BoneMotion<D> move_freely(std::size_t i, const RowBone& shape, const Carrier<D>& from,
                                        const Target<D>& target, const V3<D>& before, const V3<D>& arm_before,
                                        const V3<D>& speed_before, V<D> length) const {
@@ -116,7 +117,7 @@ class CoifChain {
     const V3<D> way = add_scaled(d_, from.way, sub(d_, target.arm, arm_before), length);
     const V3<D> gravity = load(d_, row_.move->gravity, lane_);
 
-    // What is known early comes first: the sums are long, and the parent's motion is what everything waits for.
+    // Terms that are known early come first: the sums are long, and everything waits for the parent's motion.
     V3<D> free = scale(d_, gravity, load(d_, c.offset_from_gravity, lane_));
     V3<D> velocity = scale(d_, gravity, load(d_, c.velocity_from_gravity, lane_));
     if (shape.features & kRowFeelsAir) {
@@ -140,14 +141,14 @@ class CoifChain {
     return keep_length(d_, free, velocity, before, load(d_, c.velocity_from_constraint, lane_));
   }
 
-  /// What a bone hangs from, its frame turned by the pose.
+  /// The point that a bone hangs from, with its frame turned by the pose.
   HWY_INLINE const Carrier<D>& posed(const Carrier<D>& hung, const PoseLanes& pose) {
     copy_carrier(d_, hung, posed_);
     if constexpr (kOnCharacter<D>) follow_pose(d_, *row_.character, pose, lane_, turn_, posed_);
     return posed_;
   }
 
-  /// A pose has no twist against its own frame.
+  /// A posed bone has no twist against its own frame.
   HWY_INLINE void untwist(hn::Mask<D> where, const M3<D>& frame, TwistState& state, Bent<D>& bent) const {
     bent.frame = choose<D>(where, frame, bent.frame);
     store(d_, hn::IfThenElse(where, hn::Set(d_, 1.0f), load(d_, state.cosine, lane_)), state.cosine, lane_);
@@ -250,7 +251,7 @@ HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
     motion_ = hn::Add(motion_, of_last_bones(d_, row_, i, lane_, dot(d_, velocity, velocity)));
   }
   if (shape.features & kRowHasChildren) {
-    // Last, since it may take the place of what the bone itself hangs from.
+    // Comes last, since it may overwrite the carrier that the bone itself hangs from.
     leave_carrier(carriers_[shape.slot], state, from, now, before, speed_before, swing, spin, length, per_length,
                   bent.frame, direction);
   }

@@ -1,5 +1,5 @@
 // Bones against colliders, many at once, in head space where colliders stand still (MODEL.md, "Contacts"). Compiled
-// once per instruction set. What a lane comes to depends on its own numbers, never on its neighbours'.
+// once per instruction set. The result of a lane depends only on its own numbers, never on its neighbours'.
 
 #include "turn_out-inl.h"
 
@@ -14,17 +14,17 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// Several colliders push each other's results about: until all agree, or this often.
+/// Rounds until all agree: several colliders may push a bone into each other.
 inline constexpr int kContactRounds = 4;
 
-/// A limit that stands against a collider pushes back at an angle: that takes more of them to agree.
+/// With a limit that stands against a collider: it pushes back at an angle, so more rounds are needed to agree.
 inline constexpr int kLimitedRounds = 24;
 
-/// Radians by which a bone may be turned along a surface without being looked at again: it gets no deeper than half the
+/// Radians by which a bone may be turned along a surface without another look: it gets deeper by at most half the
 /// square of that.
 inline constexpr float kSmallShift = 1e-5f;
 
-/// Where a bone that starts here and is no longer than `reach` could touch any of the colliders, whatever its
+/// Lanes in which a bone that starts here and is no longer than `reach` could touch any of the colliders in some
 /// direction.
 template <class D>
 HWY_INLINE hn::Mask<D> in_reach(D d, const PlacedColliders& colliders, std::uint32_t set, const V3<D>& start,
@@ -41,7 +41,8 @@ HWY_INLINE hn::Mask<D> in_reach(D d, const PlacedColliders& colliders, std::uint
   return is_near;
 }
 
-/// In the space where the ellipsoid is the unit sphere; there the hair's radius is less than by its smallest semi-axis.
+/// Computed in the space in which the ellipsoid is the unit sphere. Dividing the hair's radius by the smallest
+/// semi-axis is an upper bound there.
 template <class D>
 HWY_INLINE hn::Mask<D> reaches_ellipsoid(D d, const PlacedCollider& ellipsoid, const V3<D>& start,
                                          const V3<D>& direction, V<D> length, V<D> hit_radius) {
@@ -53,7 +54,8 @@ HWY_INLINE hn::Mask<D> reaches_ellipsoid(D d, const PlacedCollider& ellipsoid, c
   return hn::Lt(dot(d, offset, offset), hn::Mul(radius, radius));
 }
 
-/// Where the bone, a segment with a thickness, may touch the collider: everywhere that it does, and hardly elsewhere.
+/// Lanes in which the bone, a segment with a thickness, may touch the collider: all in which it does, and hardly
+/// others.
 template <class D>
 HWY_INLINE hn::Mask<D> reaches(D d, const PlacedCollider& collider, const V3<D>& start, const V3<D>& direction,
                                V<D> length, V<D> hit_radius) {
@@ -81,17 +83,18 @@ HWY_INLINE hn::Mask<D> reaches(D d, const PlacedCollider& collider, const V3<D>&
 /// How a collider pushes a bone that it holds at the end of a step.
 template <class D>
 struct Push {
-  V3<D> way;    ///< What it takes of the bone's velocity goes along this. As long along the normal as the part of the
-                ///< normal across the bone.
-  V3<D> shift;  ///< By so much more the bone's direction is turned, beside the normal.
+  /// The direction of the velocity that is taken from the bone. Along the normal it is as long as the part of the
+  /// normal across the bone.
+  V3<D> way;
+  V3<D> shift;  ///< Added to the bone's direction, beside the normal.
 };
 
-/// A push as it arises within the step. A constant force that turns the bone out as far leaves behind twice what that
-/// takes a second, along the mean of how bone and normal stand before the step and after it; the rest of what is taken
-/// goes along how they stand at the end. Where a bone comes to the collider within the step that is how they stand as
-/// it comes, and where it lies on it the mean of both; with the end alone both are of first order. `taken`: of the
-/// velocity along the normal, negative; in the lanes of `follows` that is the bone's own, since its start sinks
-/// besides.
+/// Finds the push of a contact within the step. A constant force that turns the bone out by this much leaves behind a
+/// velocity of twice the turn per second, along the mean of bone and normal before and after the step. The rest of the
+/// velocity that is taken goes along bone and normal at the end: for a bone that arrives within the step, as they are
+/// on arrival; for one that lies on the collider, the mean of both. With the end's alone both cases would be of first
+/// order. `taken`: velocity along the normal, negative. In the lanes of `follows` it is the bone's own, since its start
+/// sinks too.
 template <class D>
 COIF_RARE void find_push(D d, const PlacedCollider& collider, const Contact<D>& contact, const V3<D>& inside,
                          const TouchingBone<D>& bone, V<D> taken, hn::Mask<D> follows, Push<D>& push) {
@@ -106,7 +109,7 @@ COIF_RARE void find_push(D d, const PlacedCollider& collider, const Contact<D>& 
     const V3<D> outwards = solid.out_of(before.normal);
     copy(d, outwards, before.normal);
   }
-  // Forces are the world's, and what was before is turned against the head by as much as that turned on.
+  // Forces act in the world, and vectors of before the step have turned against the head by the head's turn.
   const V3<D> turned = scale(d, bone.head_turning, hn::Set(d, bone.dt));
   const auto twice_mean = [&](const V3<D>& from, const V3<D>& to) {
     return add(d, to, sub(d, from, cross(d, turned, from)));
@@ -118,7 +121,7 @@ COIF_RARE void find_push(D d, const PlacedCollider& collider, const Contact<D>& 
   const auto is_alike = hn::And(hn::Gt(facing, one), hn::Gt(along, hn::Max(size2, hn::Set(d, 1e-6f))));
   const V3<D> aside = sub(d, scale(d, mean, hn::Div(size2, along)), push.way);
 
-  // The lift of the place of contact, but for that by which its start sank since they met.
+  // The lift of the place of contact, without the way that the bone's start sank since they met.
   const V3<D> way_out = scale(d, add(d, before.normal, contact.normal), half), turn = sub(d, bone.direction, inside);
   auto lift = hn::Mul(hn::Mul(half, hn::Add(before.along, contact.along)), dot(d, turn, way_out));
   const auto since = hn::Div(lift, hn::Max(hn::Add(lift, hn::Max(before.gap, zero)), hn::Set(d, 1e-12f)));
@@ -131,8 +134,8 @@ COIF_RARE void find_push(D d, const PlacedCollider& collider, const Contact<D>& 
   set_where(d, is_alike, add_scaled(d, push.way, aside, share), push.way);
 }
 
-/// The velocity of the contact's point into the collider is lost. The collider stands still against the head. `inside`:
-/// the bone's direction before it was turned out. Returns 1 where the bone was turned on, beside the normal, and may be
+/// Removes the velocity of the contact's point into the collider, which stands still against the head. `inside`: the
+/// bone's direction before it was turned out. Returns 1 where the bone was also turned beside the normal and may be
 /// inside again, else 0.
 template <class D>
 HWY_INLINE V<D> stop_at_contact(D d, hn::Mask<D> touches, const PlacedCollider& collider, const Contact<D>& contact,
@@ -149,7 +152,7 @@ HWY_INLINE V<D> stop_at_contact(D d, hn::Mask<D> touches, const PlacedCollider& 
   const auto stops = hn::And(touches, hn::And(has_lever, hn::Lt(approach, zero)));
   const auto safe_size2 = hn::IfThenElse(has_lever, size2, one);
   const V3<D> with_head = cross(d, bone.head_turning, scale(d, bone.direction, bone.length));
-  // A contact stops a bone and never throws it: over a short lever, a start that sinks would give it any speed.
+  // A contact stops a bone and never throws it: over a short lever, a sinking start would give it any speed.
   const auto own = hn::Div(dot(d, sub(d, bone.velocity, with_head), side), safe_size2);
   const auto lost = hn::Div(approach, hn::Mul(hn::IfThenElse(has_lever, share, one), safe_size2));
   const auto follows = hn::Gt(own, lost);
@@ -180,7 +183,8 @@ HWY_INLINE hn::Mask<D> clear_of(D d, hn::Mask<D> takes_part, const PlacedCollide
   return clear_of_solid(d, takes_part, crossed, collider, bone, contact);
 }
 
-/// As one obstacle more, in the lanes of `here`: what limits the bone's direction. Returns where it was beyond.
+/// Applies the limit of the bone's direction as one more obstacle, in the lanes of `here`. Returns where the bone was
+/// beyond it.
 template <class D>
 HWY_INLINE hn::Mask<D> keep_in_limit(D d, hn::Mask<D> here, TouchingBone<D>& bone) {
   LimitedBone<V<D>>& limited = *bone.limited;
@@ -193,8 +197,8 @@ HWY_INLINE hn::Mask<D> keep_in_limit(D d, hn::Mask<D> here, TouchingBone<D>& bon
 }
 
 /// Turns the bones in the lanes of `reached` until they are clear of their colliders, which stand still against the
-/// head, and takes from their velocities what leads into those. `set` has the colliders of all lanes. Returns the lanes
-/// that touched any: only in them the bone is another.
+/// head, and removes the velocities that lead into them. `set` has the colliders of all lanes. Returns the lanes that
+/// touched any; only these have changed.
 template <class D>
 COIF_RARE_ONCE hn::Mask<D> keep_clear(D d, const PlacedColliders& colliders, std::uint32_t set,
                                       const BoneLanes& constants, std::size_t lane, hn::Mask<D> reached,
@@ -217,7 +221,7 @@ COIF_RARE_ONCE hn::Mask<D> keep_clear(D d, const PlacedColliders& colliders, std
       touched = hn::Add(touched, stop_at_contact(d, touches, colliders[i], contact, inside, bone));
     }
     if (HWY_UNLIKELY(bone.limited != nullptr)) {
-      // Last, so that limits hold whatever colliders ask for.
+      // Last, so that limits hold whatever the colliders do.
       const auto beyond = keep_in_limit(d, hn::And(takes_part, hn::Gt(touched, hn::Zero(d))), bone);
       touched = hn::Add(touched, hn::IfThenElseZero(beyond, one));
     }

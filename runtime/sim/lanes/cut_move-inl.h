@@ -1,4 +1,4 @@
-// A part of what heads do during a step, another part in each lane. Compiled once per instruction set.
+// Cuts a part out of the heads' motion during a step, another part in each lane. Compiled once per instruction set.
 
 #include "head_path-inl.h"
 #include "lane_math-inl.h"
@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// As those of a share that is the same in all lanes (step_parts.h).
+/// The weights of step_parts.h, with another share in each lane.
 template <class D>
 HermiteLanes<D> values_at(D d, V<D> s) {
   const auto s2 = hn::Mul(s, s), s3 = hn::Mul(s2, s), back = hn::Sub(s3, s2);
@@ -31,7 +31,7 @@ HermiteLanes<D> slopes_at(D d, V<D> s) {
           hn::Sub(s3, twice)};
 }
 
-/// Where a head is in the midst of a step, and how it moves there.
+/// A head's place within a step, and its motion there.
 template <class D>
 struct MidHead {
   V3<D> way;  ///< Since the step began.
@@ -39,7 +39,7 @@ struct MidHead {
   M3<D> from_head;
 };
 
-/// After this share of a step of `dt` seconds, as far as the cubic knows it.
+/// The head after this share of a step of `dt` seconds, evaluated on the cubic.
 template <class D>
 COIF_RARE MidHead<D> mid_head(D d, const MoveLanes& move, V<D> share, V<D> dt, std::size_t lane) {
   const auto per_second = hn::Div(hn::Set(d, 1.0f), dt);
@@ -67,8 +67,8 @@ void set_where(D d, hn::Mask<D> where, const M3<D>& value, LanesMatrix& to, std:
   set_where(d, where, value.z, to.z, lane);
 }
 
-/// Leaves of `move`, in which a head goes for `dt` seconds, the part between these shares of it. (But for the
-/// quaternions, which the bones do not read.)
+/// Reduces `move`, in which a head moves for `dt` seconds, to the part between these shares of it. Leaves out the
+/// quaternions, which the bones do not read.
 template <class D>
 COIF_RARE void cut_move(D d, V<D> from, V<D> to, V<D> dt, std::size_t lane, MoveLanes& move) {
   const auto is_later = hn::Gt(from, hn::Zero(d)), is_shorter = hn::Lt(to, hn::Set(d, 1.0f));

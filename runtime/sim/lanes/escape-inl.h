@@ -1,4 +1,4 @@
-// The way out of a gap between colliders that is too narrow for a bone: sideways. Compiled once per instruction set.
+// Turns a bone sideways out of a gap between colliders that is too narrow for it. Compiled once per instruction set.
 
 #include "turn_out-inl.h"
 
@@ -13,15 +13,15 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// Depth in a collider at which a bone is not clear of it, share of its size: ten times what turning out leaves.
+/// A bone that is this deep in a collider is not clear of it; share of its size, ten times what turning out leaves.
 inline constexpr float kLiesIn = 1e-5f;
 
-/// A start deeper than this, share of the size, is in the collider where no way out is found otherwise: ten times as
-/// deep as a bone is left there.
+/// A start deeper than this is inside the collider, and no other way out is found; share of the size, ten times the
+/// depth at which a bone is left there.
 inline constexpr float kStartsIn = 1e-4f;
 
-/// Where the bone in this direction lies in the collider. Of one whose start is in there, that counts the end alone; of
-/// one whose start is on its surface what is deeper than the start.
+/// Lanes in which a bone of this direction lies in the collider. If the bone starts inside, only its end counts; if it
+/// starts on the surface, only parts that are deeper than its start count.
 template <class D>
 COIF_RARE hn::Mask<D> lies_in(D d, hn::Mask<D> asked, const PlacedCollider& collider, const TouchingBone<D>& bone,
                               const V3<D>& direction) {
@@ -43,7 +43,7 @@ COIF_RARE hn::Mask<D> lies_in(D d, hn::Mask<D> asked, const PlacedCollider& coll
   const Solid<D> solid(d, collider, bone.start, bone.length, bone.hit_radius);
   Deepest<D> at;
   solid.find_deepest(solid.into(direction), at);
-  // Deepest at the start: no direction could help that, and none would be left.
+  // Deepest at the start: no direction could help, so it does not count.
   const auto lies = hn::And(asked, hn::And(hn::Lt(at.gap, hn::Neg(most)), hn::Gt(at.along, hn::Zero(d))));
   if (hn::AllFalse(d, lies)) return lies;
   const auto gap_at = [&](const V3<D>& point) {
@@ -56,20 +56,20 @@ COIF_RARE hn::Mask<D> lies_in(D d, hn::Mask<D> asked, const PlacedCollider& coll
   return hn::And(lies, hn::Or(starts_out, ends_in));
 }
 
-inline constexpr int kEscapeTurns = 30;  ///< Of six degrees each.
+inline constexpr int kEscapeTurns = 30;  ///< Turns of six degrees each.
 inline constexpr int kEscapeHalvings = 10;
 
-/// Around a direction: how many sides are tried, and the cosine and sine of the angle between two of them.
+/// Sides around a direction: how many are tried, and the cosine and sine of the angle between two of them.
 struct EscapeSides {
   int count;
   float cosine, sine;
 };
-/// First to few, which mostly do; then to many, as what is left between two colliders may be narrow.
+/// First a few sides, which mostly suffice; then many, as the gap between two colliders may be narrow.
 inline constexpr EscapeSides kEscapeSides[] = {{8, 0.70710678f, 0.70710678f}, {32, 0.98078528f, 0.19509032f}};
 
 /// Turns `direction` in the lanes of `stuck` by the smallest multiple of six degrees that leads out, to any of the
-/// sides, and back as far as it stays out. Where nothing leads out it stays as it is. `is_blocked(lanes, direction)`
-/// says where not.
+/// sides, and then back as far as it stays out. If nothing leads out, it stays as it is. `is_blocked(lanes, direction)`
+/// returns the lanes that are not clear.
 template <class D, class Blocked>
 HWY_INLINE void escape(D d, hn::Mask<D> stuck, const Blocked& is_blocked, V3<D>& direction) {
   const V3<D> middle = direction, u = any_perpendicular(d, middle), v = cross(d, middle, u);

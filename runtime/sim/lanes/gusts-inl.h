@@ -1,4 +1,4 @@
-// Gusts where a bone starts. Compiled once per instruction set.
+// Gusts at the start of a bone. Compiled once per instruction set.
 
 #include "lane_math-inl.h"
 #include "row.h"
@@ -25,8 +25,8 @@ HWY_INLINE bool feels_gusts(D, const RowStep& row) {
     return row.character->gusts != nullptr;
 }
 
-/// What gusts add to the velocity of the air, the hair's metres a second, at `offset` from the head's position: world
-/// axes, hair's metres.
+/// The gusts' velocity, in the hair's metres per second, at `offset` from the head's position: world axes, the hair's
+/// metres.
 template <class D>
 HWY_NOINLINE V3<D> gust_at(D d, const RowCharacter& character, std::size_t lane, const V3<D>& offset) {
   const GustLanes& heads = *character.gusts;
@@ -46,18 +46,18 @@ HWY_NOINLINE V3<D> gust_at(D d, const RowCharacter& character, std::size_t lane,
   return scale(d, sum, of_head(heads.strength));
 }
 
-/// The air at one bone of the passive model, which asks more than once.
+/// The air at one bone of the passive model, which needs it several times.
 template <class D>
 struct BoneAir {
   V3<D> air;
-  V3<D> end;  ///< Of the bone before the step, from the head's position, world axes.
+  V3<D> end;  ///< End of the bone before the step, from the head's position, world axes.
 };
 struct NoBoneAir {};
 template <class D>
 using BoneAirOf = std::conditional_t<kOnCharacter<D>, BoneAir<D>, NoBoneAir>;
 
-/// Finds for bone `i` of `bones`, parents first: where it starts, as it was before the step but for the head's turn,
-/// the air there.
+/// Finds the air at the start of bone `i` of `bones`, parents first. The start is as it was before the step, turned
+/// with the head.
 template <class D, class Bone>
 HWY_INLINE void feel_air(D d, const RowStep& row, std::size_t lane, std::size_t i, const M3<D>& turn,
                          const V3<D>& direction, Bone* bones) {
@@ -74,7 +74,7 @@ HWY_INLINE void feel_air(D d, const RowStep& row, std::size_t lane, std::size_t 
   }
 }
 
-/// Velocity of the air that it feels.
+/// Velocity of the air at the bone.
 template <class D, class Bone>
 HWY_INLINE V3<D> air_of(D d, const RowStep& row, std::size_t lane, const Bone& bone) {
   if constexpr (kOnCharacter<D>) {

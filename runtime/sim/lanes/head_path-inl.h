@@ -1,7 +1,7 @@
-// A smooth path through the poses of many heads. Between two poses it is the cubic with the velocities at both ends;
-// the velocity at a new pose is what the host told, or that of the parabola through the last three. Without it a head
-// is a polygon in time: at each frame its velocity jumps, and hair in sub-steps feels every corner. Compiled once per
-// instruction set.
+// A smooth path through the poses of many heads. Between two poses it is the cubic with the velocities at both ends.
+// The velocity at a new pose is the one that the host set, or that of the parabola through the last three poses.
+// Without it a head would move on a polygon in time: its velocity would jump at each frame, and hair in sub-steps would
+// feel every corner. Compiled once per instruction set.
 
 #include "lane_code.h"
 #include "lane_math-inl.h"
@@ -27,10 +27,10 @@ HWY_INLINE V<D> polynomial(D d, V<D> x, const float (&coefficients)[N]) {
   return sum;
 }
 
-/// The shorter of the two ways to turn by the unit quaternion q, as axis times angle: length at most pi.
+/// The shorter of the two rotations that the unit quaternion q stands for, as axis times angle: length at most pi.
 template <class D>
 HWY_NOINLINE V3<D> vector_of(D d, const Q<D>& q) {
-  // atan(sqrt(z)) / sqrt(z) for z up to tan(pi/8)^2, to 6e-10: Chebyshev's interpolation.
+  // atan(sqrt(z)) / sqrt(z) for z up to tan(pi/8)^2, to 6e-10: Chebyshev interpolation.
   constexpr float kArcTangent[] = {-0.0603324163f, 0.105728144f, -0.142399829f, 0.199982108f, -0.333333075f, 1.0f};
   const auto one = hn::Set(d, 1.0f), zero = hn::Zero(d);
   const auto sine2 = dot(d, axis_of(q), axis_of(q)), sine = hn::Sqrt(sine2), cosine = hn::Abs(q.w);
@@ -54,12 +54,12 @@ HWY_NOINLINE V3<D> vector_of(D d, const Q<D>& q) {
 /// The rotation about v by its length, radians, up to some turns.
 template <class D>
 HWY_NOINLINE Q<D> rotation_by(D d, const V3<D>& v) {
-  // sin(sqrt(z)) / sqrt(z) and cos(sqrt(z)) for z up to (pi/2)^2, to 4e-9 and 2e-10: Chebyshev's interpolation.
+  // sin(sqrt(z)) / sqrt(z) and cos(sqrt(z)) for z up to (pi/2)^2, to 4e-9 and 2e-10: Chebyshev interpolation.
   constexpr float kSine[] = {2.60516625e-06f, -1.98090464e-04f, 8.33305062e-03f, -1.66666580e-01f, 1.0f};
   constexpr float kCosine[] = {-2.60510763e-07f, 2.47601355e-05f,  -1.38883608e-03f,
                                4.16666362e-02f,  -4.99999994e-01f, 1.0f};
   const auto half = hn::Mul(hn::Set(d, 0.5f), hn::Sqrt(dot(d, v, v)));
-  // To the nearest multiple of pi, in two parts so that nothing is lost; every odd one changes both signs.
+  // Reduces by the nearest multiple of pi, in two parts so that nothing is lost; every odd one changes both signs.
   const auto turns = hn::Round(hn::Mul(half, hn::Set(d, 0.318309886f)));
   const auto left =
       hn::Sub(hn::Sub(half, hn::Mul(turns, hn::Set(d, 3.140625f))), hn::Mul(turns, hn::Set(d, 9.67653590e-4f)));
@@ -75,7 +75,7 @@ HWY_NOINLINE Q<D> rotation_by(D d, const V3<D>& v) {
   return {axis.x, axis.y, axis.z, hn::Mul(sign, polynomial(d, square, kCosine))};
 }
 
-/// Undoes what rounding does to the length of a product of unit quaternions.
+/// Restores the unit length of a product of unit quaternions.
 template <class D>
 HWY_INLINE Q<D> nearly_unit(D d, const Q<D>& q) {
   const auto size2 = hn::Add(dot(d, axis_of(q), axis_of(q)), hn::Mul(q.w, q.w));
@@ -83,14 +83,14 @@ HWY_INLINE Q<D> nearly_unit(D d, const Q<D>& q) {
   return {hn::Mul(q.x, per), hn::Mul(q.y, per), hn::Mul(q.z, per), hn::Mul(q.w, per)};
 }
 
-/// The parabola through three poses: the slope at its end from the mean slopes of its two parts.
+/// For the parabola through three poses: the slope at its end from the mean slopes of its two parts.
 template <class D>
 HWY_INLINE V3<D> slope_at_end(D d, const V3<D>& mean, const V3<D>& mean_before, V<D> share) {
   return add_scaled(d, mean, sub(d, mean, mean_before), share);
 }
 
-/// The same after a frame that took long, in which a head that was on its way may have been held. As far as it is
-/// certain: by the parabola the head would now fly back as fast as it came.
+/// The same after a long frame, in which a moving head may have been stopped. Limited to what is certain: by the
+/// parabola the head would now fly back as fast as it came.
 template <class D>
 HWY_INLINE V3<D> slope_after_stall(D d, const V3<D>& mean, const V3<D>& mean_before, V<D> share) {
   const V3<D> change = scale(d, sub(d, mean, mean_before), share);
@@ -99,8 +99,7 @@ HWY_INLINE V3<D> slope_after_stall(D d, const V3<D>& mean, const V3<D>& mean_bef
   return add_scaled(d, mean, change, hn::Min(kept, hn::Set(d, 1.0f)));
 }
 
-/// Looks at the coming step: the rotation vector of the head's turn, and whether it is too far to be a movement.
-/// Returns where.
+/// Finds the rotation vector of the coming step's turn. Returns where the head moves too far for a movement.
 template <class D>
 HWY_INLINE hn::Mask<D> look_ahead(D d, const HeadLanes& heads, const StepParts& parts, std::size_t lane,
                                   HeadStepLanes& out) {
@@ -119,7 +118,7 @@ HWY_INLINE void set_where(D d, hn::Mask<D> chosen, const V3<D>& value, Lanes3& t
   store(d, choose<D>(chosen, value, load(d, to, lane)), to, lane);
 }
 
-/// Begins the step: mean velocities, and the velocities at its end.
+/// Begins the step: sets mean velocities, and the velocities at its end.
 template <class D>
 HWY_INLINE void begin_path(D d, HeadLanes& heads, const StepParts& parts, std::size_t lane, HeadStepLanes& step) {
   const auto per_second = hn::Set(d, 1.0f / parts.dt);
@@ -145,7 +144,7 @@ HWY_INLINE void begin_path(D d, HeadLanes& heads, const StepParts& parts, std::s
   store(d, dt, heads.last_dt, lane);
 }
 
-/// The head has arrived.
+/// Ends the step: the head is at its next pose.
 template <class D>
 HWY_INLINE void finish_path(D d, HeadLanes& heads, std::size_t lane, const HeadStepLanes& step) {
   const auto zero = hn::Zero(d);
@@ -156,13 +155,13 @@ HWY_INLINE void finish_path(D d, HeadLanes& heads, std::size_t lane, const HeadS
   store(d, zero, heads.is_told, lane);
 }
 
-/// Faster than light, (m/s)^2: an explosion that happened to fit a float, and that damping would take a minute to calm.
+/// Squared speed of light, (m/s)^2: faster hair is an explosion that damping would take a minute to calm.
 inline constexpr float kFastest2 = 9e16f;
 
-/// Counts for how long head and hair have been at rest. Returns where that is long enough to sleep.
+/// Counts how long head and hair have been at rest. Returns where that is long enough to sleep.
 template <class D>
 HWY_INLINE hn::Mask<D> watch_rest(D d, HeadLanes& heads, std::size_t lane, V<D> motion, const RestWatch& watch) {
-  constexpr float kArm2 = 0.01f;  // (m)^2: what turning moves, at a decimetre from the axis
+  constexpr float kArm2 = 0.01f;  // m^2: turning counts as the motion of a point a decimetre from the axis.
   const V3<D> velocity = scale(d, load(d, heads.mean_velocity, lane), load(d, heads.per_scale, lane));
   const V3<D> turning = load(d, heads.mean_angular_velocity, lane);
   const auto head = hn::Add(dot(d, velocity, velocity), hn::Mul(hn::Set(d, kArm2), dot(d, turning, turning)));
@@ -173,8 +172,8 @@ HWY_INLINE hn::Mask<D> watch_rest(D d, HeadLanes& heads, std::size_t lane, V<D> 
   return hn::Ge(quiet, hn::Set(d, watch.sleep_after));
 }
 
-/// Rate of the rotation vector r for the angular velocity w in the turned frame, and the reverse; both are the first
-/// terms of the differential of the exponential map, good for the turn of one step.
+/// The rate of the rotation vector r for the angular velocity w in the turned frame, and the reverse. Both are the
+/// first terms of the differential of the exponential map, good enough for the turn of one step.
 template <class D>
 HWY_INLINE V3<D> rate_of_vector(D d, const V3<D>& r, const V3<D>& w) {
   const V3<D> once = cross(d, r, w);
@@ -186,7 +185,7 @@ HWY_INLINE V3<D> rate_of_turning(D d, const V3<D>& r, const V3<D>& rate) {
   return add_scaled(d, sub_scaled(d, rate, once, hn::Set(d, 0.5f)), cross(d, r, once), hn::Set(d, 1.0f / 6.0f));
 }
 
-/// Hermite, in each lane's own.
+/// Hermite with another share in each lane.
 template <class D>
 struct HermiteLanes {
   V<D> start_slope, end, end_slope;
@@ -204,7 +203,7 @@ HWY_NOINLINE V3<D> blend(D d, const HermiteLanes<D>& weights, const V3<D>& start
   return add_scaled(d, sum, end_slope, weights.end_slope);
 }
 
-/// A head's turn during some time: its first and last rotation, the rotation vector between them, and its speeds there.
+/// A head's turn during some time: first and last rotation, the rotation vector between them, and velocities there.
 template <class D>
 struct TurningHead {
   Q<D> before, after;
@@ -212,12 +211,12 @@ struct TurningHead {
   V3<D> angular_velocity_before, angular_velocity;
 };
 
-/// The rotation within `dt` seconds for these weights of the cubic, and, for those of its slope, the angular velocity.
+/// The rotation within `dt` seconds for these weights of the cubic, and the angular velocity for its slope's weights.
 template <class D>
 HWY_INLINE void turn_along(D d, const TurningHead<D>& head, const HermiteLanes<D>& values,
                            const HermiteLanes<D>& slopes, V<D> dt, V<D> per_second, Q<D>& rotation,
                            V3<D>& angular_velocity) {
-  // In the frame of the start, where the path of the rotation vector begins at zero.
+  // In the frame of the start, so that the path of the rotation vector begins at zero.
   const M3<D> from_start = matrix_of(d, head.before), from_end = matrix_of(d, head.after);
   const V3<D> turn = rotate_back(d, from_start, head.turn);
   const V3<D> turn_start = scale(d, rotate_back(d, from_start, head.angular_velocity_before), dt);
@@ -229,7 +228,7 @@ HWY_INLINE void turn_along(D d, const TurningHead<D>& head, const HermiteLanes<D
   angular_velocity = rotate(d, matrix_of(d, rotation), rate_of_turning(d, vector, rate));
 }
 
-/// The end of one sub-step on the path, into `move`: rotation, way, velocities.
+/// Writes the end of one sub-step on the path into `move`: rotation, way, velocities.
 template <class D>
 HWY_INLINE void follow_path(D d, const HeadLanes& heads, const HeadStepLanes& step, const StepParts& parts,
                             std::uint32_t part, std::size_t lane, MoveLanes& move) {
@@ -258,8 +257,7 @@ HWY_INLINE void follow_path(D d, const HeadLanes& heads, const HeadStepLanes& st
   store(d, angular_velocity, move.angular_velocity, lane);
 }
 
-/// What the hair feels of a sub-step when it feels a share of the head's motion. The rest turns the hair by the
-/// rotation returned.
+/// Reduces a sub-step to the share of the head's motion that the hair feels. Returns the rest as the hair's rotation.
 template <class D>
 HWY_INLINE Q<D> share_motion(D d, float inertia, std::size_t lane, MoveLanes& move) {
   const auto share = hn::Set(d, inertia);
@@ -276,7 +274,7 @@ HWY_INLINE Q<D> share_motion(D d, float inertia, std::size_t lane, MoveLanes& mo
   return carried;
 }
 
-/// What the bones need besides.
+/// Sets the remaining values that the bones need.
 template <class D>
 HWY_INLINE void complete_move(D d, const StepParts& parts, V<D> per_scale, std::size_t lane, MoveLanes& move) {
   const Q<D> before = load(d, move.rotation_before, lane), now = load(d, move.rotation, lane);
@@ -287,7 +285,8 @@ HWY_INLINE void complete_move(D d, const StepParts& parts, V<D> per_scale, std::
   store(d, add_scaled(d, wind, load(d, move.way, lane), follow), move.air, lane);
   const V3<D> gravity = same(d, parts.gravity);
   store(d, parts.has_true_gravity ? scale(d, gravity, per_scale) : gravity, move.gravity, lane);
-  // While the head turns by less than 8 degrees, a bone seen from it turned by at most that more than in the world.
+  // While the head turns by less than 8 degrees, a bone's turn seen from the head is larger than in the world by at
+  // most that.
   const auto half_turn = hn::Abs(hn::Add(dot(d, axis_of(before), axis_of(now)), hn::Mul(before.w, now.w)));
   const auto is_slow = hn::Gt(half_turn, hn::Set(d, 0.99757f));
   store(d, hn::IfThenElse(is_slow, hn::Set(d, 0.953f), hn::Set(d, 2.0f)), move.near_cosine, lane);

@@ -26,7 +26,7 @@ struct Heads {
     for (std::size_t i = 0; i < lanes; i += hn::Lanes(d)) begin_path(d, heads, parts, i, step);
   }
 
-  /// A part starts where, and as fast as, the one before ended.
+  /// A part starts at the place and velocity at which the one before ended.
   static HWY_INLINE void go_on(D d, const HeadLanes& heads, float inertia, std::uint32_t part, std::size_t i,
                                MoveLanes& move) {
     if (part == 0) {
@@ -54,7 +54,7 @@ struct Heads {
   }
 
   static HWY_INLINE std::uint32_t bits_of(hn::Mask<D> mask) {
-    std::uint8_t bytes[8] = {};  // as many as any instruction set writes at least
+    std::uint8_t bytes[8] = {};  // As many as any instruction set writes at least.
     hn::StoreMaskBits(D(), mask, bytes);
     return std::uint32_t(bytes[0] | bytes[1] << 8);
   }

@@ -18,34 +18,34 @@ RowFunction* character_cascade_code(InstructionSet set);
 RowFunction* character_passive_code(InstructionSet set);
 LimitFunction* limit_code(InstructionSet set);
 
-/// What rest is, and after how long heads at rest may sleep.
+/// When a head counts as at rest, and after how long it may sleep.
 struct RestWatch {
-  float dt = 0;           ///< Seconds, of the step that ends.
-  float still2 = 0;       ///< (m/s)^2; no faster than this, head and hair are at rest.
+  float dt = 0;           ///< The length of the step that ends, seconds.
+  float still2 = 0;       ///< (m/s)^2. Head and hair are at rest up to this speed.
   float sleep_after = 0;  ///< Seconds.
 };
 
-/// A bit for each lane.
+/// Lanes of a block, a bit for each.
 struct RestingHeads {
   std::uint32_t may_sleep = 0;
-  std::uint32_t flies = 0;  ///< Its hair is faster than light, or nowhere.
+  std::uint32_t flies = 0;  ///< Its hair is faster than light, or not a number.
 };
 
-/// Follows the heads of one block through a step. In this order: look_ahead, begin, move for each part, finish. Of as
-/// many vectors as hold the first `lanes` lanes; what is in others stays as it is.
+/// Moves the heads of one block through a step, in this order: look_ahead, begin, move for each part, finish. Works on
+/// as many vectors as hold the first `lanes` lanes; other lanes stay as they are.
 struct HeadCode {
-  /// Returns whether some head, perhaps of a lane that is not in use, moves further than it can have moved.
+  /// Returns whether some head, perhaps of an unused lane, moves too far for a movement.
   bool (*look_ahead)(const HeadLanes& heads, std::uint32_t lanes, const StepParts& parts,
                      HeadStepLanes& step) = nullptr;
   void (*begin)(HeadLanes& heads, std::uint32_t lanes, const StepParts& parts, HeadStepLanes& step) = nullptr;
-  /// `move` holds the last part's on entry. Returns by `carried` how the hair has to be turned before the part, where
+  /// `move` holds the last part's values on entry. Returns in `carried` the rotation of the hair before the part, where
   /// parts.inertia is below 1.
   void (*move)(const HeadLanes& heads, std::uint32_t lanes, const HeadStepLanes& step, const StepParts& parts,
                std::uint32_t part, MoveLanes& move, Lanes4& carried) = nullptr;
   /// `motion`: the squared speed of each head's tips, (m/s)^2.
   RestingHeads (*finish)(HeadLanes& heads, std::uint32_t lanes, const HeadStepLanes& step, const Lanes& motion,
                          const RestWatch& watch) = nullptr;
-  /// Copies one head's lane to all sixteen: a head with rows of its own is alone in them.
+  /// Copies one head's lane to all sixteen, for a head whose chains fill rows alone.
   void (*spread)(const MoveLanes& from, std::uint32_t lane, MoveLanes& to) = nullptr;
 };
 HeadCode head_code(InstructionSet set);
@@ -53,7 +53,7 @@ HeadCode head_code(InstructionSet set);
 }  // namespace coif
 
 #ifdef HWY_TARGETS
-// From an instruction set to the code that was compiled for it: for the end, under HWY_ONCE, of a file that
+// Chooses the code that was compiled for an instruction set. For the end, under HWY_ONCE, of a file that
 // foreach_target.h compiles several times.
 #if HWY_TARGETS != HWY_STATIC_TARGET
 #define COIF_SINGLY(function) &HWY_STATIC_DISPATCH(function##_singly)
@@ -63,7 +63,7 @@ HeadCode head_code(InstructionSet set);
 #define COIF_SINGLY(function) nullptr
 #endif
 
-/// Defines name(set): a pointer to that instruction set's `function`, or null where this build has none. `function`
+/// Defines name(set): a pointer to that instruction set's `function`, or null where this build lacks it. `function`
 /// takes as many lanes as there are, `function`_singly one.
 #define COIF_CHOOSE(name, function)                                                                              \
   decltype(&HWY_STATIC_DISPATCH(function)) name(InstructionSet set) {                                            \

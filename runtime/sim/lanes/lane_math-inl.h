@@ -1,5 +1,5 @@
-// Vectors and matrices of which each number is a SIMD vector: one lane for each chain. Compiled once per instruction
-// set. Nothing here is fused, estimated or taken from libm, so that every instruction set computes the same bits.
+// Vectors and matrices in which each number is a SIMD vector: one lane for each chain. Compiled once per instruction
+// set. Nothing here is fused, estimated or taken from libm, so every instruction set computes the same bits.
 
 #include "lane_layout.h"
 
@@ -18,18 +18,18 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The scalar path is compiled once, beside several instruction sets to compare with. Alone, an instruction set has
-/// none.
+/// The scalar path is compiled once, besides several instruction sets, for comparison. A build for a single instruction
+/// set has none.
 #ifndef COIF_HAS_SINGLY
 #define COIF_HAS_SINGLY (HWY_TARGETS != HWY_STATIC_TARGET && HWY_TARGET == HWY_STATIC_TARGET)
 #endif
 
-/// A function that few bones come to: it is there once, and compiled for size.
+/// For a function that few bones need: compiled once, and for size.
 #ifndef COIF_RARE
 #define COIF_RARE HWY_NOINLINE __attribute__((cold))
 #endif
 
-/// Of one that is large: g++ would make a copy for each model.
+/// For a large one, of which g++ would make a copy for each model.
 #ifndef COIF_RARE_ONCE
 #if defined(__GNUC__) && !defined(__clang__)
 #define COIF_RARE_ONCE COIF_RARE __attribute__((noclone))
@@ -42,8 +42,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Widest = hn::CappedTag<float, kLanes>;
 using Single = hn::CappedTag<float, 1>;
 
-/// The same vectors, for the code of hair on a character (kCharacterSolver): by this type its functions know that they
-/// may meet colliders that move, poses to follow and gusts. Code for other hair holds nothing of that.
+/// The same vectors, as a type that tells functions that they may meet moving colliders, poses and gusts, which only
+/// hair on a character has (kCharacterSolver). Code for other hair contains nothing of that.
 template <class D>
 struct OnCharacter : D {};
 template <class D>
@@ -51,7 +51,7 @@ inline constexpr bool kOnCharacter = false;
 template <class D>
 inline constexpr bool kOnCharacter<OnCharacter<D>> = true;
 
-/// The same for code that has nothing to do with characters, so that it is there once.
+/// The type without characters, for code that does not depend on them, so that it exists once.
 template <class D>
 HWY_INLINE D plain(D d) {
   return d;
@@ -69,14 +69,14 @@ struct V3 {
   V<D> x, y, z;
 };
 
-/// Columns.
+/// The columns of a 3x3 matrix.
 template <class D>
 struct M3 {
   V3<D> x, y, z;
 };
 
-/// Copies vector by vector. Left to the compiler, the assignment of a large struct goes through memory in parts that
-/// the processor cannot forward to the loads that follow.
+/// Copies vector by vector. The compiler would copy a large struct through memory in parts that the processor cannot
+/// forward to the loads that follow.
 template <class D>
 HWY_INLINE void copy(D, const V3<D>& from, V3<D>& to) {
   to.x = from.x;
@@ -124,8 +124,8 @@ HWY_INLINE V3<D> same(D d, const Vec3& value) {
   return {hn::Set(d, value.x), hn::Set(d, value.y), hn::Set(d, value.z)};
 }
 
-// Free functions instead of operators: the vectors of some instruction sets are built-in types. D is deduced nowhere
-// else than from the tag, which comes first.
+// Free functions instead of operators, since the vectors of some instruction sets are built-in types. D is deduced only
+// from the tag, which comes first.
 template <class D>
 HWY_INLINE V3<D> add(D, const V3<D>& a, const V3<D>& b) {
   return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
@@ -167,7 +167,7 @@ template <class D>
 HWY_INLINE V3<D> rotate(D d, const M3<D>& m, const V3<D>& v) {
   return add_scaled(d, add_scaled(d, scale(d, m.x, v.x), m.y, v.y), m.z, v.z);
 }
-/// The transpose of m times v: the way back of a rotation.
+/// The transpose of m times v: the inverse of a rotation.
 template <class D>
 HWY_INLINE V3<D> rotate_back(D d, const M3<D>& m, const V3<D>& v) {
   return {dot(d, m.x, v), dot(d, m.y, v), dot(d, m.z, v)};
@@ -182,7 +182,7 @@ HWY_INLINE M3<D> choose(M mask, const M3<D>& yes, const M3<D>& no) {
   return {choose<D>(mask, yes.x, no.x), choose<D>(mask, yes.y, no.y), choose<D>(mask, yes.z, no.z)};
 }
 
-/// `to` becomes `value` in the lanes of `mask`. Vector by vector, as copy().
+/// Sets `to` to `value` in the lanes of `mask`. Vector by vector, as copy().
 template <class D>
 HWY_INLINE void set_where(D, hn::Mask<D> mask, const V3<D>& value, V3<D>& to) {
   to.x = hn::IfThenElse(mask, value.x, to.x);
@@ -190,8 +190,8 @@ HWY_INLINE void set_where(D, hn::Mask<D> mask, const V3<D>& value, V3<D>& to) {
   to.z = hn::IfThenElse(mask, value.z, to.z);
 }
 
-/// Makes nothing of what is too small to be seen and would fade away through subnormal numbers, which are slow: it
-/// loses itself beside a number of 1e-18.
+/// Turns values that are too small to be seen into zero, before they fade away through subnormal numbers, which are
+/// slow: adding and subtracting 1e-18 loses them.
 template <class D>
 HWY_INLINE V<D> without_trace(D d, V<D> fading) {
   const auto beside = hn::Set(d, 1e-18f);
@@ -202,13 +202,13 @@ HWY_INLINE V3<D> without_trace(D d, const V3<D>& fading) {
   return {without_trace(d, fading.x), without_trace(d, fading.y), without_trace(d, fading.z)};
 }
 
-/// False where this is the square of no length, or of one that is not finite.
+/// False where this is the square of a zero length, or of one that is not finite.
 template <class D>
 HWY_INLINE hn::Mask<D> has_length(D d, V<D> length2) {
   return hn::And(hn::Gt(length2, hn::Set(d, 1e-18f)), hn::Lt(length2, hn::Set(d, 1e38f)));
 }
 
-/// `offset` made unit; `fallback` where it has no direction or a length that is not finite. As direction_or() does it.
+/// `offset` made unit; `fallback` where it has no direction or a length that is not finite. As direction_or().
 template <class D>
 HWY_INLINE V3<D> direction_or(D d, const V3<D>& offset, const V3<D>& fallback) {
   const auto length2 = dot(d, offset, offset);
@@ -220,12 +220,12 @@ HWY_INLINE V3<D> direction_or(D d, const V3<D>& offset, const V3<D>& fallback) {
 template <class D>
 HWY_INLINE V3<D> any_perpendicular(D d, const V3<D>& v) {
   const auto zero = hn::Zero(d);
-  const auto is_flat = hn::Lt(hn::Abs(v.x), hn::Set(d, 0.6f));  // against x, else against y
+  const auto is_flat = hn::Lt(hn::Abs(v.x), hn::Set(d, 0.6f));  // Perpendicular to x if flat, else to y.
   const V3<D> by_x{zero, v.z, hn::Neg(v.y)}, by_y{hn::Neg(v.z), zero, v.x};
   return direction_or(d, choose<D>(is_flat, by_x, by_y), v);
 }
 
-/// The lanes of a set of colliders that have one of them.
+/// The lanes whose set has one of the colliders.
 template <class D>
 HWY_INLINE hn::Mask<D> lanes_with(D d, const BoneLanes& bone, std::size_t lane, std::uint32_t collider) {
   const hn::RebindToUnsigned<D> du;

@@ -1,5 +1,5 @@
-// What the steps hand over to the code that keeps bones in their limits (limit_rows.cpp), which is there once for all
-// models. Compiled once per instruction set.
+// The interface of the code that keeps bones in their limits (limit_rows.cpp), which exists once for all models.
+// Compiled once per instruction set.
 
 #include "lane_math-inl.h"
 #include "row.h"
@@ -15,18 +15,18 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// A bone whose direction is bounded, as it would be at the end of a step. `Vector` is that of the lanes, so that hair
-/// on a character has the same type. Each pointer is to as many vectors as it says, one after the other.
+/// A bone with a limit at the end of a step. `Vector` is the lanes' vector, so that hair on a character has the same
+/// type. Each pointer refers to as many vectors as its comment says, one after the other.
 template <class Vector>
 struct LimitedBone {
   const RowStep* row;
   std::size_t lane, bone;
-  const Vector* frame;    ///< 9: of what it hangs from, columns, head space.
-  const Vector* turning;  ///< 3: of that, rad/s, world.
-  Vector* in_head;        ///< 3: the bone's direction, head space, unit. In and out, as the two that follow.
-  Vector* direction;      ///< 3: the same, world; null where nobody asks, and then `velocity` is in head space.
-  Vector* velocity;       ///< 3: of the tail against the start, m/s; world axes.
-  Vector beyond;          ///< In: 1 where it may be turned, else 0. Out: 1 where it was beyond its limit and is turned.
+  const Vector* frame;    ///< 9: columns of the frame that it hangs from, head space.
+  const Vector* turning;  ///< 3: angular velocity of that frame, rad/s, world.
+  Vector* in_head;        ///< 3: the bone's direction, head space, unit. In and out, like the next two.
+  Vector* direction;      ///< 3: the same, world; null where it is not needed, and then `velocity` is in head space.
+  Vector* velocity;       ///< 3: velocity of the tail relative to the start, m/s; world axes.
+  Vector beyond;  ///< In: 1 where it may be turned, else 0. Out: 1 where it was beyond its limit and was turned.
 };
 
 template <class D>

@@ -1,5 +1,5 @@
-// Limits of directions (MODEL.md, "Limits"). Called once per bone that has one, by the steps of all models. Compiled
-// once per instruction set. What a lane comes to depends on its own numbers, never on its neighbours'.
+// Limits of directions (MODEL.md, "Limits"). Called once for each bone with a limit, by the steps of all models.
+// Compiled once per instruction set. The result of a lane depends only on its own numbers, never on its neighbours'.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "lanes/limit_rows.cpp"

@@ -1,4 +1,4 @@
-// Bones turned to where their limits allow them (MODEL.md, "Limits"). Compiled once per instruction set.
+// Turns bones back into their limits (MODEL.md, "Limits"). Compiled once per instruction set.
 
 #include "limit-inl.h"
 #include "tilt-inl.h"
@@ -14,20 +14,20 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-inline constexpr float kBeyond =
-    1e-6f;  ///< Radians: nearer is within, so that what was turned back is not turned again.
+/// Radians. A bone that is beyond by less counts as within, so that a bone that was turned back is not turned again.
+inline constexpr float kBeyond = 1e-6f;
 
-/// A direction in the limit's own axes: (x, y) and the part of it that the first angle goes to. For a cone x is part of
-/// that.
+/// A direction in the limit's own axes: (x, y) and its part in the plane of the first angle. For a cone x belongs to
+/// that part.
 template <class D>
 struct Angles {
-  V<D> cosine[2], sine[2];  ///< Of the two angles that are allowed.
+  V<D> cosine[2], sine[2];  ///< Cosine and sine of the two largest angles.
   hn::Mask<D> is_beyond[2];
-  V<D> side_x, side_z;  ///< Where the first angle goes to, unit.
+  V<D> side_x, side_z;  ///< Directions towards which the first angle grows, unit.
 };
 
-/// The nearest that is allowed: the first angle first. The second angle, at most a quarter of a turn, is then that of
-/// what is left in the plane of the first, and at each end of the first the nearest of all of that plane.
+/// Finds the nearest allowed direction, the first angle first. The second angle, at most a quarter turn, is then
+/// measured in the plane of the first; at each end of the first it gives the nearest direction of that whole plane.
 template <class D>
 HWY_INLINE Angles<D> nearest_angles(D d, const LimitLanes& limits, std::size_t lane, const V3<D>& v) {
   const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-18f), least_angle = hn::Set(d, kBeyond);
@@ -48,7 +48,7 @@ HWY_INLINE Angles<D> nearest_angles(D d, const LimitLanes& limits, std::size_t l
   for (int i = 0; i < 2; ++i) {
     const auto cosine = load(d, *cosines[i], lane), sine = load(d, *sines[i], lane), aside = hn::Abs(to[i]);
     const auto whole = size(ahead, aside);
-    // By the sine of the difference, which is exact for small angles too.
+    // Uses the sine of the difference, which is exact for small angles too.
     const auto difference = hn::Sub(hn::Mul(aside, cosine), hn::Mul(ahead, sine));
     auto is_beyond = hn::Gt(difference, hn::Mul(least_angle, whole));
     if (i == 1) is_beyond = hn::Or(is_beyond, hn::Lt(ahead, zero));
@@ -63,8 +63,8 @@ HWY_INLINE Angles<D> nearest_angles(D d, const LimitLanes& limits, std::size_t l
   return at;
 }
 
-/// Takes out what leads further along `way`, the unit direction in which an angle grows, `sine` its own. A lock, of
-/// angle 0, holds in both directions.
+/// Removes velocity that leads further along `way`, the unit direction in which an angle grows; `sine` is the angle's.
+/// A lock (angle 0) removes it in both directions.
 template <class D>
 HWY_INLINE void stop(D d, hn::Mask<D> is_beyond, V<D> sine, const V3<D>& way, V3<D>& velocity) {
   const auto speed = dot(d, velocity, way);
@@ -72,7 +72,7 @@ HWY_INLINE void stop(D d, hn::Mask<D> is_beyond, V<D> sine, const V3<D>& way, V3
   set_where(d, stops, sub_scaled(d, velocity, way, speed), velocity);
 }
 
-// Out of line: few limits are met, and every program with hair has this code.
+// Out of line: few limits are reached, and every program with hair links this code.
 template <class D>
 COIF_RARE void turn(D d, const M3<D>& by, V3<D>& v) {
   v = rotate(d, by, v);
@@ -122,7 +122,7 @@ HWY_INLINE void keep(D d, LimitedBone<V<D>>& bone) {
     turn(d, axes, *v);
     turn(d, frame, *v);
   }
-  // Frames of long chains are rotations but for much rounding: a step of Newton's method.
+  // Frames of long chains are rotations up to larger rounding errors: one step of Newton's method restores unit length.
   const auto size2 = dot(d, direction, direction);
   direction = scale(d, direction, hn::Sub(hn::Set(d, 1.5f), hn::Mul(hn::Set(d, 0.5f), size2)));
   put(d, is_beyond, direction, bone.in_head);

@@ -1,5 +1,5 @@
-// What becomes of one bone of a chain that links hold (runtime/docs/MODEL.md, "Links"), one lane at a time: the same
-// pieces that the rows' steps are made of. Compiled once, for one lane.
+// Moves one bone of a linked chain (runtime/docs/MODEL.md, "Links"), one lane at a time, with the pieces that the rows'
+// steps are made of. Compiled once, for one lane.
 
 #include "bone_frame-inl.h"
 #include "coif_bone-inl.h"
@@ -54,8 +54,8 @@ class HangingBone {
   [[nodiscard]] const BoneLanes& constants() const { return row_.constants[i_]; }
   [[nodiscard]] M3<D> turn() const { return load(d_, row_.move->from_head, lane_); }
 
-  /// What the bone hangs from, as far as its own end is concerned. A first bone's parent frame is only known of moved
-  /// chains' others.
+  /// The carrier of the bone, as far as its own end needs it. A parent frame is known only in chains that were moved,
+  /// and not for a first bone.
   Carrier<D> carrier(const HeldBone& bone) const {
     const auto one = hn::Set(d_, 1.0f), zero = hn::Zero(d_);
     Carrier<D> from;
@@ -110,8 +110,8 @@ class HangingBone {
   const HeldBone* const parent_;
 };
 
-/// What the row's step would have made of it, had its parent been there: the oscillator about a default position that
-/// went another way.
+/// What the row's step would have given if the parent had been there: the oscillator about a default position that
+/// moved differently.
 template <class D>
 void HangingBone<D>::follow_as_cascade(const Carrier<D>& from, const V3<D>& shift, const V3<D>& change,
                                        HeldBone& bone) const {
@@ -145,7 +145,7 @@ void HangingBone<D>::follow(HeldBone& bone) const {
   } else if (at_.is_cascade) {
     follow_as_cascade(from, shift, change, bone);
   } else {
-    // Its end stays where it was, but for its length.
+    // Its end stays where it was, except for its length.
     const V3<D> way = sub_scaled(d_, same(d_, bone.direction), shift, load(d_, constants().per_length, lane_));
     const V3<D> direction = direction_or(d_, way, same(d_, bone.direction));
     bone.direction = plain_of(d_, direction);
@@ -154,7 +154,7 @@ void HangingBone<D>::follow(HeldBone& bone) const {
   clear(bone);
 }
 
-/// At the end of the part alone: the way there was the row's.
+/// Colliders push at the end of the part only: the way there was the row's.
 template <class D>
 void HangingBone<D>::clear_of_moving(const Carrier<D>& from, LimitedBone<V<D>>* limited, BoneMotion<D>& now,
                                      V3<D>& direction) const {
@@ -272,7 +272,7 @@ void HangingBone<D>::finish(HeldBone& bone) const {
   bone.turning_change = plain_of(d_, sub(d_, swing, same(d_, bone.free_swing)));
 }
 
-/// LimitFunction of one lane, whatever the rows have.
+/// LimitFunction for one lane, whatever the rows use.
 template <class D>
 void keep_in_limit_alone(void* bone) {
   keep(D(), *static_cast<LimitedBone<V<D>>*>(bone));

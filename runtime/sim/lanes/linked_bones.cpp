@@ -1,4 +1,4 @@
-// One lane at a time, and once for all instruction sets: links are held head by head.
+// One lane at a time, compiled once for all instruction sets: links are held head by head.
 
 #include "linked_bone-inl.h"
 

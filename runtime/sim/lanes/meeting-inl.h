@@ -1,5 +1,5 @@
-// When bones meet the colliders of their head within a step, and whether they come to lie on them or leave them again.
-// Compiled once per instruction set. What a lane comes to depends on its own numbers, never on its neighbours'.
+// Finds when bones meet the colliders of their head within a step, and whether they come to lie on them or leave again.
+// Compiled once per instruction set. The result of a lane depends only on its own numbers, never on its neighbours'.
 
 #include "coif_bone-inl.h"
 #include "row.h"
@@ -16,9 +16,9 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// How near a bone is to a collider, in head space. Where the step leads the start into the collider, the start is not
-/// deep in it for that: a bone that lies on it would meet it no more. `start_before`, where the step found it, is null
-/// for a bone that has not moved.
+/// The distance of a bone from a collider, in head space. A start that the step moves into the collider does not count
+/// as deep inside: otherwise a bone that lies on it would no longer meet it. `start_before`: the start before the step,
+/// null for a bone that has not moved.
 template <class D>
 COIF_RARE void find_gap(D d, const PlacedCollider& collider, const V3<D>* start_before, const V3<D>& start,
                         const V3<D>& direction, V<D> length, V<D> hit_radius, Deepest<D>& at) {
@@ -45,26 +45,26 @@ COIF_RARE void find_gap(D d, const PlacedCollider& collider, const V3<D>* start_
   copy(d, normal, at.normal);
 }
 
-/// A bone's way in head space, and how fast its ends went before the step, against the head.
+/// A bone's way in head space, and the velocities of its ends before the step, relative to the head.
 template <class D>
 struct MeetingBone {
   V3<D> start[2], direction[2];
-  V3<D> velocity[2];  ///< m/s at which its start goes, and its end.
+  V3<D> velocity[2];  ///< m/s, of its start and of its end.
   V<D> length, hit_radius;
 };
 
-/// What becomes of a bone that meets a collider.
+/// The meeting of a bone with a collider.
 template <class D>
 struct Meeting {
   V3<D> normal;  ///< Unit, head space, from the collider to the hair.
   V<D> share;    ///< Share of the bone's length from its start to the place of contact.
-  V<D> lift;     ///< Metres by which that place has to be lifted from where it freely went; 0: they do not meet.
-  V<D> leave;    ///< m/s at which it leaves again at the end of the step.
+  V<D> lift;     ///< Metres by which the place of contact has to be lifted from its free motion; 0: they do not meet.
+  V<D> leave;    ///< m/s, the speed at which it leaves again at the end of the step.
   V<D> when;     ///< Share of the step after which they meet.
 };
 
-/// Its distance from the collider falls evenly faster or slower throughout the step. The bone loses the speed at which
-/// it comes; it comes to lie where it is pressed on, and else leaves again. Keeps in `meeting` what lifts it farthest.
+/// Assumes a constant acceleration towards the collider during the step. The bone loses the speed at which it arrives;
+/// it stays if it is pressed on, and else leaves again. Keeps in `meeting` the meeting with the largest lift.
 template <class D>
 COIF_RARE void meet_within(D d, const PlacedCollider& collider, const MeetingBone<D>& bone, V<D> dt,
                            const Deepest<D>& now, hn::Mask<D> asked, Meeting<D>& meeting) {
@@ -76,7 +76,7 @@ COIF_RARE void meet_within(D d, const PlacedCollider& collider, const MeetingBon
   const V3<D> velocity = add_scaled(d, bone.velocity[0], sub(d, bone.velocity[1], bone.velocity[0]), share0);
   const auto gap = hn::Max(before.gap, zero), speed = dot(d, before.normal, velocity);
   const auto half = hn::Div(hn::Sub(hn::Sub(now.gap, gap), hn::Mul(speed, dt)), hn::Mul(dt, dt));
-  const auto gain = hn::Add(half, half);  // its acceleration
+  const auto gain = hn::Add(half, half);  // Its acceleration.
   const auto speed2 = hn::Sub(hn::Mul(speed, speed), hn::Mul(hn::Mul(hn::Set(d, 2.0f), gain), gap));
   const auto comes = hn::Sqrt(hn::Max(speed2, zero));
   const auto was_out = hn::And(hn::Gt(before.gap, zero), hn::Gt(speed2, zero));
@@ -88,7 +88,7 @@ COIF_RARE void meet_within(D d, const PlacedCollider& collider, const MeetingBon
   const auto lift = hn::IfThenElse(leaves, hn::Mul(comes, left), hn::Neg(now.gap));
   const auto lifts = hn::And(meets, hn::Gt(lift, meeting.lift));
   if (hn::AllFalse(d, lifts)) return;
-  // A bone that leaves gets the blow where they meet, one that stays is pushed from there on.
+  // A bone that leaves gets the impact where they meet; one that stays is pushed from there on.
   const auto met = hn::Min(hn::Div(first, dt), one), middle = hn::Mul(hn::Set(d, 0.5f), hn::Add(met, one));
   const auto part = hn::IfThenElse(leaves, met, middle);
   const V3<D> then = add_scaled(d, before.normal, sub(d, now.normal, before.normal), part);
@@ -100,14 +100,14 @@ COIF_RARE void meet_within(D d, const PlacedCollider& collider, const MeetingBon
   keep(hn::IfThenElseZero(leaves, hn::Mul(gain, left)), meeting.leave);
 }
 
-/// Where the bone started before the step, world axes, seen from the head.
+/// The bone's start before the step, world axes, relative to the head.
 template <class D>
 HWY_INLINE V3<D> start_before(D d, const RowStep& row, std::size_t lane, const M3<D>& turn, const Carrier<D>& from) {
   return sub(d, rotate(d, turn, from.position), sub(d, from.way, load(d, row.move->way, lane)));
 }
 
-/// How the bone goes through the step. `before`: its direction then; the last two: of its start and end, before the
-/// step.
+/// The bone's way through the step. `before`: its direction before the step. The last two: velocities of its start and
+/// end before the step.
 template <class D>
 HWY_INLINE MeetingBone<D> meeting_bone(D d, const RowStep& row, std::size_t lane, std::size_t bone, const M3<D>& turn,
                                        const Carrier<D>& from, const V3<D>& before, const V3<D>& direction,
@@ -132,13 +132,13 @@ HWY_INLINE MeetingBone<D> meeting_bone(D d, const RowStep& row, std::size_t lane
   return meeting;
 }
 
-/// Looks for the bone's meetings with its colliders in the lanes of `asked`. False where there are none.
+/// Finds the bone's meetings with its colliders in the lanes of `asked`. False where there are none.
 template <class D>
 HWY_INLINE bool find_meeting(D d, const RowStep& row, std::size_t lane, std::size_t bone, const MeetingBone<D>& way,
                              V<D> dt, hn::Mask<D> asked, Meeting<D>& meeting) {
   const PlacedColliders& colliders = *row.colliders;
   const std::uint32_t set = row.bones[bone].colliders;
-  // So deep can it have been in between that is out at the end.
+  // A bone that is outside at the end can have been this deep in between.
   const auto speed = hn::Sqrt(dot(d, way.velocity[1], way.velocity[1]));
   const auto thickness = hn::Add(way.hit_radius, hn::Mul(hn::Mul(speed, dt), hn::Set(d, 0.25f)));
   const auto zero = hn::Zero(d);

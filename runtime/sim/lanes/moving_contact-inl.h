@@ -1,5 +1,5 @@
-// Bones against colliders that move, and against those of their head at the same time. Compiled once per instruction
-// set. What a lane comes to depends on its own numbers, never on its neighbours'.
+// Bones against moving colliders, and against those of their head at the same time. Compiled once per instruction set.
+// The result of a lane depends only on its own numbers, never on its neighbours'.
 
 #include <new>
 #include <type_traits>
@@ -19,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// A bit for each lane, the first lowest.
+/// A bit for each lane, the first lane lowest.
 template <class D>
 HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> mask) {
   alignas(64) float lanes[kLanes];
@@ -36,22 +36,22 @@ HWY_INLINE hn::Mask<D> lanes_of(D d, std::uint32_t bits) {
   return hn::Gt(hn::Load(d, lanes), hn::Zero(d));
 }
 
-/// Where the end of a bone that was pushed about went during a part of a step, head space: after each eighth of it. Its
-/// children follow it there, as on the straight way they would pass through what it went round.
+/// The path of a pushed bone's end during a part of a step, head space: its places after each eighth of it. Its
+/// children follow this path; on the straight way they would pass through the obstacle.
 template <class D>
 struct TailPath {
   static constexpr int kEighths = 8;
   V3<D> at[kEighths];
-  hn::Mask<D> bent;      ///< The lanes in which it did; in the others it went straight.
-  bool is_bent = false;  ///< In any; else neither `at` nor `bent` is set.
+  hn::Mask<D> bent;      ///< The lanes with such a path; in the others the end moved straight.
+  bool is_bent = false;  ///< Set if any lane is; else neither `at` nor `bent` is set.
 };
 
-/// How a bone goes through a part of a step as its colliders see it, head space.
+/// A bone's way through a part of a step, as its colliders need it, head space.
 template <class D>
 struct BoneWay {
   V3<D> start[2];                           ///< At the part's start and end.
-  V3<D> direction[2];                       ///< Unit; freely.
-  const TailPath<D>* start_path = nullptr;  ///< The start's between the two; null: straight.
+  V3<D> direction[2];                       ///< Unit; of the free motion.
+  const TailPath<D>* start_path = nullptr;  ///< The start's path in between; null: straight.
 
   HWY_INLINE V3<D> start_at(D d, float s) const {
     const float eighths = s * float(TailPath<D>::kEighths);
@@ -64,7 +64,7 @@ struct BoneWay {
   }
 };
 
-/// Fills the eighths from the share `from` of the part to `to`, between which the tail went straight.
+/// Fills the eighths between the shares `from` and `to` of the part, where the tail moved straight.
 template <class D>
 HWY_INLINE void draw_path(D d, hn::Mask<D> own, const V3<D>& before, const V3<D>& now, float from, float to,
                           TailPath<D>& path) {
@@ -76,7 +76,7 @@ HWY_INLINE void draw_path(D d, hn::Mask<D> own, const V3<D>& before, const V3<D>
   }
 }
 
-/// The paths of the bones of a chain whose children are still to come.
+/// The paths of those bones of a chain that still wait for children.
 template <class D>
 struct TailPaths {
   TailPath<D> of_slot[kMaxOpenBones];
@@ -92,7 +92,7 @@ struct NoPaths {};
 template <class D>
 using PathsOf = std::conditional_t<kOnCharacter<D>, TailPaths<D>, NoPaths>;
 
-/// Moves one head's bones in the lanes of `own` through the part, as often looked at as the fastest collider asks for.
+/// Moves one head's bones in the lanes of `own` through the part, with as many looks as the fastest collider needs.
 template <class D>
 COIF_RARE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane, std::size_t index, const BoneWay<D>& way,
                                    hn::Mask<D> own, Met<D>& met, LimitedBone<V<D>>* limited, TouchingBone<D>& bone,
@@ -117,11 +117,11 @@ COIF_RARE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane, st
     copy(d, look == looks ? way.start[1] : way.start_at(d, s), bone.start);
     const V3<D> aim = add_scaled(d, way.direction[0], sub(d, way.direction[1], way.direction[0]), ahead);
     const V3<D> next = look == looks ? way.direction[1] : direction_or(d, aim, way.direction[1]);
-    // From where the bone was pushed to it goes on as it freely would.
+    // From the place it was pushed to, it continues with its free motion.
     const V3<D> pushed = direction_or(d, add(d, last, sub(d, next, free)), next);
     copy(d, choose<D>(moved, pushed, next), bone.direction);
     copy(d, last, bone.before);
-    // Where its frame is in between nobody knows.
+    // Its frame in between is not known.
     bone.limited = look == looks ? limited : nullptr;
     const int rounds = bone.limited == nullptr ? 2 * kContactRounds : kLimitedRounds;
     const auto touched = keep_clear_of_all(d, obstacles, own, rounds, bone);
@@ -137,7 +137,7 @@ COIF_RARE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane, st
   return moved;
 }
 
-/// Where the bone may touch a moving collider: everywhere, unless it is one of the asset's that hang on the body.
+/// Lanes in which the bone may touch a moving collider: all, unless it is one of the asset's on the body.
 template <class D>
 HWY_INLINE hn::Mask<D> may_touch_body(D d, const RowCharacter& character, std::size_t lane, std::size_t index,
                                       const ColliderWay& way) {
@@ -148,8 +148,8 @@ HWY_INLINE hn::Mask<D> may_touch_body(D d, const RowCharacter& character, std::s
   return hn::RebindMask(d, hn::TestBit(sets, hn::Set(du, 1u << way.place)));
 }
 
-/// The first lane of `all`, and those of the same head that meet the same colliders: how often these look, and with
-/// that every lane's bits, then does not depend on who else is in the vector.
+/// The first lane of `all`, and the lanes of the same head that meet the same colliders. So the number of looks, and
+/// with it every lane's bits, does not depend on the other lanes of the vector.
 HWY_INLINE std::uint32_t alike(const RowCharacter& character, const std::uint32_t* bits, std::uint32_t all) {
   const std::uint32_t first = all & (0u - all);
   if (character.only_head < 0) return first;
@@ -157,8 +157,8 @@ HWY_INLINE std::uint32_t alike(const RowCharacter& character, const std::uint32_
   return all;
 }
 
-/// Which of the head's colliders come near the bone in some lane of `own`. `bits` has a bit for each lane and collider
-/// near.
+/// Collects the head's colliders that come near the bone in some lane of `own`. `bits` has a bit for each lane and near
+/// collider.
 template <class D>
 HWY_INLINE void meet(D d, const RowStep& row, std::size_t lane, std::size_t index, const ColliderWay* ways,
                      const std::uint32_t* bits, std::uint32_t count, hn::Mask<D> own, std::uint32_t own_bits,
@@ -176,7 +176,7 @@ HWY_INLINE void meet(D d, const RowStep& row, std::size_t lane, std::size_t inde
   }
 }
 
-/// Where the bone comes near the moving collider `k` of its head, whatever its direction.
+/// Lanes in which the bone comes near the moving collider `k` of its head, in any direction.
 template <class D>
 HWY_INLINE hn::Mask<D> is_near(D d, const RowCharacter& character, std::size_t lane, std::uint32_t k,
                                const V3<D>& start, V<D> reach) {
@@ -196,7 +196,7 @@ HWY_INLINE hn::Mask<D> is_near(D d, const RowCharacter& character, std::size_t l
   return hn::Lt(dot(d, offset, offset), hn::Mul(farthest, farthest));
 }
 
-/// keep_clear_of() for the colliders that move. `from_path` is that of what the bone hangs from, `own_path` for its
+/// keep_clear_of() for moving colliders. `from_path` is the path of the carrier, `own_path` receives that for its
 /// children; both may be null.
 template <class D>
 COIF_RARE hn::Mask<D> keep_clear_of_moving(D d, const RowStep& row, std::size_t lane, const M3<D>& turn,
@@ -262,7 +262,7 @@ COIF_RARE hn::Mask<D> keep_clear_of_moving(D d, const RowStep& row, std::size_t 
     set_where(d, here, rotate(d, turn, bone.velocity), now.velocity);
   }
   if (own_path == nullptr) return moved;
-  // Last, since it may take the place of the other.
+  // Comes last, since it may overwrite the other path.
   own_path->is_bent = path.is_bent;
   if (path.is_bent) own_path->bent = path.bent;
   for (int i = 0; path.is_bent && i < TailPath<D>::kEighths; ++i) copy(d, path.at[i], own_path->at[i]);

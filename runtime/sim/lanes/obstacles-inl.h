@@ -1,5 +1,5 @@
-// What a bone on a character may touch at one moment, of its head's colliders and of those that move, and how it gets
-// clear of all. Compiled once per instruction set.
+// The colliders of its head and moving ones that a bone on a character may touch at one moment, and the code that gets
+// it clear of all. Compiled once per instruction set.
 
 #include "contact-inl.h"
 #include "escape-inl.h"
@@ -17,21 +17,21 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// The moving colliders of one head that a bone may meet, as they are at one moment.
+/// The moving colliders of one head that a bone may meet, at one moment.
 template <class D>
 struct Met {
-  Met() {}  ///< Clearing room for all would cost more than the one collider that is mostly met.
+  Met() {}  ///< Not initialised: clearing room for all would cost more than the one collider that is mostly met.
 
   std::uint32_t count = 0;
   const ColliderWay* ways[kMaxPlaces];
-  hn::Mask<D> lanes[kMaxPlaces];  ///< Of those chains of the head that may touch it.
+  hn::Mask<D> lanes[kMaxPlaces];  ///< Lanes of the head's chains that may touch it.
   union {
     PlacedCollider placed[kMaxPlaces];
   };
 };
 
-/// The velocity of the contact's point into a surface that moves is lost, and it goes along with that. A surface throws
-/// what it meets over a lever of a quarter of the bone at least, so that no speed is more than four times as fast.
+/// Removes the velocity of the contact's point into a moving surface, and gives it the surface's. A surface throws a
+/// bone over a lever of at least a quarter of the bone, so speeds grow at most fourfold.
 template <class D>
 HWY_INLINE void go_along(D d, hn::Mask<D> touches, const Contact<D>& contact, const ColliderWay& way,
                          const Vec3& center, TouchingBone<D>& bone) {
@@ -49,7 +49,7 @@ HWY_INLINE void go_along(D d, hn::Mask<D> touches, const Contact<D>& contact, co
   set_where(d, stops, sub_scaled(d, bone.velocity, side, taken), bone.velocity);
 }
 
-/// What a bone of one head may touch, of its asset's colliders and of those that move.
+/// The colliders of its asset and the moving ones that a bone of one head may touch.
 template <class D>
 struct Obstacles {
   const PlacedColliders& fixed;
@@ -60,8 +60,8 @@ struct Obstacles {
   std::uint32_t moving_count;
 };
 
-/// Turns bones out of one collider after the other until none touches more than one, or for so many rounds. Returns the
-/// lanes that touched any. (One loop for both kinds, so that the code is there once.)
+/// Turns bones out of one collider after the other until none touches more than one, or for the given number of rounds.
+/// Returns the lanes that touched any. (One loop for both kinds, so that the code exists once.)
 template <class D>
 COIF_RARE hn::Mask<D> keep_clear_of_all(D d, const Obstacles<D>& obstacles, hn::Mask<D> here, int rounds,
                                         TouchingBone<D>& bone) {
@@ -98,7 +98,7 @@ COIF_RARE hn::Mask<D> keep_clear_of_all(D d, const Obstacles<D>& obstacles, hn::
   return moved;
 }
 
-/// Where a bone still lies in something: the nearest direction of those looked at in which it does not.
+/// For a bone that still lies in something: turns it to the nearest of the tried directions in which it does not.
 template <class D>
 COIF_RARE void leave_gap(D d, const Obstacles<D>& obstacles, hn::Mask<D> moved, TouchingBone<D>& bone) {
   const auto is_blocked = [&](hn::Mask<D> asked, const V3<D>& direction) {
@@ -125,7 +125,7 @@ COIF_RARE void leave_gap(D d, const Obstacles<D>& obstacles, hn::Mask<D> moved, 
   set_where(d, stuck, across(d, bone.velocity, bone.direction), bone.velocity);
 }
 
-/// keep_clear() with the code that is there anyway.
+/// keep_clear() by the code that exists anyway.
 template <class D>
 HWY_INLINE hn::Mask<D> keep_clear(OnCharacter<D> d, const PlacedColliders& colliders, std::uint32_t set,
                                   const BoneLanes& constants, std::size_t lane, hn::Mask<OnCharacter<D>> reached,

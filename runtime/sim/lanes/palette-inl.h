@@ -1,4 +1,4 @@
-// From a bone's frame to the matrix that a renderer wants. Compiled once per instruction set.
+// From a bone's frame to a renderer's matrix. Compiled once per instruction set.
 
 #include "lane_math-inl.h"
 
@@ -14,14 +14,14 @@ namespace coif {
 namespace HWY_NAMESPACE {
 
 #if HWY_TARGET != HWY_SCALAR
-/// Rows of the matrices of four lanes in each vector's 128-bit blocks: of the first of each four, the second, and so
-/// on.
+/// Rows of the matrices of four lanes in each vector's 128-bit blocks: of the first lane of each four, the second, and
+/// so on.
 template <class D>
 struct FourRows {
   V<D> of[4];
 };
 
-/// From a vector for each column.
+/// Transposes from one vector per column.
 template <class D>
 HWY_INLINE FourRows<D> transposed(D d, V<D> a, V<D> b, V<D> c, V<D> t) {
   const hn::RepartitionToWide<hn::RebindToUnsigned<D>> pairs;
@@ -35,7 +35,7 @@ HWY_INLINE FourRows<D> transposed(D d, V<D> a, V<D> b, V<D> c, V<D> t) {
            hn::BitCast(d, hn::InterleaveUpper(pairs, last_left, last_right))}};
 }
 
-/// Stores the matrices of the first `lanes` lanes of the four in each block, of as many blocks as the vectors have.
+/// Stores the matrices of the first `lanes` of the four lanes in each block, for all blocks of the vectors.
 template <class D>
 HWY_INLINE void store_blocks(D d, const FourRows<D> (&rows)[3], Mat34* const* to, std::size_t bone, std::size_t lanes) {
   if constexpr (hn::MaxLanes(D()) > 4) {
@@ -60,8 +60,8 @@ HWY_INLINE void store_blocks(D d, const FourRows<D> (&rows)[3], Mat34* const* to
 
 #endif
 
-/// Rotates about the bone's rest joint, then carries that joint to `start`: rest pose in head space -> present pose.
-/// Each lane's matrix goes to its own place, where it is written as a whole.
+/// Rotates about the bone's rest joint, then moves that joint to `start`: rest pose in head space -> present pose. Each
+/// lane's matrix goes to its own place, where it is written as a whole.
 template <class D>
 HWY_INLINE void store_matrix(D d, const M3<D>& frame, const V3<D>& joint, const V3<D>& start, Mat34* const* to,
                              std::size_t bone, [[maybe_unused]] std::size_t lanes) {

@@ -1,5 +1,5 @@
-// A chain of the passive model that arrives at a collider (runtime/docs/MODEL.md, "The passive model"): when the step
-// is split, how the next one begins and what a blow elsewhere lets go. Compiled once per instruction set.
+// Impacts of a chain of the passive model on a collider (runtime/docs/MODEL.md, "The passive model"): when the step is
+// split, how the next one begins, and which contacts an impact elsewhere releases. Compiled once per instruction set.
 
 #include "passive_chain-inl.h"
 #include "passive_contact-inl.h"
@@ -16,11 +16,10 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// Shares of what is left of a step: it is split a little after a bone has come to a collider, no earlier, and no later
-/// than these.
+/// Shares of the rest of a step. It is split a little after a bone has met a collider, and within these bounds.
 constexpr float kAfterMeeting = 0.03f, kEarliestSplit = 0.1f, kLatestSplit = 0.93f;
 
-/// Whether the step may be taken in parts. What moves colliders, poses and links knows whole ones only.
+/// Whether the step may be taken in parts. Moving colliders, poses and links support only whole steps.
 template <class D>
 bool PassiveChain<D>::may_split() const {
   if constexpr (kOnCharacter<D>) {
@@ -29,7 +28,7 @@ bool PassiveChain<D>::may_split() const {
   return !row_.is_linked && (part_ == nullptr || part_->may_split);
 }
 
-/// A blow changes accelerations at once, and those of before it say nothing about the next step. That one takes the
+/// An impact changes accelerations at once, and the earlier ones say nothing about the next step. That step uses the
 /// accelerations at its own end for all of it: the same method with other numbers.
 template <class D>
 COIF_RARE void PassiveChain<D>::start_after_blow(hn::Mask<D> blow) {
@@ -50,8 +49,8 @@ COIF_RARE void PassiveChain<D>::start_after_blow(hn::Mask<D> blow) {
   has_own_numbers_ = true;
 }
 
-/// A blow in the midst of a step changes what happens in the rest of it. (Where a bone that lay somewhere has been let
-/// go there is none.)
+/// An impact within a step changes the rest of the step. (Where a bone that lay on a collider has been released there
+/// is none.)
 template <class D>
 COIF_RARE bool PassiveChain<D>::finds_split(hn::Mask<D> hit) {
   if (!may_split()) return false;
@@ -62,12 +61,12 @@ COIF_RARE bool PassiveChain<D>::finds_split(hn::Mask<D> hit) {
   }
   split_.where = hn::And(hit, hn::Lt(first, hn::Set(d_, kLatestSplit)));
   if (hn::AllFalse(d_, split_.where)) return false;
-  // A little later than they meet, so that they have.
+  // A little later than they meet, so that they have met.
   split_.share = hn::Max(hn::Add(first, hn::Set(d_, kAfterMeeting)), hn::Set(d_, kEarliestSplit));
   return true;
 }
 
-/// What a bone's PassiveState::contact will be.
+/// The next value of a bone's PassiveState::contact.
 template <class D>
 HWY_INLINE V<D> PassiveChain<D>::contact_of(std::size_t i) const {
   const PassiveTouch<D>& touch = bones_[i].touch;
@@ -81,7 +80,7 @@ HWY_INLINE V<D> PassiveChain<D>::contact_of(std::size_t i) const {
   return hn::Add(contact, hn::IfThenElseZero(is_told, blow));
 }
 
-/// Looks where after a blow a collider would have to pull to hold a bone that lay on it, and lets go of those.
+/// After an impact, finds the contacts at which a collider would have to pull to hold its bone, and releases them.
 template <class D>
 COIF_RARE bool PassiveChain<D>::finds_pulling() {
   auto any = hn::AndNot(hit_, hit_);
@@ -95,7 +94,7 @@ COIF_RARE bool PassiveChain<D>::finds_pulling() {
   return !hn::AllFalse(d_, any);
 }
 
-/// Velocities are again what they were before they were made to fit.
+/// Restores the velocities of before they were made consistent.
 template <class D>
 COIF_RARE void PassiveChain<D>::undo_links() {
   for (std::size_t i = 0; i < count_; ++i) {
@@ -106,9 +105,9 @@ COIF_RARE void PassiveChain<D>::undo_links() {
   }
 }
 
-/// Makes velocities fit once more, without the contacts that would have to pull after a blow elsewhere.
-/// hold_at_contacts() sees such a pull in how far bones move, and they hardly move in the little time that a blow
-/// leaves them.
+/// Makes velocities consistent once more, without the contacts that would have to pull after an impact elsewhere.
+/// hold_at_contacts() detects a pull by how far bones move, and in the little time that an impact leaves them they
+/// hardly move.
 template <class D>
 COIF_RARE void PassiveChain<D>::let_go_after_blow() {
   for (int round = 0; round < kMostReleases && finds_pulling(); ++round) {

@@ -1,6 +1,6 @@
-// One bone on its way through a step of the passive model (runtime/docs/MODEL.md, "The passive model"): what is kept of
-// it between the walks along its chain, and how its turns are taken out of the equations. Masses in kilograms for bones
-// of one a metre, world axes. Compiled once per instruction set.
+// One bone during a step of the passive model (runtime/docs/MODEL.md, "The passive model"): the values kept between the
+// walks along its chain, and the elimination of its turns from the equations. Masses in kilograms for bones of one
+// kilogram per metre, world axes. Compiled once per instruction set.
 
 #include <new>
 
@@ -25,38 +25,40 @@ struct PassiveBone {
   HWY_INLINE PassiveBone() { new (static_cast<void*>(&below)) PassiveBelow<D>; }
 
   Carrier<D> tail;
-  V3<D> direction, arc;  ///< The bone's, and where it would rest.
-  /// By what the direction changed in this step, before it was rounded: velocities of what the rounded one does would
-  /// hold a bone where it is against small forces, in short steps.
+  V3<D> direction, arc;  ///< The bone's direction, and the one at which its bending rests.
+  /// Change of the direction in this step, before rounding. Velocities from the rounded direction would hold a bone in
+  /// place against small forces, in short steps.
   V3<D> moved;
   V<D> per_fold;
   V3<D> load, torque, reaction;
-  V<D> inertia;        ///< The bone's own.
-  bool has_below;      ///< Some child has handed up.
-  bool is_near;        ///< Some lane's bone may reach a collider of its head.
-  V<D> against_fold;   ///< Stiffness of the fold alone, by the square of how far a side leads towards the arc.
-  V<D> firm, coupled;  ///< Against its turns; of that, against those that its frame makes with its parent's.
-  V3<D> side[2];       ///< A turn y brings the direction to side[0] y[0] + side[1] y[1].
+  V<D> inertia;       ///< The bone alone.
+  bool has_below;     ///< Some child has handed its part up.
+  bool is_near;       ///< Some lane's bone may reach a collider of its head.
+  V<D> against_fold;  ///< Stiffness of the fold alone, times the square of a side's component towards the arc.
+  /// Stiffness against its turns; the part of it against the turns that its frame shares with its parent's.
+  V<D> firm, coupled;
+  V3<D> side[2];  ///< A turn y brings the direction to side[0] y[0] + side[1] y[1].
   union {
     PassiveBelow<D> below;
-    PassiveLinks<D> links;  ///< When `below` has done its work, begun by link().
+    PassiveLinks<D> links;  ///< Valid after `below` is used up; link() begins it.
   };
-  /// Its turns y solve H y + by_start p + by_frame w + wanted = 0, where its start goes by p and its parent's frame
-  /// turns by w.
+  /// Its turns y solve H y + by_start p + by_frame w + wanted = 0, where p is the way of its start and w the turn of
+  /// its parent's frame.
   V3<D> by_start[2], by_frame[2];
   V<D> wanted[2];
   V<D> inverse[3];  ///< 1 / H: 11, 12, 22.
-  V3<D> shift;      ///< Of its end: against the first guess; then of what held it, against where it would freely be.
-  V3<D> turn;       ///< Of its frame.
+  /// Shift of its end: first against the first guess, then, by contacts, against its free motion.
+  V3<D> shift;
+  V3<D> turn;  ///< Turn of its frame.
   PassiveBook<D> book;
-  /// As `moved`, without the contacts that it comes to; then the way of its end; then its end's velocity before that is
-  /// made to fit.
+  /// First as `moved` without new contacts, then the way of its end, then its end's velocity before velocities are made
+  /// consistent.
   V3<D> free;
   PassiveTouch<D> touch;
   PassiveHold<D> hold;
   [[no_unique_address]] BoneAirOf<D> felt;
 
-  /// Nothing hangs from it yet but its own weight. Where nothing will, the rest is not read.
+  /// Begins the sums with the bone's own weight. Where nothing will hang from it, the rest is not read.
   HWY_INLINE void clear(D d, V<D> own, bool hangs) {
     const auto zero = hn::Zero(d);
     has_below = false;
@@ -64,7 +66,7 @@ struct PassiveBone {
     if (!hangs) below.inertia = {own, zero, zero, own, zero, own};
   }
 
-  /// Nothing is linked to it yet.
+  /// Begins the links with nothing linked to it.
   HWY_INLINE void link(D d, V<D> own) {
     new (static_cast<void*>(&links)) PassiveLinks<D>;
     links.clear(d, own);
@@ -82,8 +84,8 @@ struct PassiveBone {
     coupled = hn::IfThenElse(rigid, one, coupled);
   }
 
-  /// The torque that unfolds a bone which is folded by more than a right angle, by the sine of that angle: the gradient
-  /// of kFoldStiffness stiffness (tan^2(fold / 2) - 1)^3. Sets its stiffness.
+  /// The torque that unfolds a bone that is folded by more than a right angle, divided by the sine of that angle: the
+  /// gradient of kFoldStiffness stiffness (tan^2(fold / 2) - 1)^3. Also sets its stiffness.
   HWY_INLINE V<D> fold_back(D d, V<D> stiffness) {
     const auto twice = hn::Add(per_fold, per_fold), fold = folded(d, per_fold);
     const auto each =
@@ -92,7 +94,7 @@ struct PassiveBone {
     return hn::Mul(each, fold);
   }
 
-  /// Turns the direction by `change`, which is across it, to the length that it has.
+  /// Turns the direction by `change`, which is across it, and keeps its length.
   HWY_INLINE void turn_by(D d, const V3<D>& change, hn::Mask<D> where) {
     const auto one = hn::Set(d, 1.0f), change2 = dot(d, change, change), length = hn::Sqrt(hn::Add(one, change2));
     const V3<D> sum = add(d, direction, change);
@@ -112,14 +114,14 @@ struct PassiveBone {
     side[1] = {b, hn::Add(sign, hn::Mul(hn::Mul(direction.y, direction.y), a)), hn::Neg(direction.y)};
   }
 
-  /// How the bone's frame turns with its own turn `k`: the shortest arc spins it about the bone.
+  /// The turn of the bone's frame for its own turn `k`: the shortest arc also spins it about the bone.
   [[nodiscard]] HWY_INLINE V3<D> frame_turn(D d, int k) const {
     const V3<D>& other = side[1 - k];
     const V3<D> spun = sub_scaled(d, other, direction, hn::Mul(per_fold, dot(d, other, arc)));
     return k == 0 ? spun : negative(d, spun);
   }
 
-  /// H, symmetric and positive definite: all that holds its turns.
+  /// Inverts H, which is symmetric and positive definite: everything that resists its turns.
   HWY_INLINE void invert(D d, const PassiveTurns<D>& its) {
     V<D> h[3];
     for (int k = 0; k < 3; ++k) h[k] = hn::Add(its.rest[k], its.firm[k]);
@@ -129,7 +131,8 @@ struct PassiveBone {
     inverse[2] = hn::Mul(h[0], k);
   }
 
-  /// Takes its turns out of the equations. `slack` holds it whatever its parent does; `hangs`: something hangs from it.
+  /// Eliminates the bone's turns from the equations. `slack`: stiffness that holds the bone independently of its
+  /// parent; `hangs`: something hangs from the bone.
   HWY_INLINE PassiveTurns<D> take_out(D d, V<D> length, V<D> slack, bool hangs) {
     PassiveTurns<D> its;
     const auto lean0 = dot(d, side[0], arc), lean1 = dot(d, side[1], arc);
@@ -168,7 +171,7 @@ struct PassiveBone {
     return its;
   }
 
-  /// What is left of them goes to `parent`. Written so, nothing cancels however firm the bone is.
+  /// Adds what is left of its turns to `parent`. In this form nothing cancels, however firm the bone is.
   HWY_INLINE void hand_up(D d, const PassiveTurns<D>& its, bool hangs, PassiveBone& parent) {
     const auto mul = [](V<D> a, V<D> b, V<D> c, V<D> e) { return hn::Add(hn::Mul(a, b), hn::Mul(c, e)); };
     const V3<D> across[2] = {side[1], negative(d, side[0])};
@@ -180,7 +183,7 @@ struct PassiveBone {
     mine.load = sub_scaled(d, sub_scaled(d, load, z0, wanted[0]), z1, wanted[1]);
 
     const V<D>(&k)[3] = its.firm;
-    // firm / H, and that times what H has besides.
+    // firm / H, and its product with the rest of H.
     const auto f00 = mul(k[0], inverse[0], k[1], inverse[1]), f01 = mul(k[0], inverse[1], k[1], inverse[2]);
     const auto f10 = mul(k[1], inverse[0], k[2], inverse[1]), f11 = mul(k[1], inverse[1], k[2], inverse[2]);
     const auto n0 = mul(f00, its.rest[0], f01, its.rest[1]), n1 = mul(f00, its.rest[1], f01, its.rest[2]);
@@ -212,7 +215,7 @@ struct PassiveBone {
     parent.take_on(d, mine);
   }
 
-  /// Adds what a child handed up. With the first child's comes the bone's own inertia.
+  /// Adds a child's part. The bone's own inertia comes with the first child's.
   HWY_INLINE void take_on(D d, const PassiveBelow<D>& child) {
     if (!has_below) {
       has_below = true;

@@ -1,6 +1,6 @@
-// The passive model's chain (runtime/docs/MODEL.md) during a step: what it keeps, and the order in which the step goes
-// through it. The parts are passive_solve-inl.h (where bones freely go), passive_contact-inl.h, passive_step-inl.h
-// (limits and velocities) and passive_energy-inl.h. Compiled once per instruction set.
+// The passive model's chain (runtime/docs/MODEL.md) during a step: its values, and the order of the walks through it.
+// The parts are passive_solve-inl.h (free motion), passive_contact-inl.h, passive_step-inl.h (limits and velocities)
+// and passive_energy-inl.h. Compiled once per instruction set.
 
 #include "bone_frame-inl.h"
 #include "coif_bone-inl.h"
@@ -24,7 +24,7 @@ namespace HWY_NAMESPACE {
 template <class D>
 class PassiveChain {
  public:
-  /// `part`: of a step that is split, or null.
+  /// `part`: a part of a split step, or null.
   HWY_NOINLINE PassiveChain(D d, const PassiveNumbers<D>& method, const RowStep& row, std::size_t lane,
                             PassiveBone<D>* bones, const PassivePart<D>* part = nullptr)
       : d_(d),
@@ -53,7 +53,7 @@ class PassiveChain {
     for (std::size_t i = 0; i < count_; ++i) collides_ = collides_ || (row.bones[i].features & kRowCollides) != 0;
   }
 
-  /// Takes the step. False where it has to be split before, and nothing has changed: split() says how.
+  /// Takes the step. False where it has to be split first; then nothing has changed, and split() says how.
   HWY_NOINLINE bool run() {
     if (collides_) {
       const auto blow = hn::Gt(load(d_, state_[0].contact, lane_), hn::Set(d_, 1.5f));
@@ -70,11 +70,11 @@ class PassiveChain {
     return true;
   }
 
-  /// After which share of the step bones first come to a collider, in the lanes of `where`.
+  /// The share of the step after which bones first meet a collider, in the lanes of `where`.
   [[nodiscard]] const PassiveSplit<D>& split() const { return split_; }
 
  private:
-  /// Into the state of the lanes that the step is about.
+  /// Stores into the state of the lanes that take the step.
   HWY_INLINE void keep(V<D> value, Lanes& to) const {
     if (HWY_UNLIKELY(part_ != nullptr)) return keep_where(part_->acts, value, to);
     store(d_, value, to, lane_);
@@ -99,7 +99,7 @@ class PassiveChain {
     return joint_;
   }
 
-  /// What the bone hangs from.
+  /// The carrier of the bone.
   HWY_INLINE const Carrier<D>& carrier_of(std::size_t i) {
     const Carrier<D>& hung = unposed_carrier_of(i);
     const PoseLanes* const pose = pose_of(d_, row_, i);
@@ -113,7 +113,7 @@ class PassiveChain {
     return row_.level >= row_.bones[i].fewest_levels || pose_of(d_, row_, i) != nullptr;
   }
 
-  /// Where nothing moves the bone but its parent and its pose.
+  /// Lanes in which only its parent and its pose move the bone.
   [[nodiscard]] HWY_INLINE hn::Mask<D> rigid_lanes(std::size_t i) const {
     const auto rigid = is_rigid(d_, row_, i, lane_);
     const PoseLanes* const pose = pose_of(d_, row_, i);
@@ -138,7 +138,7 @@ class PassiveChain {
     return firm;
   }
 
-  /// In some lane of these. (Where lanes have unlike numbers of bones, a child is the next bone.)
+  /// True in some of these lanes. (Where lanes have different numbers of bones, a child is the next bone.)
   [[nodiscard]] HWY_INLINE bool has_children(std::size_t i) const {
     return (row_.bones[i].features & kRowHasChildren) != 0 && i + 1 < count_;
   }
@@ -177,7 +177,7 @@ class PassiveChain {
   HWY_INLINE void slow_down(hn::Mask<D> where, V<D> kept);
   HWY_INLINE void forget_accelerations(std::size_t i, hn::Mask<D> where);
 
-  // The book of the chain's energy: passive_energy-inl.h.
+  // The chain's energy balance: passive_energy-inl.h.
   HWY_INLINE void look_at_head();
   void begin_book(const V3<D>& velocity, const V3<D>& velocity_before, const V3<D>& spin, const V3<D>& spin_before,
                   hn::Mask<D> stands);
@@ -190,7 +190,7 @@ class PassiveChain {
   HWY_INLINE void balance();
   COIF_RARE void stay(hn::Mask<D> where);
 
-  /// How a direction turns that is rigid to the head, 1/s.
+  /// Rate of a direction that is rigid to the head, 1/s.
   [[nodiscard]] HWY_INLINE V3<D> with_head(const V3<D>& direction) const {
     return cross(d_, load(d_, row_.move->angular_velocity, lane_), direction);
   }
@@ -202,30 +202,30 @@ class PassiveChain {
   PassiveState* const state_;
   PassiveBone<D>* const bones_;
   const std::size_t lane_;
-  const std::size_t count_;  ///< Bones.
+  const std::size_t count_;  ///< Number of bones.
   PassiveNumbers<D> method_;
   const M3<D> turn_;  ///< World from head space, at the end of the step.
   V<D> motion_, fastest2_;
-  V<D> most_twisting_;               ///< Of what the bones are held by.
-  M3<D> carried_;                    ///< What the head's turn does to directions, world axes.
-  V3<D> speeding_up_, spinning_up_;  ///< The head's accelerations, m/s^2 and 1/s^2,
-  V3<D> steadily_, turning_;         ///< and mean velocities.
-  hn::Mask<D> is_still_;             ///< The head's.
-  bool keeps_book_;                  ///< Some lane is watched.
-  hn::Mask<D> was_watched_;          ///< Where the energy is booked,
-  hn::Mask<D> watched_;              ///< and nothing adds to it that the book does not know.
-  V<D> had_, has_;         ///< Twice the energy of the motion against the head, joules: before the step, and after.
-  V<D> gained_, unsure_;   ///< What bending and all other forces gave in between, and how much of that is unsure.
-  V<D> farthest2_;         ///< Square of the last round's largest turn.
-  bool is_moved_ = false;  ///< Bones may be elsewhere than their free motion led.
+  V<D> most_twisting_;               ///< Largest share of the bones' stiffness that resists twisting.
+  M3<D> carried_;                    ///< The head's turn of directions, world axes.
+  V3<D> speeding_up_, spinning_up_;  ///< The head's accelerations, m/s^2 and 1/s^2.
+  V3<D> steadily_, turning_;         ///< The head's mean velocities.
+  hn::Mask<D> is_still_;             ///< Lanes whose head stands still.
+  bool keeps_book_;                  ///< Some lane's energy is balanced.
+  hn::Mask<D> was_watched_;          ///< Lanes whose energy is balanced.
+  hn::Mask<D> watched_;              ///< Lanes of was_watched_ without unknown work.
+  V<D> had_, has_;         ///< Twice the kinetic energy relative to the head, joules: before the step, and after.
+  V<D> gained_, unsure_;   ///< Energy that bending and all other forces gave in between, and the uncertainty of it.
+  V<D> farthest2_;         ///< Square of the largest turn in the last round.
+  bool is_moved_ = false;  ///< Bones may have left their free motion.
   bool collides_ = false, touches_ = false, holds_contacts_ = false, hits_ = false, has_own_numbers_ = false;
-  /// If goes_on_: where a part of the step began with a blow; the next step begins so, too.
+  /// If goes_on_: lanes in which a part of the step began with an impact, as the next step will.
   hn::Mask<D> after_blow_;
   bool goes_on_ = false;
   PassiveSplit<D> split_;
-  hn::Mask<D> own_;                         ///< If has_own_numbers_: where the method's are not those of a whole step.
-  hn::Mask<D> hit_;                         ///< If hits_: where there is one in this.
-  std::size_t joint_of_ = ~std::size_t{0};  ///< The bone that hangs from joint_.
+  hn::Mask<D> own_;  ///< If has_own_numbers_: lanes in which the method's numbers are not those of a whole step.
+  hn::Mask<D> hit_;  ///< If hits_: lanes with an impact in this part.
+  std::size_t joint_of_ = ~std::size_t{0};  ///< The bone whose carrier is joint_.
   Carrier<D> joint_;
   Carrier<D> posed_;
   [[no_unique_address]] PathsOf<D> paths_;

@@ -1,6 +1,6 @@
-// How contacts act throughout a chain of the passive model (runtime/docs/MODEL.md, "The passive model"): a bone that
-// lies on a collider is held at the place of contact, and what holds it reaches its parents and children. Compiled once
-// per instruction set.
+// Contacts of a chain of the passive model (runtime/docs/MODEL.md, "The passive model"): a bone that lies on a collider
+// is held at the place of contact, and the force that holds it reaches its parents and children. Compiled once per
+// instruction set.
 
 #include "meeting-inl.h"
 #include "passive_chain-inl.h"
@@ -17,9 +17,9 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-constexpr int kMostReleases = 3;  ///< Times that contacts are found to pull and let go.
+constexpr int kMostReleases = 3;  ///< Rounds in which contacts that pull are released.
 
-/// Looks which bones are in their head's colliders: those that lay on some before the step.
+/// Finds the bones that are in their head's colliders, among those that lay on some before the step.
 template <class D>
 COIF_RARE hn::Mask<D> PassiveChain<D>::find_lying() {
   auto touching = hn::Lt(turn_.x.x, hn::Set(d_, -2.0f));
@@ -48,7 +48,7 @@ COIF_RARE hn::Mask<D> PassiveChain<D>::find_lying() {
   return touching;
 }
 
-/// And where other bones meet them.
+/// Finds where other bones meet their colliders.
 template <class D>
 HWY_INLINE hn::Mask<D> PassiveChain<D>::find_meetings() {
   auto touching = hn::Lt(turn_.x.x, hn::Set(d_, -2.0f));
@@ -59,7 +59,7 @@ HWY_INLINE hn::Mask<D> PassiveChain<D>::find_meetings() {
     if ((row_.bones[i].features & kRowCollides) == 0) continue;
     const BoneLanes& constants = row_.constants[i];
     const auto length = load(d_, constants.length, lane_);
-    // Farther than it is long it does not go in a step, or no step could follow it.
+    // A bone moves at most its own length in a step, or no step could follow it.
     const auto reach =
         hn::Add(hn::Add(length, hn::Mul(length, hn::Set(d_, 0.25f))), load(d_, constants.hit_radius, lane_));
     auto asked = in_reach(d_, *row_.colliders, row_.bones[i].colliders, start, reach);
@@ -72,7 +72,7 @@ HWY_INLINE hn::Mask<D> PassiveChain<D>::find_meetings() {
   return touching;
 }
 
-/// Looks at one bone, which comes near some.
+/// Looks at one bone that comes near some collider.
 template <class D>
 COIF_RARE void PassiveChain<D>::meet(std::size_t i, hn::Mask<D> asked, hn::Mask<D>& touching) {
   PassiveBone<D>& bone = bones_[i];
@@ -88,7 +88,7 @@ COIF_RARE void PassiveChain<D>::meet(std::size_t i, hn::Mask<D> asked, hn::Mask<
   touching = hn::Or(touching, hn::And(meets, bone.touch.holds(d_)));
 }
 
-/// Where the bone's tail goes freely, for its children. Returns where the bone starts, head space.
+/// The bone's tail in free motion, for its children. Returns the bone's start, head space.
 template <class D>
 HWY_INLINE const V3<D>& PassiveChain<D>::place_tail(std::size_t i) {
   PassiveBone<D>& bone = bones_[i];
@@ -99,15 +99,15 @@ HWY_INLINE const V3<D>& PassiveChain<D>::place_tail(std::size_t i) {
   return from.position;
 }
 
-/// Where the bone lay on a collider before the step.
+/// Lanes in which the bone lay on a collider before the step.
 template <class D>
 HWY_INLINE hn::Mask<D> PassiveChain<D>::lay_on(std::size_t i) const {
   const auto contact = load(d_, state_[i].contact, lane_);
   return hn::Or(hn::Eq(contact, hn::Set(d_, 1.0f)), hn::Eq(contact, hn::Set(d_, 3.0f)));
 }
 
-/// First the contacts that there were hold, then those at which other bones come to lie. Accelerations and velocities
-/// are those of before the latter: a blow is no force. False where the step has to be split at a blow.
+/// First holds the old contacts, then those of bones that arrive. Accelerations and velocities are taken before the
+/// latter, since an impact is not a force. False where the step has to be split at an impact.
 template <class D>
 HWY_INLINE bool PassiveChain<D>::meet_colliders() {
   auto lay = hn::Lt(turn_.x.x, hn::Set(d_, -2.0f));
@@ -131,7 +131,7 @@ HWY_INLINE bool PassiveChain<D>::meet_colliders() {
   return true;
 }
 
-/// Adds the contact's firmness to the bone's equations.
+/// Adds the contact's stiffness to the bone's equations.
 template <class D>
 HWY_INLINE void PassiveChain<D>::hold_bone(PassiveBone<D>& bone, V<D> length, PassiveTurns<D>& turns) {
   const PassiveTouch<D>& touch = bone.touch;
@@ -161,7 +161,8 @@ HWY_INLINE void PassiveChain<D>::hold_bone(PassiveBone<D>& bone, V<D> length, Pa
   bone.load = add_scaled(d_, bone.load, touch.normal, push);
 }
 
-/// What the contact does to velocities. `inverse` is that of the bone's mass, `opening` how fast it would grow longer.
+/// The contact's effect on velocities. `inverse` is that of the bone's mass, `opening` the rate at which it would grow
+/// longer.
 template <class D>
 HWY_INLINE void PassiveChain<D>::find_hold(std::size_t i, const Symmetric3<D>& inverse, V<D> opening) {
   PassiveBone<D>& bone = bones_[i];
@@ -181,7 +182,7 @@ HWY_INLINE void PassiveChain<D>::find_hold(std::size_t i, const Symmetric3<D>& i
   hold.by_push = by_push;
   hold.drag = drag;
   hold.lever = add_scaled(d_, scale(d_, touch.normal, rest), bone.direction, drag);
-  // The surface goes with the head.
+  // The surface moves with the head.
   const auto length = load(d_, row_.constants[i].length, lane_);
   const V3<D> back = scale(d_, bone.direction, hn::Mul(length, rest));
   const V3<D> point = sub(d_, rotate(d_, turn_, bone.tail.position), back);
@@ -193,7 +194,7 @@ HWY_INLINE void PassiveChain<D>::find_hold(std::size_t i, const Symmetric3<D>& i
   hold.wanted = hn::Sub(leaving, hn::Mul(drag, stretch));
 }
 
-/// Adds what the contact leaves of them for the parent.
+/// Adds the contact's remaining part to the parent.
 template <class D>
 HWY_INLINE void PassiveChain<D>::hand_up_hold(const PassiveHold<D>& hold, PassiveLinks<D>& links) {
   const Symmetric3<D> mass = add_outer(d_, links.mass, scale(d_, hold.lever, hold.yields), hold.lever);
@@ -205,7 +206,7 @@ HWY_INLINE void PassiveChain<D>::hand_up_hold(const PassiveHold<D>& hold, Passiv
   set_where(d_, hold.holds, push, links.push);
 }
 
-/// What the contact gives the bone, whose parent's end changes its velocity by `of_start`.
+/// The contact's push on the bone, whose parent's end changes its velocity by `of_start`.
 template <class D>
 HWY_INLINE void PassiveChain<D>::push_back(const V3<D>& of_start, PassiveBone<D>& bone, V<D>& pull) {
   const PassiveHold<D>& hold = bone.hold;
@@ -215,7 +216,7 @@ HWY_INLINE void PassiveChain<D>::push_back(const V3<D>& of_start, PassiveBone<D>
   set_where(d_, hold.holds, add_scaled(d_, bone.links.by_push, hold.by_push, push), bone.links.by_push);
 }
 
-/// One round more, in which the contacts hold. Those that would have to pull let go, and it is done again.
+/// Solves one more round with the contacts. Contacts that would have to pull are released, and the round is repeated.
 template <class D>
 COIF_RARE void PassiveChain<D>::hold_at_contacts(hn::Mask<D> touching) {
   holds_contacts_ = true;

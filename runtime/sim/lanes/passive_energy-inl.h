@@ -1,6 +1,6 @@
-// What keeps the passive model's step from making energy (runtime/docs/MODEL.md, "Energy"): a chain's book over one
-// step, seen from the head, and what becomes of a chain that has more than it was given. Compiled once per instruction
-// set.
+// Keeps the passive model's step from creating energy (runtime/docs/MODEL.md, "Energy"): the energy balance of a chain
+// over one step, relative to the head, and the correction of a chain that has more than it was given. Compiled once per
+// instruction set.
 
 #include "palette-inl.h"
 #include "passive_chain-inl.h"
@@ -17,16 +17,16 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// Under a faster head a chain's energy is not booked: what the head gives is more than what a step could make.
+/// The energy is not balanced under a faster head, m/s: the head's work is then larger than the errors of a step.
 constexpr float kSlowHead = 0.1f;  ///< m/s
 constexpr float kSlowTurn = 1.0f;  ///< rad/s
-/// Share of the work of a head that moves by which the book may be wrong: a step knows how the head moves at its ends.
+/// Uncertain share of a moving head's work: a step knows the head's motion only at its ends.
 constexpr float kUnsureOfHead = 0.25f;
-/// Share of what friction takes that is asked for: the step is of second order, and may take a little less than the
+/// Share of friction's loss that is required: the step is of second order, and may lose a little less than the
 /// equation.
 constexpr float kAskedOfFriction = 0.5f;
 
-/// As store_matrix(), of these lanes alone.
+/// As store_matrix(), for these lanes only.
 template <class D>
 HWY_INLINE void store_matrix_where(D d, hn::Mask<D> where, const M3<D>& frame, const V3<D>& joint, const V3<D>& start,
                                    Mat34* const* to, std::size_t bone, std::size_t lanes) {
@@ -40,10 +40,10 @@ HWY_INLINE void store_matrix_where(D d, hn::Mask<D> where, const M3<D>& frame, c
   }
 }
 
-/// Share by which sums of single precision may be wrong.
+/// Relative error of sums in single precision.
 constexpr float kUnsureOfDigits = 1.2e-7f;
 
-/// Kilograms. Bones that are rigid, or that other lanes alone have, weigh nothing.
+/// Kilograms. Rigid bones, and bones that only other lanes have, weigh nothing.
 template <class D>
 HWY_INLINE V<D> PassiveChain<D>::mass_of(std::size_t i) const {
   auto mass = load(d_, row_.constants[i].length, lane_);
@@ -52,7 +52,7 @@ HWY_INLINE V<D> PassiveChain<D>::mass_of(std::size_t i) const {
   return mass;
 }
 
-/// Decides in which lanes energy is booked. Where bones are moved by what the book does not know, it is in none.
+/// Chooses the lanes whose energy is balanced: none in which something that the balance does not know moves bones.
 template <class D>
 HWY_INLINE void PassiveChain<D>::look_at_head() {
   const MoveLanes& move = *row_.move;
@@ -71,7 +71,7 @@ HWY_INLINE void PassiveChain<D>::look_at_head() {
   if (keeps_book_) begin_book(velocity, velocity_before, spin, spin_before, hn::Eq(hn::Add(speed2, turning2), zero));
 }
 
-/// How the head moves during the step; `stands`: at neither end it does.
+/// The head's motion during the step. `stands`: it stands still at both ends.
 template <class D>
 void PassiveChain<D>::begin_book(const V3<D>& velocity, const V3<D>& velocity_before, const V3<D>& spin,
                                  const V3<D>& spin_before, hn::Mask<D> stands) {
@@ -94,7 +94,7 @@ void PassiveChain<D>::begin_book(const V3<D>& velocity, const V3<D>& velocity_be
   set_where(d_, is_turned, column(before.x.z, before.y.z, before.z.z), carried_.z);
 }
 
-/// Before the step: how the bone moves against the head.
+/// The bone's motion relative to the head before the step.
 template <class D>
 HWY_INLINE void PassiveChain<D>::open_book(std::size_t i, const V3<D>& before, const V3<D>& relative) {
   PassiveBook<D>& book = bones_[i].book;
@@ -106,12 +106,12 @@ HWY_INLINE void PassiveChain<D>::open_book(std::size_t i, const V3<D>& before, c
   had_ = hn::Add(had_, hn::Mul(mass_of(i), dot(d_, book.drift, book.drift)));
 }
 
-/// Energy of the bending over the stiffness, where the bone has this direction, world axes; `pull` where its parent
-/// pulls it.
+/// Energy of the bending divided by the stiffness, for a bone in this direction, world axes. `pull`: the direction that
+/// its parent pulls it to.
 template <class D>
 HWY_INLINE V<D> PassiveChain<D>::bent_to(std::size_t i, const V3<D>& direction, const V3<D>& arc,
                                          const V3<D>& pull) const {
-  // Written so, small bends keep their digits.
+  // In this form small bends keep their digits.
   const auto off = [&](const V3<D>& to) {
     const V3<D> apart = sub(d_, direction, to);
     return hn::Mul(hn::Set(d_, 0.5f), dot(d_, apart, apart));
@@ -125,8 +125,7 @@ HWY_INLINE V<D> PassiveChain<D>::bent_to(std::size_t i, const V3<D>& direction, 
   return hn::Add(bent, fold_energy(d_, direction, arc));
 }
 
-/// After the step: where the bone went against the head, and what it got from weight, bending, air and the head's own
-/// motion.
+/// After the step: the bone's way relative to the head, and the work of weight, bending, air and the head's own motion.
 template <class D>
 HWY_INLINE void PassiveChain<D>::enter_way(std::size_t i, const Carrier<D>& from, const V3<D>& arc,
                                            const V3<D>& direction) {
@@ -168,7 +167,7 @@ HWY_INLINE void PassiveChain<D>::enter_way(std::size_t i, const Carrier<D>& from
   unsure_ = hn::Add(unsure_, hn::Mul(hn::Set(d_, kUnsureOfHead), hn::Abs(work)));
 }
 
-/// How the bone moves against the head now; `turning` is what its direction does.
+/// The bone's present motion relative to the head; `turning` is the rate of its direction.
 template <class D>
 HWY_INLINE void PassiveChain<D>::enter_motion(std::size_t i, const V3<D>& turning) {
   V3<D>& drift = bones_[i].book.drift;
@@ -177,8 +176,8 @@ HWY_INLINE void PassiveChain<D>::enter_motion(std::size_t i, const V3<D>& turnin
   has_ = hn::Add(has_, hn::Mul(mass_of(i), dot(d_, drift, drift)));
 }
 
-/// A chain that has more than it had and was given is slowed against the head until it has not. Where even at rest it
-/// would have more, it stays where it was, if nothing else moves there.
+/// Slows a chain that has more energy than it had and was given, relative to the head. If even at rest it has too much,
+/// it returns to where it was, unless something else moves there.
 template <class D>
 HWY_INLINE void PassiveChain<D>::balance() {
   const auto zero = hn::Zero(d_), half = hn::Set(d_, 0.5f);
@@ -190,14 +189,14 @@ HWY_INLINE void PassiveChain<D>::balance() {
   const auto left = hn::Div(hn::Sub(motion, excess),
                             hn::IfThenElse(is_more, hn::Max(motion, hn::Set(d_, 1e-30f)), hn::Set(d_, 1.0f)));
   slow_down(is_more, hn::Sqrt(hn::Max(left, zero)));
-  // Where it was a collider may be by now.
+  // By now a collider may be where the chain was.
   if constexpr (kOnCharacter<D>) {
     if (row_.character->collider_count != 0) return;
   }
   if (HWY_UNLIKELY(!hn::AllFalse(d_, is_too_high))) stay(is_too_high);
 }
 
-/// These lanes' chains are carried along with the head from where they were before the step, at rest against it.
+/// Carries these lanes' chains along with the head from their places before the step, at rest relative to it.
 template <class D>
 COIF_RARE void PassiveChain<D>::stay(hn::Mask<D> where) {
   for (std::size_t i = 0; i < count_; ++i) {

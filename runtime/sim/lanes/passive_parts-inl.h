@@ -1,6 +1,6 @@
-// What a bone of the passive model is made of while a step goes on: sums over what hangs from it, what holds it and
-// where it touches, and the algebra of those. Masses in kilograms for bones of one a metre, world axes. Compiled once
-// per instruction set.
+// The parts of a bone of the passive model during a step: sums over everything that hangs from it, what holds it and
+// where it touches, and their algebra. Masses in kilograms for bones of one kilogram per metre, world axes. Compiled
+// once per instruction set.
 
 #include "../passive_method.h"
 #include "coif_bone-inl.h"
@@ -17,24 +17,24 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// Least 1 + cosine of a fold in formulas: a bone nearer to folded over its parent turns its frame no faster, small as
-/// its movements are.
+/// Smallest 1 + cosine of a fold in formulas. A bone that is folded further over its parent does not turn its frame
+/// faster, since its movements are small.
 inline constexpr float kLeastUnfolded = 0.02f;
 
-/// Nearer to its start than this share of its length a contact holds a bone as if it were there; and nearer than the
-/// other not at all.
+/// Shares of a bone's length from its start. A contact nearer than the first holds the bone as if it were there; one
+/// nearer than the second does not hold it at all.
 inline constexpr float kLeastShare = 0.02f, kNoShare = 1e-4f;
 
-/// A contact is so many times as firm as what it holds.
+/// Stiffness of a contact, relative to that of what it holds.
 inline constexpr float kFirmContact = 1000.0f;
 
 /// Share of a joint's stiffness that it has against folding by more than a right angle (MODEL.md, "Folds").
 inline constexpr float kFoldStiffness = 0.01f;
 
-/// A step is split at so many blows at most.
+/// Most impacts at which a step is split.
 inline constexpr int kMostSplits = 3;
 
-/// Radians a step: the method can follow what turns slower against the head.
+/// Radians per step: the method can follow motion that turns more slowly than this relative to the head.
 inline constexpr float kMostTurn = 0.7f;
 
 template <class D>
@@ -49,7 +49,7 @@ HWY_INLINE V3<D> times(D, const Symmetric3<D>& m, const V3<D>& v) {
           hn::Add(hn::Add(hn::Mul(m.xz, v.x), hn::Mul(m.yz, v.y)), hn::Mul(m.zz, v.z))};
 }
 
-/// The six entries of a b^T that a symmetric sum of such has.
+/// The six entries of a symmetric sum of products a b^T.
 template <class D>
 HWY_INLINE Symmetric3<D> outer(D, const V3<D>& a, const V3<D>& b) {
   return {hn::Mul(a.x, b.x), hn::Mul(a.x, b.y), hn::Mul(a.x, b.z),
@@ -62,13 +62,13 @@ HWY_INLINE Symmetric3<D> add(D, const Symmetric3<D>& a, const Symmetric3<D>& b) 
           hn::Add(a.yy, b.yy), hn::Add(a.yz, b.yz), hn::Add(a.zz, b.zz)};
 }
 
-/// m + a b^T, which is symmetric.
+/// m + a b^T, where the sum is symmetric.
 template <class D>
 HWY_INLINE Symmetric3<D> add_outer(D d, const Symmetric3<D>& m, const V3<D>& a, const V3<D>& b) {
   return add(d, m, outer(d, a, b));
 }
 
-/// `m` is positive definite.
+/// Inverts `m`, which must be positive definite.
 template <class D>
 HWY_INLINE Symmetric3<D> inverse_of(D d, const Symmetric3<D>& m) {
   const auto minor = [](V<D> a, V<D> b, V<D> c, V<D> e) { return hn::Sub(hn::Mul(a, b), hn::Mul(c, e)); };
@@ -84,8 +84,8 @@ HWY_INLINE Symmetric3<D> inverse_of(D d, const Symmetric3<D>& m) {
           hn::Mul(minor(m.xx, m.yy, m.xy, m.xy), k)};
 }
 
-/// Forces go on where a bone was held, but for what of them leads against what `push` its particle's velocity was
-/// changed by. The blow itself is over. Of PassiveState.
+/// Keeps the forces of a held bone, except for their part against `push`, the change of its particle's velocity. The
+/// impact itself is over. The last two belong to PassiveState.
 template <class D>
 HWY_INLINE void give_way(D d, hn::Mask<D> held, const V3<D>& push, V3<D>& acceleration, V3<D>& lagged) {
   const auto push2 = dot(d, push, push), zero = hn::Zero(d);
@@ -97,10 +97,10 @@ HWY_INLINE void give_way(D d, hn::Mask<D> held, const V3<D>& push, V3<D>& accele
   }
 }
 
-/// A particle at the end of a step.
+/// The motion of a particle at the end of a step.
 template <class D>
 struct PassivePace {
-  V3<D> lagged;  ///< As PassiveState has them.
+  V3<D> lagged;  ///< As in PassiveState.
   V3<D> acceleration;
   V3<D> velocity;
 };
@@ -119,7 +119,7 @@ struct PassiveNumbers {
         early(hn::Set(d, float(method.early))),
         late(hn::Set(d, float(method.late))) {}
 
-  /// In these lanes the step is this share of itself.
+  /// In these lanes the step lasts only this share.
   void shorten(D d, hn::Mask<D> where, V<D> share) {
     const auto per_share = hn::Div(hn::Set(d, 1.0f), share);
     const auto multiply = [&](V<D> by, V<D>& number) { number = hn::IfThenElse(where, hn::Mul(number, by), number); };
@@ -129,7 +129,7 @@ struct PassiveNumbers {
     multiply(hn::Mul(per_share, per_share), lagged_per_way);
   }
 
-  /// Of a particle that made this way; the other three from before the step.
+  /// The motion of a particle that moved by `way`; the other three values are from before the step.
   HWY_INLINE PassivePace<D> pace(D d, const V3<D>& way, const V3<D>& velocity, const V3<D>& acceleration,
                                  const V3<D>& lagged) const {
     const V3<D> expected = add_scaled(d, scale(d, velocity, dt), lagged, lag);
@@ -161,8 +161,8 @@ HWY_INLINE void add_outer(D, const V3<D>& a, const V3<D>& b, M3<D>& m) {
   add_to(m.z, b.z);
 }
 
-/// What all that hangs from a bone does to it, as long as nobody has said how the bone moves: the function
-///     p P p / 2 + p R w + w Q w / 2 + p a - w t
+/// The action of everything that hangs from a bone, before the bone's motion is known: the function
+/// p P p / 2 + p R w + w Q w / 2 + p a - w t
 /// of the way p of its end and the turn w of its frame.
 template <class D>
 struct PassiveBelow {
@@ -173,23 +173,23 @@ struct PassiveBelow {
   V3<D> torque;            ///< t
 };
 
-/// A bone's two turns, while they are taken out: what holds them against the parent's frame and besides (11, 12, 22),
-/// and by how much the spin of the bone's frame moves them.
+/// A bone's two turns during their elimination: stiffness against the parent's frame and other stiffness (11, 12, 22),
+/// and how much the spin of the bone's frame moves them.
 template <class D>
 struct PassiveTurns {
   V<D> firm[3], rest[3], spin[2];
 };
 
-/// The same for velocities that stretch nothing: what `push` the bone's end gets moves it by mass^-1 (push - pull
-/// direction), and the bone pulls by `pull`, less `yields` times how fast its start goes along it.
+/// The same for velocities without stretch: a push on the bone's end moves it by mass^-1 (push - pull direction), and
+/// the bone pulls by `pull`, less `yields` times the speed of its start along it.
 template <class D>
 struct PassiveLinks {
   Symmetric3<D> mass;
   V3<D> push;   ///< kg m/s
-  V3<D> force;  ///< That nothing but the bone's tension balances, newtons.
+  V3<D> force;  ///< The force that only the bone's tension balances, newtons.
   V3<D> start_velocity;
   V3<D> by_pull, by_push;  ///< mass^-1 direction, mass^-1 push
-  V3<D> change;            ///< Of the end's velocity.
+  V3<D> change;            ///< Change of the end's velocity.
   V<D> pull, yields;
 
   HWY_INLINE void clear(D d, V<D> own) {
@@ -198,7 +198,7 @@ struct PassiveLinks {
     push = force = {zero, zero, zero};
   }
 
-  /// In these lanes the bone is not there: nothing pulls.
+  /// In these lanes the bone does not exist: nothing pulls.
   HWY_INLINE void let_go(hn::Mask<D> missing) {
     force = {hn::IfThenZeroElse(missing, force.x), hn::IfThenZeroElse(missing, force.y),
              hn::IfThenZeroElse(missing, force.z)};
@@ -213,36 +213,36 @@ HWY_INLINE V<D> per_unfolded(D d, const V3<D>& arc, const V3<D>& direction) {
   return hn::Div(one, hn::Max(hn::Add(one, dot(d, arc, direction)), hn::Set(d, kLeastUnfolded)));
 }
 
-/// tan^2(fold / 2) - 1, and 0 of a bone that is folded by less than a right angle.
+/// tan^2(fold / 2) - 1, and 0 for a bone that is folded by less than a right angle.
 template <class D>
 HWY_INLINE V<D> folded(D d, V<D> per_unfolded) {
   return hn::Max(hn::Sub(hn::Add(per_unfolded, per_unfolded), hn::Set(d, 2.0f)), hn::Zero(d));
 }
 
-/// Energy of a fold over the bone's stiffness.
+/// Energy of a fold divided by the bone's stiffness.
 template <class D>
 HWY_INLINE V<D> fold_energy(D d, const V3<D>& direction, const V3<D>& arc) {
   const auto fold = folded(d, per_unfolded(d, arc, direction));
   return hn::Mul(hn::Mul(fold, hn::Set(d, kFoldStiffness)), hn::Mul(fold, fold));
 }
 
-/// What the book of a chain's energy needs of a bone (passive_energy-inl.h), world axes, against the head.
+/// A bone's values for the energy balance (passive_energy-inl.h), world axes, relative to the head.
 template <class D>
 struct PassiveBook {
   V3<D> before;  ///< Its direction before the step.
   V3<D> drift;   ///< Velocity of its end, m/s: before the step, then after.
-  V3<D> gone;    ///< Where its end went, metres.
+  V3<D> gone;    ///< Way of its end, metres.
 };
 
-/// Where the bone touches a collider of its head.
+/// The bone's contact with a collider of its head.
 template <class D>
 struct PassiveTouch {
   V3<D> normal;  ///< Unit, world, from the collider to the hair.
-  V<D> share;    ///< Share of the bone's length from its start to the place of contact; 0: it touches nothing.
-  V<D> lift;     ///< Metres by which that place has to be lifted from where the bone freely is.
-  V<D> leave;    ///< m/s at which it is left again at the end of the step.
-  V<D> push;     ///< kg m/s that the collider gave when velocities were made to fit.
-  V<D> when;     ///< Share of the step after which the bone came there; 2: it did not.
+  V<D> share;    ///< Share of the bone's length from its start to the place of contact; 0: no contact.
+  V<D> lift;     ///< Metres by which that place has to be lifted from the bone's free motion.
+  V<D> leave;    ///< m/s, the speed at which it leaves again at the end of the step.
+  V<D> push;     ///< kg m/s that the collider gave when velocities were made consistent.
+  V<D> when;     ///< Share of the step after which the bone arrived there; 2: it did not.
 
   HWY_INLINE void clear(D d) {
     const auto zero = hn::Zero(d);
@@ -260,30 +260,31 @@ struct PassiveTouch {
   [[nodiscard]] HWY_INLINE hn::Mask<D> holds(D d) const { return hn::Gt(share, hn::Zero(d)); }
 };
 
-/// Where a step is split, and after which share of what is left of it.
+/// Lanes in which a step is split, and the share of its rest after which.
 template <class D>
 struct PassiveSplit {
   hn::Mask<D> where;
   V<D> share;
 };
 
-/// A part of a step that is split.
+/// A part of a split step.
 template <class D>
 struct PassivePart {
-  hn::Mask<D> acts;        ///< Others keep their state.
-  hn::Mask<D> is_shorter;  ///< Than the whole step.
-  bool may_split;          ///< Once more.
+  hn::Mask<D> acts;        ///< Lanes that take this part; others keep their state.
+  hn::Mask<D> is_shorter;  ///< Lanes in which it is shorter than the whole step.
+  bool may_split;          ///< It may be split again.
 };
 
-/// What keeps velocities from leading into the collider that the bone touches: a push of -yields (wanted + lever v)
-/// along the normal, where its start goes faster by v than was thought.
+/// Keeps velocities from leading into the collider that the bone touches: a push of -yields (wanted + lever v) along
+/// the normal, where v is the change of its start's velocity.
 template <class D>
 struct PassiveHold {
   hn::Mask<D> holds;
-  V3<D> lever;    ///< How fast the place of contact comes out as the start moves; the push acts on the start along it.
-  V3<D> by_push;  ///< How a push changes the velocity of the bone's end.
-  V<D> drag;      ///< And the bone's pull.
-  V<D> wanted;    ///< m/s at which the place of contact goes out, but for the start's change.
+  /// How fast the place of contact comes out per velocity of the start; the push acts on the start along it.
+  V3<D> lever;
+  V3<D> by_push;  ///< Change of the velocity of the bone's end per push.
+  V<D> drag;      ///< Change of the bone's pull per push.
+  V<D> wanted;    ///< m/s at which the place of contact comes out without the start's change.
   V<D> yields;    ///< kg
 };
 

@@ -1,5 +1,5 @@
-// The steps of a row of chains of the passive model, each at once or, where bones arrive at colliders in the midst of
-// it, in parts. Compiled once per instruction set.
+// Runs the steps of a row of chains of the passive model, each as a whole or, where bones meet colliders within it, in
+// parts. Compiled once per instruction set.
 
 #include "cut_move-inl.h"
 #include "passive_step-inl.h"
@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// What a step in parts goes on with.
+/// The state that the parts of a step continue from.
 template <class D>
 struct PassiveWay {
   const D d;
@@ -25,7 +25,8 @@ struct PassiveWay {
   const std::size_t lane;
   PassiveBone<D>* const bones;
 
-  /// In the lanes of `acts` that part of the step, in others nothing. False where it is to be split, and was not taken.
+  /// Takes this part of the step in the lanes of `acts`; other lanes stay as they are. False where it has to be split;
+  /// then it was not taken.
   bool take(hn::Mask<D> acts, V<D> from, V<D> to, bool may_split, PassiveSplit<D>& split) const {
     const auto one = hn::Set(d, 1.0f), zero = hn::Zero(d);
     const PassivePart<D> part{acts, hn::Or(hn::Gt(from, zero), hn::Lt(to, one)), may_split};
@@ -42,8 +43,8 @@ struct PassiveWay {
   }
 };
 
-/// The step in parts, since bones come to colliders in the midst of it: until then in the lanes of `split`, and on from
-/// there. After kMostSplits of them a lane takes the rest at once.
+/// Takes a step in parts, since bones meet colliders within it: up to the meeting in the lanes of `split`, and on from
+/// there. After kMostSplits parts a lane takes the rest as a whole.
 template <class D>
 COIF_RARE void step_in_parts(const PassiveWay<D>& way, PassiveSplit<D> split) {
   const D d = way.d;

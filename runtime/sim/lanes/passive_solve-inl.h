@@ -1,6 +1,5 @@
-// How a chain of the passive model gets to the end of a step (runtime/docs/MODEL.md, "The passive model"): where its
-// bones freely go, by a guess and rounds of Newton's method, down, up and down again. Compiled once per instruction
-// set.
+// Free motion of a chain of the passive model over a step (runtime/docs/MODEL.md, "The passive model"): a guess and
+// rounds of Newton's method, each down, up and down again. Compiled once per instruction set.
 
 #include "passive_chain-inl.h"
 #include "row.h"
@@ -16,10 +15,10 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-constexpr int kMostRounds = 8;  ///< After the first.
+constexpr int kMostRounds = 8;  ///< Rounds after the first.
 
-/// Radians that Newton's method may leave undone in a step of `dt` seconds: as a force that is always the same, but no
-/// less than what single precision sees.
+/// Radians that Newton's method may leave unsolved in a step of `dt` seconds: the effect of a fixed force, but no less
+/// than single precision resolves.
 template <class D>
 HWY_INLINE V<D> may_leave(D d, V<D> dt) {
   return hn::Max(hn::Mul(hn::Mul(hn::Set(d, 0.1f), dt), dt), hn::Set(d, 1e-7f));
@@ -47,7 +46,7 @@ HWY_INLINE void PassiveChain<D>::guess(std::size_t i) {
   if (keeps_book_) open_book(i, before, relative);
 }
 
-/// The forces where the bone is thought to be at the end of the step.
+/// The forces at the bone's assumed end of the step.
 template <class D>
 HWY_INLINE void PassiveChain<D>::find_forces(std::size_t i) {
   const BoneLanes& constants = row_.constants[i];
@@ -69,7 +68,7 @@ HWY_INLINE void PassiveChain<D>::find_forces(std::size_t i) {
   if (any_rigid(i)) bone.be_rigid(d_, rigid_lanes(i), has_children(i));
 }
 
-/// The torque of the bending between the bone and what it hangs from, which is that of a potential, and of its damping.
+/// The torque of the bending between the bone and its carrier, which has a potential, and of the bending's damping.
 template <class D>
 HWY_INLINE void PassiveChain<D>::bend_towards_rest(std::size_t i, const Carrier<D>& from, PassiveBone<D>& bone) {
   const BoneLanes& constants = row_.constants[i];
@@ -104,7 +103,7 @@ HWY_INLINE void PassiveChain<D>::bend_towards_rest(std::size_t i, const Carrier<
                                   load(d_, row_.move->angular_velocity, lane_), rest_share);
     const V3<D> drag = scale(d_, across(d_, sub(d_, bone.tail.angular_velocity, base), bone.direction), damping);
     const V3<D> of_head = scale(d_, cross(d_, bone.direction, by_head), hn::Mul(stiffness, rest_share));
-    // In this order, so that a bone that shares nothing has the bits that it has among others.
+    // In this order, so that a bone that shares no pull has the same bits as among others.
     const V3<D> by_parent_alone = add_scaled(d_, unfold, pull, share);
     bone.torque = sub(d_, add(d_, by_parent_alone, of_head), drag);
     bone.reaction = sub_scaled(d_, by_parent_alone, drag, share);
@@ -116,8 +115,8 @@ HWY_INLINE void PassiveChain<D>::bend_towards_rest(std::size_t i, const Carrier<
   bone.reaction = bone.torque;
 }
 
-/// The two turns of the bone, as functions of how its start moves and how its parent's frame turns, taken out of the
-/// equations; what is left of them goes to the parent.
+/// Eliminates the two turns of the bone from the equations, as functions of its start's motion and its parent frame's
+/// turn. The remainder goes to the parent.
 template <class D>
 HWY_INLINE void PassiveChain<D>::eliminate(std::size_t i) {
   PassiveBone<D>& bone = bones_[i];
@@ -128,8 +127,8 @@ HWY_INLINE void PassiveChain<D>::eliminate(std::size_t i) {
     bone.load = add(d_, bone.load, bone.below.load);
     torque = add(d_, torque, bone.below.torque);
   }
-  // How the frame's spin changes as the bone turns: by the torque times the tangent of half the bend. That is not in
-  // the equations, which only have as much more to hold the bone by (Newton's method is slower for it, and goes on).
+  // The frame's spin changes as the bone turns: by the torque times the tangent of half the bend. The equations leave
+  // this out and only add stiffness of that size. So Newton's method is slower there, but still converges.
   const V3<D> lever = cross(d_, bone.arc, bone.direction);
   const auto twisting = hn::Mul(hn::Sqrt(hn::Mul(dot(d_, torque, torque), dot(d_, lever, lever))), bone.per_fold);
   const auto slack = hn::Add(hn::Add(hn::Sub(bone.firm, bone.coupled), hn::Mul(tension, length)), twisting);
@@ -142,7 +141,7 @@ HWY_INLINE void PassiveChain<D>::eliminate(std::size_t i) {
   if (!is_first(i)) bone.hand_up(d_, turns, hangs, parent_of(i));
 }
 
-/// The turns that balance the forces, as far as these are linear.
+/// The turns that balance the forces, in their linear approximation.
 template <class D>
 HWY_INLINE void PassiveChain<D>::turn_bone(std::size_t i, hn::Mask<D> moving) {
   PassiveBone<D>& bone = bones_[i];
@@ -184,8 +183,9 @@ HWY_NOINLINE void PassiveChain<D>::solve_round(bool is_first_guess, hn::Mask<D> 
   for (std::size_t i = 0; i < count_; ++i) turn_bone(i, moving);
 }
 
-/// Rounds of Newton's method, until what the next one would turn is too little to matter: of this round's turns the
-/// share that the equations leave out, and their squares. Nearly always one is enough. Each lane stops by itself.
+/// Rounds of Newton's method, until the next round's turns are too small to matter. They are estimated from this
+/// round's turns: the share that the equations leave out, and their squares. Nearly always one round suffices. Each
+/// lane stops by itself.
 template <class D>
 HWY_INLINE void PassiveChain<D>::turn_bones() {
   auto moving = hn::Eq(turn_.x.x, turn_.x.x);

@@ -1,6 +1,5 @@
-// The step of the passive model in runtime/docs/MODEL.md for one chain: after passive_solve-inl.h and
-// passive_contact-inl.h what limits and contacts make of it, and velocities that stretch nothing. Compiled once per
-// instruction set.
+// The step of the passive model in runtime/docs/MODEL.md for one chain, after passive_solve-inl.h and
+// passive_contact-inl.h: limits and contacts, and velocities without stretch. Compiled once per instruction set.
 
 #include "moving_contact-inl.h"
 #include "palette-inl.h"
@@ -21,7 +20,8 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// Where the chain hits something, forces and velocities are those without that: a blow is over when the step is.
+/// Where the chain hits something, forces and velocities are those without the impact, which is over at the end of the
+/// step.
 template <class D>
 HWY_INLINE PassivePace<D> PassiveChain<D>::pace_of(std::size_t i, V<D> length) {
   PassiveBone<D>& bone = bones_[i];
@@ -36,7 +36,7 @@ HWY_INLINE PassivePace<D> PassiveChain<D>::pace_of(std::size_t i, V<D> length) {
                       load(d_, state.lagged, lane_));
 }
 
-/// What that makes of the bone's motion; limits and contacts.
+/// The bone's motion that follows; limits and contacts.
 template <class D>
 HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   PassiveBone<D>& bone = bones_[i];
@@ -50,7 +50,7 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   const PassivePace<D> pace = pace_of(i, length);
   const V3<D> rest = load(d_, constants.rest, lane_), by_parent = rotate(d_, from.frame, rest);
   const V3<D> arm = rotate(d_, turn_, by_parent);
-  // Where what it hangs from was held, its own end still goes where it freely went, but for its length.
+  // Where contacts held its carrier, its own end still goes to its free place, except for its length.
   BoneMotion<D> now{direction, sub(d_, pace.velocity, from.velocity)};
   if (!is_first(i)) {
     const V3<D> end = sub(d_, scale(d_, direction, length), parent_of(i).shift);
@@ -73,14 +73,14 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   V3<D> in_head = rotate_back(d_, turn_, now.direction);
   LimitedBone<V<D>> limits;
   LimitedBone<V<D>>* limited = nullptr;
-  Carrier<D> hung;  // a copy, or what this is a member of would have to live in memory
+  Carrier<D> hung;  // A copy; otherwise the struct that this is a member of would have to live in memory.
   if (HWY_UNLIKELY((shape.features & kRowIsBounded) != 0)) {
     limited = &limits;
     copy(d_, from.frame, hung.frame);
     copy(d_, from.angular_velocity, hung.angular_velocity);
     held = hn::Or(held, keep_in_limit(d_, row_, lane_, i, hung, limits, now, in_head));
   }
-  // What starts where it freely starts and is near nothing need not be asked again.
+  // A bone that starts at its free place and is near nothing needs no further check.
   is_moved_ = is_moved_ || (shape.features & (kRowHasLimit | kRowIsBounded)) != 0 || any_rigid(i);
   if constexpr (kOnCharacter<D>) is_moved_ = is_moved_ || row_.character->collider_count != 0;
   if ((shape.features & kRowCollides) && (bone.is_near || touches_ || is_moved_)) {
@@ -88,7 +88,7 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
     const auto touches =
         keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, nullptr, before, limited, now, in_head);
     if (!hn::AllFalse(d_, touches)) {
-      // A contact that holds has its say in keep_links().
+      // keep_links() handles a contact that holds.
       const auto known = hn::And(touches, bone.touch.holds(d_));
       if (limited == nullptr) set_where(d_, known, velocity, now.velocity);
       held = hn::Or(held, hn::AndNot(known, touches));
@@ -149,8 +149,8 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   copy(d_, bent.frame, bone.tail.frame);
 }
 
-/// Velocities that stretch no bone, as near as can be to those found, by mass: what hangs from each particle takes part
-/// of its push. And the tension.
+/// The velocities without stretch that are nearest to those found, weighted by mass: everything that hangs from a
+/// particle takes part of its push. Also the tension.
 template <class D>
 HWY_INLINE void PassiveChain<D>::gather_momentum(std::size_t i) {
   PassiveBone<D>& bone = bones_[i];
@@ -206,14 +206,14 @@ HWY_INLINE void PassiveChain<D>::keep_links(std::size_t i) {
   motion_ = hn::Add(motion_, of_last_bones(d_, row_, i, lane_, dot(d_, velocity, velocity)));
 }
 
-/// Velocities that stretch nothing and lead into no collider, from those found.
+/// From the velocities found, those that stretch nothing and lead into no collider.
 template <class D>
 HWY_NOINLINE void PassiveChain<D>::fit_velocities() {
   for (std::size_t i = count_; i-- > 0;) gather_momentum(i);
   for (std::size_t i = 0; i < count_; ++i) keep_links(i);
 }
 
-/// All bones of these lanes keep this share of their motion against the head, which stretches none.
+/// All bones of these lanes keep this share of their motion relative to the head, which stretches none.
 template <class D>
 HWY_INLINE void PassiveChain<D>::slow_down(hn::Mask<D> where, V<D> kept) {
   for (std::size_t i = 0; i < count_; ++i) {
@@ -235,8 +235,9 @@ HWY_INLINE void PassiveChain<D>::forget_accelerations(std::size_t i, hn::Mask<D>
   }
 }
 
-/// A chain of which some bone turns so fast against the head that no step of this length can follow it would go on to
-/// rattle, however much is damped. All of its bones are slowed alike, which stretches none and takes energy only.
+/// A chain in which some bone turns too fast relative to the head for a step of this length would rattle on, however
+/// strongly it is damped. So all of its bones are slowed by the same factor, which stretches none and only removes
+/// energy.
 template <class D>
 HWY_INLINE void PassiveChain<D>::calm_what_is_wild() {
   const auto limit = hn::Set(d_, kMostTurn / row_.dt);

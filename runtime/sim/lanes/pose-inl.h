@@ -1,5 +1,4 @@
-// Hair that follows an animator's pose: what that makes of the frame that a bone hangs in. Compiled once per
-// instruction set.
+// Hair that follows an animator's pose: the frame that a bone hangs in. Compiled once per instruction set.
 
 #include "coif_bone-inl.h"
 #include "lane_math-inl.h"
@@ -32,8 +31,8 @@ HWY_INLINE V3<D> mixed(D d, const Lanes3& before, const Lanes3& now, float s, st
   return add_scaled(d, from, sub(d, load(d, now, lane), from), hn::Set(d, s));
 }
 
-/// Turns the frame of what a bone hangs from as the pose says, and tells how fast that goes: then the bone's rest
-/// direction in it is the pose's. `turn` is the head's rotation.
+/// Turns the carrier's frame by the pose, so that the bone's rest direction in it is the pose's; also gives the angular
+/// velocity. `turn` is the head's rotation.
 template <class D>
 HWY_NOINLINE void follow_pose(D d, const RowCharacter& character, const PoseLanes& pose, std::size_t lane,
                               const M3<D>& turn, Carrier<D>& carrier) {
@@ -51,7 +50,7 @@ HWY_NOINLINE void follow_pose(D d, const RowCharacter& character, const PoseLane
   const auto per_size = hn::Div(hn::Set(d, 1.0f), hn::Sqrt(size2));
   const V3<D> axis{hn::Mul(x0, per_size), hn::Mul(y0, per_size), hn::Mul(z0, per_size)};
   const auto w = hn::Mul(w0, per_size);
-  // Twice the imaginary part of the quaternion's rate times its conjugate.
+  // Twice the vector part of the quaternion's rate times its conjugate.
   const V3<D> rate{change(before.x, now.x), change(before.y, now.y), change(before.z, now.z)};
   const auto rate_w = change(before.w, now.w);
   const V3<D> turning = sub(d, sub_scaled(d, scale(d, rate, w), axis, rate_w), cross(d, rate, axis));
@@ -64,7 +63,7 @@ HWY_NOINLINE void follow_pose(D d, const RowCharacter& character, const PoseLane
   copy(d, {rotate(d, frame, posed.x), rotate(d, frame, posed.y), rotate(d, frame, posed.z)}, carrier.frame);
 }
 
-/// Between the pose at weight 0 and what was simulated at 1. `arm` is the bone's direction in the pose, world.
+/// Blends the pose at weight 0 with the simulation at weight 1. `arm` is the bone's direction in the pose, world.
 template <class D>
 HWY_NOINLINE void blend_with_pose(D d, V<D> weight, const Carrier<D>& from, const V3<D>& arm, V<D> length,
                                   BoneMotion<D>& now) {
@@ -77,7 +76,7 @@ HWY_NOINLINE void blend_with_pose(D d, V<D> weight, const Carrier<D>& from, cons
   set_where(d, is_mixed, across(d, velocity, now.direction), now.velocity);
 }
 
-/// Where the pose alone says where the bone is.
+/// Lanes in which the pose alone places the bone.
 template <class D>
 HWY_INLINE hn::Mask<D> is_posed(D d, const PoseLanes& pose, std::size_t lane) {
   return hn::Le(load(d, pose.weight, lane), hn::Zero(d));

@@ -1,4 +1,4 @@
-// Rotations of which each number is a SIMD vector: of heads, and of bones that follow a pose. Compiled once per
+// Rotations in which each number is a SIMD vector: of heads, and of bones that follow a pose. Compiled once per
 // instruction set.
 
 #include "lane_math-inl.h"

@@ -1,4 +1,4 @@
-// Boxes among the shapes of colliders (solids-inl.h); only what moves may be one. Compiled once per instruction set.
+// Boxes as colliders (solids-inl.h); only moving colliders may be boxes. Compiled once per instruction set.
 
 #include "solids-inl.h"
 
@@ -33,9 +33,9 @@ HWY_INLINE V<D> Solid<D>::gap_to_box(const V3<D>& point, V3<D>& normal) const {
   return hn::Sub(hn::IfThenElse(is_out, apart, most), radius_);
 }
 
-/// The distance from a convex body is convex along the bone: halving finds where it is least. In a corner of that
-/// function the normal is the mean of both sides' that is at a right angle to the bone: along it the least distance
-/// grows as the bone turns.
+/// The distance from a convex body is convex along the bone, so halving finds its minimum. In a corner of that function
+/// the normal is the mean of both sides' that is perpendicular to the bone: along it the least distance grows as the
+/// bone turns.
 template <class D>
 HWY_INLINE void Solid<D>::find_in_box(const V3<D>& direction, Deepest<D>& at) const {
   constexpr int kBoxHalvings = 22;
@@ -44,7 +44,7 @@ HWY_INLINE void Solid<D>::find_in_box(const V3<D>& direction, Deepest<D>& at) co
   auto low = zero, high = length_;
   (void)gap_to_box(from_, first);
   (void)gap_to_box(add_scaled(d_, from_, direction, length_), last);
-  // Seen from a deep start the end is all that counts.
+  // For a deep start only the end counts.
   const auto at_end = hn::Or(is_deep_, hn::Le(dot(d_, last, direction), zero));
   const auto at_start = hn::AndNot(at_end, hn::Ge(dot(d_, first, direction), zero));
   for (int i = 0; i < kBoxHalvings; ++i) {
@@ -63,7 +63,7 @@ HWY_INLINE void Solid<D>::find_in_box(const V3<D>& direction, Deepest<D>& at) co
   const auto size2 = dot(d_, between_sides, between_sides), sum = hn::Add(rising, falling);
   const auto is_plain = hn::Or(hn::Or(at_end, at_start), hn::Lt(size2, hn::Mul(hn::Set(d_, 0.1f), hn::Mul(sum, sum))));
   copy(d_, choose<D>(is_plain, normal, direction_or(d_, between_sides, normal)), at.normal);
-  // At an edge that much further along the normal.
+  // At an edge the gap grows by this factor along the normal.
   at.gap = hn::IfThenElse(is_plain, at.gap, hn::Mul(at.gap, hn::Div(sum, hn::Sqrt(size2))));
 }
 

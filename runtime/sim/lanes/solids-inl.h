@@ -1,5 +1,5 @@
-// The shapes of colliders. As bones meet the round ones: where a segment with a thickness comes nearest to a surface,
-// or deepest below it. As particles meet them all: where they come out. Compiled once per instruction set.
+// The shapes of colliders. For bones (round shapes): where a segment with a thickness comes nearest to a surface, or
+// deepest below it. For particles (all shapes): where they come out. Compiled once per instruction set.
 
 #include "../placed_colliders.h"
 #include "lane_math-inl.h"
@@ -26,7 +26,7 @@ HWY_INLINE V3<D> out_of(D d, const OwnAxes& axes, const V3<D>& v) {
   return add_scaled(d, flat, same(d, axes.z), v.z);
 }
 
-/// A start no deeper in a collider than this, share of its size, is on the surface.
+/// Share of a collider's size. A start that is no deeper than this is on the surface.
 inline constexpr float kContactSkin = 1e-3f;
 
 /// The deepest point of a segment in a collider.
@@ -42,23 +42,23 @@ HWY_INLINE V<D> between(V<D> value, V<D> least, V<D> most) {
   return hn::Min(hn::Max(value, least), most);
 }
 
-/// The ball out of which a plain or tapered capsule is made that is nearest to a point, as a share of the axis from 0
-/// at `center`, where the point is seen from.
+/// The ball of a plain or tapered capsule that is nearest to a point, as a share of the axis from 0 at `center`. The
+/// point is relative to `center`.
 template <class D>
 HWY_INLINE V<D> nearest_ball(D d, const PlacedCollider& capsule, const V3<D>& point) {
   const V3<D> axis = same(d, capsule.axis);
   auto share = hn::Mul(dot(d, point, axis), hn::Set(d, capsule.per_axis2));
   if (capsule.taper > 0.0f || capsule.taper < 0.0f) {
-    // Its surface is nearest not beside the point but where the cone's normal through the point starts.
+    // The nearest point of the axis is where the cone's normal through the point starts, not beside the point.
     const V3<D> beside = sub_scaled(d, point, axis, share);
     share = hn::Sub(share, hn::Mul(hn::Sqrt(dot(d, beside, beside)), hn::Set(d, capsule.slant)));
   }
   return between<D>(share, hn::Zero(d), hn::Set(d, 1.0f));
 }
 
-/// A round collider before the bones of all lanes, which only turn about their starts from now on: what does not depend
-/// on their directions is computed once. Directions are in the collider's own axes, which into() and out_of() know. Out
-/// of line, since contacts are rare and their code is not.
+/// A round collider and the bones of all lanes, which only turn about their starts from now on: values that do not
+/// depend on their directions are computed once. Directions are in the collider's own axes; into() and out_of()
+/// convert. Out of line, since contacts are rare and their code is large.
 template <class D>
 class Solid {
  public:
@@ -79,21 +79,22 @@ class Solid {
 
  private:
   [[nodiscard]] bool is_ellipsoid() const { return collider_.shape == ColliderShape::kEllipsoid; }
-  /// Only what moves may be a box.
+  /// Only moving colliders may be boxes.
   [[nodiscard]] bool is_box() const { return kOnCharacter<D> && collider_.shape == ColliderShape::kBox; }
   [[nodiscard]] bool has_axes() const { return is_ellipsoid() || is_box(); }
 
   HWY_INLINE V3<D> shrunk(const V3<D>& v) const {
     return {hn::Mul(v.x, per_radius_.x), hn::Mul(v.y, per_radius_.y), hn::Mul(v.z, per_radius_.z)};
   }
-  /// Where the bone is nearest, if its whole line is nearest there. From a deep start only the end can come out.
+  /// The nearest point on the bone for the nearest point on its whole line. From a deep start only the end can come
+  /// out.
   HWY_INLINE V<D> on_bone(V<D> nearest) const {
     return hn::IfThenElse(is_deep_, length_, between<D>(nearest, hn::Zero(d_), length_));
   }
   HWY_INLINE V<D> capsule_radius(V<D> share) const {
     return hn::Sub(radius_, hn::Mul(hn::Set(d_, collider_.taper), share));
   }
-  /// `offset` is a point of the bone seen from the centre of a ball that is the collider there.
+  /// `offset` is a point of the bone relative to the centre of the ball that the collider is there.
   HWY_INLINE void look_from_ball(const V3<D>& offset, V<D> radius, V<D> along, Deepest<D>& at) const {
     const auto distance = hn::Sqrt(dot(d_, offset, offset));
     const auto has_side = hn::Gt(distance, hn::Mul(hn::Set(d_, 1e-6f), radius));
@@ -112,11 +113,11 @@ class Solid {
   const D d_;
   const PlacedCollider& collider_;
   const V<D> length_;
-  /// The start, seen from the centre of a sphere, from the end of a capsule at PlacedCollider::center or, for an
-  /// ellipsoid, in the space where that is the unit sphere.
+  /// The start relative to the centre of a sphere, to a capsule's end at PlacedCollider::center, or, for an ellipsoid,
+  /// in the space in which it is the unit sphere.
   V3<D> from_;
-  V3<D> per_radius_;  ///< Ellipsoid: with the hair's radius added to its semi-axes.
-  V<D> radius_;       ///< With the hair's, where the start is seen from; of an ellipsoid its second.
+  V3<D> per_radius_;  ///< Ellipsoid: one by its semi-axes plus the hair's radius.
+  V<D> radius_;       ///< The radius plus the hair's at from_; for an ellipsoid its second semi-axis.
   hn::Mask<D> is_deep_;
 };
 
@@ -152,14 +153,14 @@ template <class D>
 HWY_INLINE void Solid<D>::find_in_sphere(const V3<D>& direction, Deepest<D>& at) const {
   const auto along = on_bone(hn::Neg(dot(d_, from_, direction)));
   look_from_ball(add_scaled(d_, from_, direction, along), radius_, along, at);
-  // From the very centre every direction is as good.
+  // From the very centre every direction is equally good.
   const auto least = hn::Mul(hn::Set(d_, 1e-6f), radius_);
   const auto has_side = hn::Gt(dot(d_, from_, from_), hn::Mul(least, least));
   at.gap = hn::IfThenElseZero(has_side, at.gap);
 }
 
-/// In the space where the ellipsoid is the unit sphere. The gap is that space's, brought back along the gradient:
-/// exact on the surface, which is what Newton's method needs.
+/// Computed in the space in which the ellipsoid is the unit sphere. The gap is converted along the gradient: exact on
+/// the surface, as Newton's method needs.
 template <class D>
 HWY_INLINE void Solid<D>::find_in_ellipsoid(const V3<D>& direction, Deepest<D>& at) const {
   const auto one = hn::Set(d_, 1.0f);
@@ -175,7 +176,7 @@ HWY_INLINE void Solid<D>::find_in_ellipsoid(const V3<D>& direction, Deepest<D>& 
   at.along = along;
 }
 
-/// The ball of a capsule nearest to the bone's whole line, as nearest_ball() has it.
+/// The ball of a capsule that is nearest to the bone's whole line, see nearest_ball().
 template <class D>
 HWY_INLINE V<D> Solid<D>::nearest_to_line(const V3<D>& direction) const {
   const auto zero = hn::Zero(d_), one = hn::Set(d_, 1.0f), taper = hn::Set(d_, collider_.taper);
@@ -187,7 +188,7 @@ HWY_INLINE V<D> Solid<D>::nearest_to_line(const V3<D>& direction) const {
   const V3<D> apart = sub_scaled(d_, beside, slope, beside_line);
   const auto lean = hn::Div(taper, hn::Sqrt(hn::Mul(slope2, spread)));
   const auto share = hn::Sub(beside_line, hn::Mul(hn::Sqrt(dot(d_, apart, apart)), lean));
-  // Nearly parallel, the thicker end is nearest.
+  // Nearly parallel: the thicker end is nearest.
   const auto is_skew = hn::Gt(spread, hn::Set(d_, 1e-6f * collider_.axis2));
   const auto thicker = collider_.taper > 0.0f ? zero : one;
   return hn::IfThenElse(is_skew, between<D>(share, zero, one), thicker);
@@ -200,8 +201,8 @@ HWY_INLINE void Solid<D>::find_in_capsule(const V3<D>& direction, Deepest<D>& at
   const auto nearest = dot(d_, sub(d_, scale(d_, axis, line_share), from_), direction);
   const auto along = on_bone(nearest);
   const V3<D> point = add_scaled(d_, from_, direction, along);
-  // The distance less the ball's radius is convex in both places: where the whole line would be nearest beyond the
-  // bone's end, the end is.
+  // The distance minus the ball's radius is convex in both places. So where the nearest point of the whole line is
+  // beyond the bone's end, the end is nearest.
   const auto is_line = hn::Eq(along, nearest);
   const auto share = hn::IfThenElse(is_line, line_share, nearest_ball(d_, collider_, point));
   look_from_ball(sub_scaled(d_, point, axis, share), capsule_radius(share), along, at);
@@ -217,12 +218,12 @@ void Solid<D>::find_deepest(const V3<D>& direction, Deepest<D>& at) const {
   find_in_capsule(direction, at);
 }
 
-// Particles: what `thesis` does in place of its head (lines 13-16).
+// Particles: the thesis's collision with its head (lines 13-16).
 
 /// Squared share of the radius below which a direction is noise.
 inline constexpr float kCentre2 = 1e-12f;
 
-/// `position` moved out of a ball or, where the collider keeps hair inside, into it.
+/// `position` moved out of a ball, or into it if the collider keeps hair inside.
 template <class D>
 HWY_INLINE V3<D> clear_of_ball(D d, const PlacedCollider& collider, const V3<D>& center, V<D> thickness,
                                V<D> hit_radius, const V3<D>& position) {
@@ -250,8 +251,8 @@ HWY_INLINE V3<D> clear_of_capsule(D d, const PlacedCollider& capsule, V<D> hit_r
   return clear_of_ball(d, capsule, center, radius, hit_radius, position);
 }
 
-/// Leaves along the radius of the space where the ellipsoid is a unit sphere. The hit radius is added to the semi-axes:
-/// the distance kept is exact where they end and a little less in between.
+/// Moves out along the radius of the space in which the ellipsoid is the unit sphere. The hit radius is added to the
+/// semi-axes: the distance is exact at their ends and slightly smaller in between.
 template <class D>
 HWY_INLINE V3<D> clear_of_ellipsoid(D d, const PlacedCollider& ellipsoid, V<D> hit_radius, const V3<D>& position) {
   const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
@@ -273,8 +274,8 @@ HWY_INLINE V3<D> clear_of_plane(D d, const PlacedCollider& plane, V<D> hit_radiu
   return choose<D>(hn::Gt(missing, hn::Zero(d)), add_scaled(d, position, normal, missing), position);
 }
 
-/// `position` moved the shortest way that keeps `hit_radius` metres from the collider, or inside where it keeps hair
-/// in: there a hit radius beyond the collider's own leaves its centre or segment.
+/// Moves `position` by the shortest way to `hit_radius` metres from the collider, or inside it if it keeps hair in.
+/// There a hit radius larger than the collider's own gives its centre or segment.
 template <class D>
 HWY_INLINE V3<D> clear_of(D d, const PlacedCollider& collider, V<D> hit_radius, const V3<D>& position) {
   switch (collider.shape) {
@@ -286,7 +287,7 @@ HWY_INLINE V3<D> clear_of(D d, const PlacedCollider& collider, V<D> hit_radius, 
     case ColliderShape::kCapsule:
     case ColliderShape::kTaperedCapsule: return clear_of_capsule(d, collider, hit_radius, position);
     case ColliderShape::kPlane: break;
-    case ColliderShape::kBox: break;  // in no asset
+    case ColliderShape::kBox: break;  // In no asset.
   }
   return clear_of_plane(d, collider, hit_radius, position);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What a step asks of every head alike.
+// The values of a step that all heads share.
 
 #include <coif/math.h>
 
@@ -9,11 +9,11 @@ namespace coif {
 
 /// One step, and the equal parts that it is made of. SI units, world axes.
 struct StepParts {
-  float dt = 0;              ///< Seconds, of the whole step, at most kLongestStep.
-  float carried = 0;         ///< Share of the heads' ways through which the hair was carried before the step began.
-  bool has_stalled = false;  ///< One frame of it took longer than kMaxTimeStep.
-  std::uint32_t count = 1;   ///< Sub-steps.
-  Vec3 gravity;              ///< In the hair's metres, unless has_true_gravity.
+  float dt = 0;                   ///< Seconds, of the whole step, at most kLongestStep.
+  float carried = 0;              ///< Share of the heads' ways along which the hair was carried before the step began.
+  bool has_stalled = false;       ///< One of its frames took longer than kMaxTimeStep.
+  std::uint32_t count = 1;        ///< Sub-steps.
+  Vec3 gravity;                   ///< In the hair's metres, unless has_true_gravity is set.
   bool has_true_gravity = false;  ///< `gravity` is in the world's metres.
   Vec3 wind;
   float air_follow = 1;
@@ -24,8 +24,8 @@ struct StepParts {
   [[nodiscard]] float part_dt() const { return dt / float(count); }
 };
 
-/// Weights of a cubic's start slope, end and end slope (slopes times the step's length) at the share s of the step; it
-/// starts at zero.
+/// Weights of a cubic that starts at zero, at the share s of the step: of its start slope, end and end slope (slopes
+/// times the step's length).
 struct Hermite {
   float start_slope, end, end_slope;
 };

@@ -29,8 +29,8 @@ class ThesisChain {
 
   HWY_INLINE void run() {
     for (std::size_t i = 0; i < row_.bones.size(); ++i) fall_and_pull(i);
-    // The pull is a weight, not a constraint: repeated n times it would be 1 - (1 - resistance)^n, and more iterations
-    // would mean stiffer hair. Lengths and head are what the thesis iterates "to get a closer approximation".
+    // The pull is a weight, not a constraint: repeated n times it would be 1 - (1 - resistance)^n, so more iterations
+    // would mean stiffer hair. The thesis iterates lengths and head "to get a closer approximation".
     for (std::uint32_t pass = 0; pass < row_.iterations; ++pass) {
       for (std::size_t i = 0; i < row_.bones.size(); ++i) keep_length(i);
       for (std::size_t i = 0; i < row_.bones.size(); ++i) keep_clear(i);
@@ -41,7 +41,7 @@ class ThesisChain {
 
  private:
   /// Lines 1-8: forces to velocity, velocity to position, towards the default position. Parents come first, so each
-  /// bone sees its parent already pulled. The resistance is taken per step, whatever the step's length: the published
+  /// bone sees its parent already pulled. The resistance acts per step, whatever the step's length, since the published
   /// method has no correction. Positions are relative to the head: when it moves one way, everything else moves the
   /// other way.
   HWY_INLINE void fall_and_pull(std::size_t i) {
@@ -59,12 +59,12 @@ class ThesisChain {
     const Parent& parent = parent_of(i);
     const V3<D> start = start_of(i), rest = load(d_, bone.rest, lane_);
     const V3<D> by_parent = rotate(d_, parent.frame, rest), arm = rotate(d_, turn_, by_parent);
-    // Seen from the start, so that the sum ends with what comes last.
+    // Relative to the start, so that the sum ends with the term that is known last.
     const auto pull = load(d_, bone.resistance, lane_), left = hn::Sub(hn::Set(d_, 1.0f), pull);
     const V3<D> offset =
         add_scaled(d_, scale(d_, sub(d_, position, start), left), arm, hn::Mul(load(d_, bone.length, lane_), pull));
     position = add(d_, start, offset);
-    // The velocity has done its work; until line 19 its place holds where the particle was.
+    // The velocity is used up; until line 19 its place holds the particle's old position.
     store(d_, position, state.position, lane_);
     store(d_, before, state.velocity, lane_);
     if (!(shape.features & kRowHasChildren)) return;
@@ -72,7 +72,7 @@ class ThesisChain {
     copy(d_, bend(d_, parent.frame, rest, by_parent, direction).frame, parents_[shape.slot].frame);
   }
 
-  /// Lines 9-12: particle and parent each take half of the length error; a fixed start takes nothing.
+  /// Lines 9-12: particle and parent each take half of the length error; a fixed start takes none of it.
   HWY_INLINE void keep_length(std::size_t i) {
     const BoneLanes& bone = row_.constants[i];
     const V3<D> position = load(d_, state_[i].position, lane_), start = start_of(i);
@@ -90,7 +90,7 @@ class ThesisChain {
     store(d_, add(d_, start, half), state_[row_.bones[i].parent].position, lane_);
   }
 
-  /// Lines 13-16, for whatever the asset has where the thesis has a head.
+  /// Lines 13-16, for all colliders of the asset instead of the thesis's head.
   HWY_INLINE void keep_clear(std::size_t i) {
     if (!(row_.bones[i].features & kRowCollides)) return;
     const BoneLanes& bone = row_.constants[i];
@@ -98,7 +98,7 @@ class ThesisChain {
     const std::uint32_t set = row_.bones[i].colliders;
     const auto hit_radius = load(d_, bone.hit_radius, lane_);
     const V3<D> now = load(d_, state_[i].position, lane_);
-    // Seen from the head's position, where colliders turn about, distances need no rotation.
+    // Relative to the head's position, about which colliders turn, distances need no rotation.
     const auto farthest = hn::Add(hn::Set(d_, colliders.farthest(set)), hit_radius);
     if (HWY_LIKELY(hn::AllTrue(d_, hn::Gt(dot(d_, now, now), hn::Mul(farthest, farthest))))) return;
     const V3<D> before = rotate_back(d_, turn_, now);
@@ -139,7 +139,7 @@ class ThesisChain {
     copy(d_, tail, parents_[shape.slot].position);
   }
 
-  /// What a bone hangs from, head space.
+  /// The end that a bone hangs from, head space.
   struct Parent {
     M3<D> frame;
     V3<D> position;
@@ -147,7 +147,7 @@ class ThesisChain {
 
   [[nodiscard]] HWY_INLINE bool is_first(std::size_t i) const { return row_.bones[i].parent < 0; }
 
-  /// World axes.
+  /// The bone's start, world axes.
   HWY_INLINE V3<D> start_of(std::size_t i) const {
     if (is_first(i)) return rotate(d_, turn_, load(d_, row_.constants[i].joint, lane_));
     return load(d_, state_[row_.bones[i].parent].position, lane_);

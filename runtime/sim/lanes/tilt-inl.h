@@ -1,5 +1,5 @@
-// Directions kept to one side of a cone: what a limit, a head or the ground does to bones that cannot stretch. Compiled
-// once per instruction set.
+// Keeps directions on one side of a cone: the effect of a limit, a head or the ground on bones that cannot stretch.
+// Compiled once per instruction set.
 
 #include "lane_math-inl.h"
 
@@ -20,7 +20,7 @@ HWY_INLINE V3<D> across(D d, const V3<D>& vector, const V3<D>& direction) {
   return sub_scaled(d, vector, direction, dot(d, vector, direction));
 }
 
-/// tilted(), in place and out of line: rarely needed, in several places.
+/// tilted(), in place and out of line: needed rarely, in several places.
 template <class D>
 COIF_RARE void tilt(D d, const V3<D>& axis, V<D> cosine, const Vec3& fallback, V3<D>& direction) {
   const auto one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-10f);
@@ -35,7 +35,7 @@ COIF_RARE void tilt(D d, const V3<D>& axis, V<D> cosine, const Vec3& fallback, V
     size2 = dot(d, side, side);
   }
   side = scale(d, side, hn::Div(one, hn::Sqrt(size2)));
-  // Nearly along the axis, what is left of it in `side` after the cancellation is no longer small.
+  // Nearly along the axis, the rest of it in `side` after cancellation is no longer small.
   side = across(d, side, axis);
   const auto bounded = hn::Max(hn::Min(cosine, one), hn::Neg(one));
   const auto sine2 = hn::Sub(one, hn::Mul(bounded, bounded));
@@ -47,7 +47,7 @@ COIF_RARE void tilt(D d, const V3<D>& axis, V<D> cosine, const Vec3& fallback, V
 /// unit vector `direction` is; where that is along the axis, on the side of `fallback`, or on any.
 template <class D>
 HWY_INLINE V3<D> tilted(D d, const V3<D>& direction, const V3<D>& axis, V<D> cosine, const Vec3& fallback) {
-  // Copies, so that what a caller keeps in registers need not have an address.
+  // Copies, so that values in registers need no address.
   const V3<D> about{axis.x, axis.y, axis.z};
   V3<D> turned{direction.x, direction.y, direction.z};
   tilt(d, about, cosine, fallback, turned);

@@ -1,6 +1,6 @@
-// Turns bones about their starts until they are clear of one collider; nothing stretches. A start that is itself
-// inside cannot be helped: then the end comes out if the bone is long enough, and points straight out if not.
-// Compiled once per instruction set.
+// Turns bones about their starts until they are clear of one collider; nothing stretches. A start that is itself inside
+// cannot be moved: then the end comes out if the bone is long enough, and else points straight out. Compiled once per
+// instruction set.
 
 #include "limit-inl.h"
 #include "solids-inl.h"
@@ -17,35 +17,35 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// A bone on its way through a step, as its colliders see it: in head space, where they stand still.
+/// A bone during a step, as its colliders need it: in head space, where they stand still.
 template <class D>
 struct TouchingBone {
   V3<D> start;           ///< Metres.
   V3<D> direction;       ///< Unit.
   V3<D> before;          ///< The direction before the step, unit.
-  V3<D> velocity;        ///< Of the tail relative to the start, m/s.
+  V3<D> velocity;        ///< Velocity of the tail relative to the start, m/s.
   V3<D> start_velocity;  ///< Relative to the head's position.
   V3<D> head_turning;    ///< The head's angular velocity, rad/s.
   V<D> length;
   V<D> hit_radius;
-  LimitedBone<V<D>>* limited = nullptr;  ///< Null: nothing bounds its direction.
-  float dt = 0;                          ///< The step's, where colliders push as it goes (find_push()); 0: at its end.
-  V3<D> start_before;  ///< With `dt`: the start before the step, as the head was then. So is `before`.
+  LimitedBone<V<D>>* limited = nullptr;  ///< Null: nothing limits its direction.
+  float dt = 0;  ///< The step's length, where colliders push during the step (find_push()); 0: they push at its end.
+  V3<D> start_before;  ///< Used with `dt`: the start before the step, in the head's space then; so is `before`.
 };
 
 inline constexpr int kNewtonSteps = 8;
-inline constexpr float kLargestTurn = 0.5f;  ///< Radians per Newton step: further the linear model says nothing.
+inline constexpr float kLargestTurn = 0.5f;  ///< Radians per Newton step: the linear model does not hold further.
 inline constexpr float kTolerance = 1e-6f;   ///< Depth that counts as clear, share of the collider's size.
-inline constexpr float kOvershoot = 1e-6f;   ///< So that Newton ends outside instead of creeping up from inside.
+inline constexpr float kOvershoot = 1e-6f;   ///< Lets Newton's method end outside instead of creeping up from inside.
 
-/// Where bones touch a collider after they were turned out of it. Head space.
+/// Where bones touched a collider before they were turned out of it. Head space.
 template <class D>
 struct Contact {
   V3<D> normal;  ///< Unit, from the collider to the hair.
   V<D> along;    ///< Metres from the bone's start.
 };
 
-/// One step of Newton's method: turned so that the deepest point would reach the surface.
+/// One step of Newton's method: turns the bone so that the deepest point would reach the surface.
 template <class D>
 HWY_INLINE V3<D> turned_outwards(D d, const Deepest<D>& at, float overshoot, const Vec3& way_out,
                                  const V3<D>& direction) {
@@ -69,17 +69,19 @@ HWY_INLINE V3<D> turned_outwards(D d, const Deepest<D>& at, float overshoot, con
   return scale(d, turned, hn::Div(one, hn::Sqrt(dot(d, turned, turned))));
 }
 
-/// The cosine of a turn in one step beyond which a bone may have jumped through a collider.
+/// Cosine of the turn in one step beyond which a bone may have jumped through a collider.
 inline constexpr float kFarTurn = 0.9f;
-inline constexpr float kDeep = 0.35f;  ///< Share of the collider's size: deeper than this is through, not along.
+/// Share of the collider's size: a bone that is deeper went through it, not along it.
+inline constexpr float kDeep = 0.35f;
 inline constexpr int kHalvings = 3;
 inline constexpr int kLooks = 1 << kHalvings;
 
-/// From the cosine of an angle between 0 and pi, in place, and to the sine: those of the angle between two looks.
+/// Halves an angle between 0 and pi, given by its cosine, in place; also gives the sine. For the angle between two
+/// looks.
 template <class D>
 HWY_INLINE void divide_by_looks(D d, V<D>& cosine, V<D>& sine) {
   const auto one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
-  // The sine of a half by the sine of the whole, but for the first: near half a turn that one is rounding.
+  // The sine of the half from the sine of the whole, except for the first one: near half a turn that one is rounding.
   sine = hn::Sqrt(hn::Mul(half, hn::Sub(one, cosine)));
   cosine = hn::Sqrt(hn::Mul(half, hn::Add(one, cosine)));
   for (int i = 1; i < kHalvings; ++i) {
@@ -88,8 +90,8 @@ HWY_INLINE void divide_by_looks(D d, V<D>& cosine, V<D>& sine) {
   }
 }
 
-/// In the lanes of `far`, where the bone went through a round collider on the way from `before`, the shorter way
-/// round, or ended deep in it, it is put back to the last look on the side that it came from. Returns those lanes.
+/// In the lanes of `far`, a bone that went through a round collider on the shorter way from `before`, or ended deep in
+/// it, is put back to the last look on the side that it came from. Returns those lanes.
 template <class D>
 COIF_RARE hn::Mask<D> undo_crossing(D d, hn::Mask<D> far, const PlacedCollider& collider, TouchingBone<D>& bone) {
   const Solid<D> solid(d, collider, bone.start, bone.length, bone.hit_radius);
@@ -98,7 +100,7 @@ COIF_RARE hn::Mask<D> undo_crossing(D d, hn::Mask<D> far, const PlacedCollider& 
   auto cosine = between<D>(dot(d, before, bone.direction), hn::Neg(one), one);
   V3<D> side = sub_scaled(d, bone.direction, before, cosine);
   const auto sine2 = dot(d, side, side);
-  // Straight over the top or around: no telling.
+  // Straight over the top or around it: undecided.
   auto undecided = hn::And(far, hn::Gt(sine2, hn::Set(d, 1e-6f)));
   if (hn::AllFalse(d, undecided)) return undecided;
   side = scale(d, side, hn::Div(one, hn::Sqrt(sine2)));
@@ -124,8 +126,8 @@ COIF_RARE hn::Mask<D> undo_crossing(D d, hn::Mask<D> far, const PlacedCollider& 
   return crossed;
 }
 
-/// Turns the bones in the lanes of `takes_part` out of a round collider that keeps hair outside, by Newton's method
-/// on the angle to a depth of kTolerance of its size. Those of `crossed` touch it already. Returns the lanes that
+/// Turns the bones in the lanes of `takes_part` out of a round collider that keeps hair outside, by Newton's method on
+/// the angle to a depth of kTolerance of its size. The lanes of `crossed` touch it already. Returns the lanes that
 /// touch.
 template <class D>
 HWY_INLINE hn::Mask<D> clear_of_solid(D d, hn::Mask<D> takes_part, hn::Mask<D> crossed, const PlacedCollider& collider,
@@ -151,8 +153,8 @@ HWY_INLINE hn::Mask<D> clear_of_solid(D d, hn::Mask<D> takes_part, hn::Mask<D> c
   return touches;
 }
 
-/// The same for a sphere, without Newton: the directions from a point outside that meet a ball form a cone. A segment
-/// that ends before the tangent's point only has to keep its end out.
+/// The same for a sphere, without Newton: from a point outside, the directions that meet a ball form a cone. A segment
+/// that ends before the tangent point only has to keep its end out.
 template <class D>
 HWY_INLINE hn::Mask<D> clear_of_sphere(D d, hn::Mask<D> takes_part, hn::Mask<D> crossed, const PlacedCollider& sphere,
                                        TouchingBone<D>& bone, Contact<D>& contact) {
@@ -166,8 +168,8 @@ HWY_INLINE hn::Mask<D> clear_of_sphere(D d, hn::Mask<D> takes_part, hn::Mask<D> 
   const auto deepest = hn::IfThenElse(is_deep, reach, nearest);
   const V3<D> offset = add_scaled(d, from, bone.direction, deepest);
   const auto least = hn::Mul(hn::Set(d, 1e-6f), radius);
-  const auto has_side = hn::Gt(from2, hn::Mul(least, least));  // from the centre every direction is as good
-  // Where only its start is in there, the bone leads out already.
+  const auto has_side = hn::Gt(from2, hn::Mul(least, least));  // From the centre every direction is equally good.
+  // Where only its start is inside, the bone already leads out.
   const auto leads_in = hn::And(has_side, hn::Gt(deepest, zero));
   const auto inside = hn::And(hn::And(takes_part, leads_in), hn::Lt(dot(d, offset, offset), radius2));
   const auto touches = hn::Or(crossed, inside);
@@ -180,7 +182,7 @@ HWY_INLINE hn::Mask<D> clear_of_sphere(D d, hn::Mask<D> takes_part, hn::Mask<D> 
   const auto rise = hn::IfThenElse(ends_before, hn::Sub(hn::Add(distance2, reach2), radius2), tangent);
   const auto run = hn::IfThenElse(ends_before, hn::Mul(hn::Add(distance, distance), reach), distance);
   auto cosine = hn::Div(rise, run);
-  // From the surface itself every way inwards is a chord; from deep inside there is no other way for a long bone.
+  // From the surface every way inwards is a chord; from deep inside a long bone has no other way.
   const auto on_surface = hn::AndNot(is_deep, hn::Le(tangent2, zero));
   cosine = hn::IfThenElse(on_surface, hn::Min(cosine, zero), cosine);
   set_where(d, inside, tilted(d, bone.direction, inward, cosine, sphere.way_out), bone.direction);
@@ -190,7 +192,7 @@ HWY_INLINE hn::Mask<D> clear_of_sphere(D d, hn::Mask<D> takes_part, hn::Mask<D> 
   return touches;
 }
 
-/// The same for a plane, on which a bone cannot fold over: its end tells.
+/// The same for a plane, over which a bone cannot fold: only its end counts.
 template <class D>
 HWY_INLINE hn::Mask<D> clear_of_plane(D d, hn::Mask<D> takes_part, const PlacedCollider& plane, TouchingBone<D>& bone,
                                       Contact<D>& contact) {
@@ -206,7 +208,7 @@ HWY_INLINE hn::Mask<D> clear_of_plane(D d, hn::Mask<D> takes_part, const PlacedC
   return touches;
 }
 
-/// Keeps the ends in a sphere, or in the ball of a capsule that is nearest to them.
+/// Keeps the ends inside a sphere, or inside the nearest ball of a capsule.
 template <class D>
 COIF_RARE hn::Mask<D> keep_inside(D d, hn::Mask<D> takes_part, const PlacedCollider& collider, TouchingBone<D>& bone,
                                   Contact<D>& contact) {
@@ -235,7 +237,7 @@ COIF_RARE hn::Mask<D> keep_inside(D d, hn::Mask<D> takes_part, const PlacedColli
     const V3<D> inward = scale(d, from, hn::Neg(hn::Div(one, far_start)));
     const V3<D> turned = tilted(d, bone.direction, inward, cosine, collider.way_out);
     set_where(d, takes_part, turned, bone.direction);
-    if (collider.shape == ColliderShape::kSphere) break;  // closed form
+    if (collider.shape == ColliderShape::kSphere) break;  // Closed form.
   }
   return touches;
 }

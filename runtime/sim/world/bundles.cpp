@@ -48,10 +48,10 @@ std::size_t bundle_bytes(const ChainShape& shape) {
   return bundle_bytes(*shape.solver, shape.bones.size(), shape.twists, shape.is_bounded);
 }
 
-/// What a bundle keeps for each bone and lane: sixteen numbers side by side, again and again.
+/// One of a bundle's arrays: for each bone and lane, sixteen numbers side by side, again and again.
 struct LaneArray {
   void* begin = nullptr;
-  std::size_t bytes = 0;  ///< Of a bone; 0 where there is none.
+  std::size_t bytes = 0;  ///< Bytes per bone; 0 where there is no such array.
 
   [[nodiscard]] unsigned char* of_bone(std::size_t bone) const {
     return static_cast<unsigned char*>(begin) + bone * bytes;
@@ -85,7 +85,7 @@ void move_lane(WorldState& world, const ChainShape& shape, const ChainPlace& fro
   if (from.part->version != to.part->version) to.part->version = 0;
 }
 
-/// Into lane `to` and those after it.
+/// Copies the first lane to lane `to` and all after it.
 void repeat_first_lane(unsigned char* lanes, std::size_t bytes, std::uint32_t to) {
   for (std::size_t at = 0; at < bytes; at += sizeof(Lanes)) {
     for (std::size_t i = to; i < kLanes; ++i) std::memcpy(lanes + at + i * sizeof(float), lanes + at, sizeof(float));
@@ -99,7 +99,7 @@ ChainPlace before(const ChainPlace& place) {
   return place.lane > 0 ? ChainPlace{place.part, place.lane - 1} : ChainPlace{place.part->previous, kLanes - 1};
 }
 
-/// The last lane of this length, of which there are some.
+/// The last lane of this length, which must exist.
 ChainPlace last_of(const ChainShape& shape, std::uint32_t length) {
   for (std::uint32_t next = length + 1; next < kLengths; ++next) {
     if (shape.counts[next] != 0) return before(shape.first[next]);
@@ -107,12 +107,12 @@ ChainPlace last_of(const ChainShape& shape, std::uint32_t length) {
   return shape.bundles.back();
 }
 
-/// Of ChainShape::counts.
+/// Index into ChainShape::counts.
 std::uint32_t length_index(const ChainShape& shape, std::uint32_t bones) {
   return std::uint32_t(shape.bones.size()) - bones;
 }
 
-/// One bone of a lane.
+/// One bone of a lane, as a chain of its own.
 ChainLane bone_lane(const ChainShape& shape, const ChainPlace& place, std::size_t bone) {
   ChainLane lane = chain_lane(shape, place, 1);
   lane.bones = shape.bones.subspan(bone, 1);
@@ -167,7 +167,7 @@ ChainPlace push_lane(WorldState& world, ChainShape& shape, std::uint32_t bones) 
   ChainPlace free = shape.bundles.push();
   if (free.part->count == 1) free.part->version = shape.pace->version;
   free.part->is_loose = true;
-  // Of each shorter length the first goes behind the last.
+  // For each shorter length, its first lane moves behind its last.
   for (std::uint32_t length = kLengths - 1; length > own; --length) {
     if (shape.counts[length] == 0) continue;
     const ChainPlace moved = shape.first[length];

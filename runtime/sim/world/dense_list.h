@@ -9,9 +9,8 @@
 
 namespace coif {
 
-/// Parts of sixteen lanes in a chain, of which the first lanes are in use, without a hole. There is room for all
-/// members, of which some may be elsewhere (asleep): to come back costs no memory. `Part` has `previous`, `next` and
-/// `count`.
+/// A chain of parts with sixteen lanes each; the first lanes are in use, without a hole. There is room for all members,
+/// of which some may be elsewhere (asleep), so coming back needs no memory. `Part` has `previous`, `next` and `count`.
 template <typename Part>
 struct DenseList {
   struct Place {
@@ -19,7 +18,7 @@ struct DenseList {
     std::uint32_t lane = 0;
   };
 
-  /// The next free lane, which is in use from now on. There is room.
+  /// Takes the next free lane. There must be room.
   Place push() {
     if (tip == nullptr) {
       tip = first;
@@ -44,7 +43,7 @@ struct DenseList {
     last = part;
     ++parts;
   }
-  /// The last part, taken out of the list, where the members have room without it; it is not in use. Else null.
+  /// Takes the last part out of the list, if the members have room without it and it is not in use. Else null.
   Part* take_spare() {
     if (parts == 0 || members > (parts - 1) * kLanes) return nullptr;
     Part* const spare = last;
@@ -61,14 +60,14 @@ struct DenseList {
   std::uint32_t members = 0;
 };
 
-/// Copies a lane of `bytes` bytes of numbers that lie sixteen side by side, whatever they are.
+/// Copies a lane of `bytes` bytes of numbers that lie sixteen side by side, of any type.
 inline void copy_lane(const void* from, std::uint32_t i, void* to, std::uint32_t k, std::size_t bytes) {
   const auto* const source = static_cast<const unsigned char*>(from) + i * sizeof(float);
   auto* const goal = static_cast<unsigned char*>(to) + k * sizeof(float);
   for (std::size_t at = 0; at < bytes; at += sizeof(Lanes)) std::memcpy(goal + at, source + at, sizeof(float));
 }
 
-/// The same to a plain array, a number for every sixteen, and back.
+/// Copies a lane to a plain array with one number for every sixteen, and back.
 inline void copy_lane_out(const void* from, std::uint32_t i, float* to, std::size_t bytes) {
   const auto* const source = static_cast<const unsigned char*>(from) + i * sizeof(float);
   for (std::size_t at = 0; at < bytes; at += sizeof(Lanes)) std::memcpy(to++, source + at, sizeof(float));
@@ -78,21 +77,21 @@ inline void copy_lane_in(const float* from, void* to, std::uint32_t k, std::size
   for (std::size_t at = 0; at < bytes; at += sizeof(Lanes)) std::memcpy(goal + at, from++, sizeof(float));
 }
 
-/// Memory for what comes and goes at any time, out of one piece that the host gave. What is freed joins the free memory
-/// on both sides of it. Whoever frees says how much it was. Constant but for a walk over the gaps.
+/// Allocates memory at any time out of one piece that the host gave. Freed memory joins the free memory on both sides.
+/// The caller of give() must pass the size. Constant time except for a walk over the gaps.
 class WorldHeap {
  public:
   static constexpr std::size_t kAlignment = 64;
 
-  WorldHeap() = default;  ///< Of no memory.
+  WorldHeap() = default;  ///< Without memory.
   /// `memory` starts at a multiple of kAlignment.
   explicit WorldHeap(std::span<std::byte> memory);
 
-  /// Bytes at a multiple of kAlignment, not initialised; out of the smallest gap that has them. Null where none has.
+  /// Bytes at a multiple of kAlignment, not initialised, from the smallest gap that suffices. Null where none does.
   [[nodiscard]] std::byte* take(std::size_t bytes);
   void give_back(void* memory, std::size_t bytes);
 
-  /// What take(bytes) takes.
+  /// The bytes that take(bytes) uses.
   [[nodiscard]] static constexpr std::size_t rounded(std::size_t bytes) {
     return bytes == 0 ? kAlignment : (bytes + kAlignment - 1) / kAlignment * kAlignment;
   }

@@ -10,10 +10,10 @@
 namespace coif {
 namespace {
 
-/// What surrounds them still fits an address.
+/// Leaves room in the address space for the other arrays.
 constexpr std::size_t kMostHairBytes = SIZE_MAX / 4;
 
-/// A world knows no character and no solver whose bones stretch.
+/// A world supports no characters and no solver whose bones stretch.
 bool is_known(const Solver* solver) {
   return solver != nullptr && solver->character == nullptr && !solver->keeps_places;
 }
@@ -26,10 +26,10 @@ Status check_desc(const WorldDesc& desc) {
   return is_known(desc.solver) && can_run(desc.instruction_set) ? Status::kOk : Status::kBadArgument;
 }
 
-/// No bundle is smaller than one of one bone of the leaner model, so there cannot be more.
+/// No bundle is smaller than one with one bone of the smaller model, so there cannot be more.
 std::size_t most_bundles(std::size_t hair_bytes) { return hair_bytes / (sizeof(Bundle) + sizeof(BoneLanes)) + 1; }
 
-/// Takes the arrays of the world; while counting they are empty. Returns the memory of the heap.
+/// Takes the world's arrays; while counting they are empty. Returns the heap's memory.
 std::span<std::byte> carve(MemoryCarver& carver, const WorldDesc& desc, WorldState& world) {
   const std::size_t bundles = most_bundles(desc.hair_bytes);
   world.assets = carver.take<WornAsset>(desc.assets);
@@ -50,7 +50,7 @@ void choose_code(WorldState& world, InstructionSet set) {
   }
 }
 
-/// A free place to come to; null where there is none.
+/// A free place for an asset; null where there is none.
 WornAsset* free_asset(WorldState& world) {
   for (WornAsset& worn : world.assets) {
     if (!worn.is_there) return &worn;
@@ -70,7 +70,7 @@ WornHead* find(WorldState* world, WorldHead head) {
   return worn.asset != kNone && worn.generation == head.generation ? &worn : nullptr;
 }
 
-/// Why find() has none.
+/// The status to return where find() has no result.
 Status missing(const WorldState* world) { return world == nullptr ? Status::kNotCreated : Status::kBadIndex; }
 
 }  // namespace
@@ -188,7 +188,7 @@ Status HairWorld::teleport(WorldHead head, const HeadPose& pose) {
   if (status != Status::kOk) return status;
   const FloatEnvironment plain;
   const WornHead& worn = *find(world_, head);
-  if (worn.is_asleep) wake(*world_, head.index);  // even where it stands there already
+  if (worn.is_asleep) wake(*world_, head.index);  // Even if it stands there already.
   WorldBlock& block = *worn.place.part;
   block.teleports = std::uint16_t(block.teleports | 1u << worn.place.lane);
   return Status::kOk;

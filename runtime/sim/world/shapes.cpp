@@ -7,8 +7,8 @@
 namespace coif {
 namespace {
 
-/// The row features that all chains of a bundle have in common, since a lane computes other bits beside one that has
-/// them; see rows.cpp.
+/// Row features that all chains of a bundle must share, since a lane computes other bits beside one that has them; see
+/// rows.cpp.
 constexpr std::uint32_t kInCommon = kRowTwists | kRowIsBounded;
 
 std::uint32_t common_features(const Asset& asset, const Solver& solver, std::uint32_t bone) {
@@ -17,7 +17,7 @@ std::uint32_t common_features(const Asset& asset, const Solver& solver, std::uin
   return is_bounded(asset, bone) ? features | kRowIsBounded : features;
 }
 
-/// Of any of its bones.
+/// The shared features that any of its bones has.
 std::uint32_t common_features(const Asset& asset, const Solver& solver, const ChainRecord& chain) {
   std::uint32_t features = 0;
   for (std::uint32_t i = 0; i < chain.bone_count; ++i) features |= common_features(asset, solver, chain.first_bone + i);
@@ -30,7 +30,7 @@ bool touches_colliders(const Asset& asset, const ChainRecord& chain) {
   return colliders != 0 && !asset.colliders().empty();
 }
 
-/// Bone `i` of the chain, as far as chains have to be alike.
+/// Bone `i` of the chain, with only the values in which chains must agree.
 RowBone common_bone(const Asset& asset, const Solver& solver, const ChainRecord& chain, std::uint32_t i) {
   RowBone bone;
   bone.parent = parent_in_chain(asset.bones(), chain, i);
@@ -39,7 +39,8 @@ RowBone common_bone(const Asset& asset, const Solver& solver, const ChainRecord&
   return bone;
 }
 
-/// Chains of unlike length may stand side by side where each bone hangs from the one before, and all are of a kind.
+/// Chains of different lengths may stand side by side where each bone hangs from the one before and all have the same
+/// features.
 bool may_be_uneven(const Asset& asset, const Solver& solver, const ChainRecord& chain) {
   if (!solver.may_be_uneven) return false;
   const std::uint32_t features = common_features(asset, solver, chain);
@@ -50,10 +51,10 @@ bool may_be_uneven(const Asset& asset, const Solver& solver, const ChainRecord& 
   return true;
 }
 
-/// What a shape has room for.
+/// The capacity of a shape.
 struct ShapeRoom {
-  std::uint32_t bones = 0;  ///< At most.
-  bool is_uneven = false;   ///< Or fewer.
+  std::uint32_t bones = 0;  ///< Most bones of a chain.
+  bool is_uneven = false;   ///< Chains may have fewer.
 
   bool operator==(const ShapeRoom&) const = default;
 };
@@ -79,7 +80,7 @@ bool has_shape(const ChainShape& shape, const WornAsset& worn, const Solver& sol
   return true;
 }
 
-/// The same of two chains of an asset that nobody wears yet.
+/// Whether two chains of an asset would share a shape; the asset need not have been added yet.
 bool have_one_shape(const Asset& asset, const Solver& asked, const ChainRecord& a, const ChainRecord& b) {
   const Solver& solver = solver_for(asked, a);
   if (&solver_for(asked, b) != &solver) return false;
@@ -134,7 +135,7 @@ ChainShape* make_shape(WorldState& world, const WornAsset& worn, const ChainReco
   return &shape;
 }
 
-/// What so many chains of one shape, of which `chain` is one, take.
+/// Bytes that `count` chains of one shape take; `chain` is one of them.
 std::size_t chain_bytes(const Asset& asset, const Solver& asked, const ChainRecord& chain, std::uint64_t count) {
   const Solver& solver = solver_for(asked, chain);
   const std::uint32_t features = common_features(asset, solver, chain);
@@ -154,7 +155,7 @@ void leave_shape(WorldState& world, ChainShape& shape, bool touches) {
   world.heap.give_back(&shape, shape_bytes(shape.bones.size()));
 }
 
-/// Neighbours are of one shape more often than not.
+/// Tries `last` first: neighbouring chains mostly share a shape.
 ChainShape* join_shape(WorldState& world, WornAsset& worn, std::uint32_t index, ChainShape* last) {
   const ChainRecord& chain = worn.asset.chains()[index];
   const Solver& solver = solver_for(*world.solver, chain);
@@ -193,7 +194,7 @@ std::size_t bytes_of_chains(const Asset& asset, std::uint32_t heads, const Solve
   for (std::size_t c = 0; c < chains.size(); ++c) {
     const auto is_alike = [&](const ChainRecord& other) { return have_one_shape(asset, asked, other, chains[c]); };
     const auto here = chains.begin() + std::ptrdiff_t(c);
-    if (std::any_of(chains.begin(), here, is_alike)) continue;  // counted with the first
+    if (std::any_of(chains.begin(), here, is_alike)) continue;  // Counted with the first one.
     bytes += chain_bytes(asset, asked, chains[c], std::uint64_t(std::count_if(here, chains.end(), is_alike)) * heads);
   }
   return bytes;

@@ -15,7 +15,7 @@ bool has_same_colliders(const Asset& a, const Asset& b) {
   return one.size() == other.size() && std::memcmp(one.data(), other.data(), one.size_bytes()) == 0;
 }
 
-/// Where so many colliders fit side by side; kMaxColliders: nowhere.
+/// The first place with room for `count` colliders side by side; kMaxColliders: none.
 std::uint32_t room_in(const ColliderTable& table, std::size_t count) {
   for (std::uint32_t first = 0; first + count <= kMaxColliders; ++first) {
     if ((table.taken & (PlacedColliders::first(count) << first)) == 0) return first;
@@ -23,7 +23,7 @@ std::uint32_t room_in(const ColliderTable& table, std::size_t count) {
   return kMaxColliders;
 }
 
-/// In the order that the asset has them: what hair does between several depends on it.
+/// In the asset's order, since hair between several colliders depends on it.
 void enter(ColliderTable& table, std::uint32_t first, WornAsset& worn) {
   worn.colliders = &table;
   worn.first_collider = first;

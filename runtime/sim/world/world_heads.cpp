@@ -39,7 +39,7 @@ void remove_member(WorldState& world, DenseList<WorldBlock>& blocks) {
   if (WorldBlock* const spare = blocks.take_spare()) world.heap.give_back(spare, sizeof(WorldBlock));
 }
 
-/// Room for the first `chains` of a head's chains.
+/// Removes the first `chains` of a head's chains from their shapes' members.
 void remove_members(WorldState& world, const WornAsset& worn, std::size_t chains) {
   for (std::size_t c = 0; c < chains; ++c) remove_member(world, *worn.shapes[c]);
   remove_member(world, worn.pace->blocks);
@@ -66,7 +66,7 @@ void copy_head(const HeadLanes& from, std::uint32_t i, HeadLanes& to, std::uint3
   for (int axis = 0; axis < 3; ++axis) to.next_position[axis][k] = from.next_position[axis][i];
 }
 
-/// All but the head's place.
+/// Moves everything except the head's place.
 void move_lane(const DenseList<WorldBlock>::Place& from, const DenseList<WorldBlock>::Place& to) {
   WorldBlock &a = *from.part, &b = *to.part;
   copy_head(a.heads, from.lane, b.heads, to.lane);
@@ -76,7 +76,7 @@ void move_lane(const DenseList<WorldBlock>::Place& from, const DenseList<WorldBl
   b.head[to.lane] = a.head[from.lane];
 }
 
-/// Takes away the lane of a head; the last one of its list takes its place.
+/// Removes the lane of a head; the last one of its list takes its place.
 void close_gap(WorldState& world, DenseList<WorldBlock>& blocks, const DenseList<WorldBlock>::Place& gap) {
   const auto last = blocks.back();
   if (last.part != gap.part || last.lane != gap.lane) {
@@ -94,7 +94,7 @@ void move_head(WorldState& world, std::uint32_t head, DenseList<WorldBlock>& fro
   close_gap(world, from, here);
 }
 
-/// Keeps the state of the head's chains beside their lanes, or writes it back there.
+/// Copies the state of the head's chains out of their lanes, or back into them.
 template <typename Copy>
 void for_each_kept(const WorldState& world, const WornHead& head, const Copy& copy) {
   float* kept = head.kept.data();
@@ -148,7 +148,7 @@ bool add_head(WorldState& world, std::uint32_t asset, std::uint32_t head, const 
   added.place = worn.pace->blocks.push();
   WorldBlock& block = *added.place.part;
   block.head[added.place.lane] = head;
-  (void)aim_head(block.heads, added.place.lane, unit);  // however far: it is there
+  (void)aim_head(block.heads, added.place.lane, unit);  // However far it is: it is put there.
   push_chains(world, head);
   put_to_rest(world, added);
   ++worn.heads;

@@ -7,7 +7,7 @@
 namespace coif {
 namespace {
 
-/// Bones of sixteen lanes, times the parts of the step, that are worth a job: some ten microseconds.
+/// Bones of sixteen lanes, times the parts of the step, that make up a job: some ten microseconds.
 constexpr std::uint32_t kJobBones = 32;
 
 void wake_all(WorldState& world) {
@@ -24,14 +24,14 @@ void for_each_block(const HeadPace& pace, const Visit& visit) {
 
 const HeadCode& code_for(const WorldState& world, std::uint32_t lanes) { return world.head_codes[width_for(lanes)]; }
 
-/// In no time nothing moves: a head with another pose than before was put there.
+/// With dt = 0 nothing moves, so a head with a new pose was put there.
 void put_moved_heads(WorldBlock& block) {
   for (std::uint32_t i = 0; i < block.count; ++i) {
     if (!is_still(block.heads, i)) block.teleports = std::uint16_t(block.teleports | 1u << i);
   }
 }
 
-/// Puts heads that appear somewhere else there, and ends with all ways known.
+/// Puts heads that appear elsewhere there, and then finds the ways of all heads.
 void look_ahead(WorldState& world, const HeadPace& pace, WorldBlock& block) {
   const StepParts& parts = pace.parts;
   const bool some_are_far = code_for(world, block.count).look_ahead(block.heads, block.count, parts, block.step);
@@ -83,7 +83,7 @@ void share_out(WorldState& world) {
   world.jobs[world.job_count] = steps;
 }
 
-/// The heads of a bundle's lanes, side by side: what HeadCode::move() reads of them.
+/// The heads of a bundle's lanes, side by side, for HeadCode::move().
 struct LaneHeads {
   LaneHeads() {
     for (std::uint32_t& none : head) none = kNone;
@@ -107,8 +107,8 @@ void gather_head(const WorldBlock& block, std::uint32_t i, LaneHeads& to, std::u
   set_lane(to.step.next_angular_velocity, k, lane(block.step.next_angular_velocity, i));
 }
 
-/// Nothing for lanes that have the same head as in the last bundle, as long hair's do. Those of the vectors that are
-/// not in use compute along with any.
+/// Does nothing for lanes with the same head as in the last bundle, as is common for long hair. Unused lanes of the
+/// vectors compute any values.
 void gather_heads(const WorldState& world, const Bundle& bundle, LaneHeads& lanes) {
   const std::uint32_t width = lanes_of(width_for(bundle.count));
   for (std::uint32_t k = 0; k < width; ++k) {
@@ -128,7 +128,7 @@ void turn_lanes(const WorldState& world, const ChainShape& shape, Bundle& bundle
   }
 }
 
-/// All of it but where matrices go, and whose.
+/// Sets everything except where the matrices go.
 RowStep row_step(const WorldState& world, const ChainShape& shape, Bundle& bundle, const MoveLanes& move) {
   RowStep row;
   row.bones = {bundle.bones, bundle.longest};
@@ -151,7 +151,7 @@ void step_bundle(const WorldState& world, const ChainShape& shape, Bundle& bundl
   renew_coefficients(world, shape, bundle);
   if (!bundle.has_all_bones) fill_missing_bones(shape, bundle);
   gather_heads(world, bundle, lanes);
-  Mat34* palettes[kLanes];  // of lanes in use
+  Mat34* palettes[kLanes];  // Only lanes in use.
   for (std::uint32_t i = 0; i < bundle.count; ++i) {
     const WornHead& head = world.heads[bundle.head[i]];
     palettes[i] = &head.palette[world.assets[head.asset].asset.chains()[bundle.chain[i]].first_bone];
@@ -171,7 +171,7 @@ void step_bundle(const WorldState& world, const ChainShape& shape, Bundle& bundl
   }
 }
 
-/// How fast all tips of a head moved, in the order of its chains, as a crowd sums it.
+/// Sum of the squared speeds of a head's tips, in the order of its chains, as a crowd sums them.
 float motion_of(const WornHead& head) {
   float motion = 0;
   for (const ChainPlace& place : head.places) motion += place.part->motion.v[place.lane];
@@ -189,7 +189,7 @@ void finish_block(WorldState& world, const HeadPace& pace, WorldBlock& block) {
   }
 }
 
-/// The lane of whoever leaves may be taken by another that falls asleep too.
+/// A lane that a head leaves may be taken by another one that falls asleep too.
 void let_sleep(WorldState& world, WorldBlock& block) {
   while (block.may_sleep != 0) {
     const auto i = std::uint32_t(std::countr_zero(block.may_sleep));

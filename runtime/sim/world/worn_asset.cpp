@@ -19,13 +19,14 @@ HeadPace& join_pace(WorldState& world, const Asset& asset) {
     ++known.users;
     return known;
   }
-  *free = HeadPace{};  // there are as many as assets
+  *free = HeadPace{};  // There are as many paces as assets.
   free->pace = pace;
   free->users = 1;
   return *free;
 }
 
-/// A bone before `bone` that moves alike, as neighbours and chains beside each other often do; kNone.
+/// A bone before `bone` with equal coefficients, as neighbours and chains beside each other often have; kNone if there
+/// is none.
 std::uint32_t alike_before(const Asset& asset, const Solver& asked, std::uint32_t c, std::uint32_t i) {
   const ChainRecord& chain = asset.chains()[c];
   const Solver& solver = solver_for(asked, chain);
@@ -38,7 +39,7 @@ std::uint32_t alike_before(const Asset& asset, const Solver& asked, std::uint32_
   return i > 0 && move_alike(solver, asset, bone, bone - 1) ? bone - 1 : kNone;
 }
 
-/// Calls visit(bone, bone that moves alike or kNone) for each simulated bone, in order.
+/// Calls visit(bone, earlier bone with equal coefficients or kNone) for each simulated bone, in order.
 template <typename Visit>
 void for_each_motion(const Asset& asset, const Solver& asked, const Visit& visit) {
   for (std::uint32_t c = 0; c < asset.chains().size(); ++c) {

@@ -7,7 +7,7 @@ const Asset& asset_in(const WorldState& world, const Bundle& bundle, std::uint32
   return world.assets[world.heads[bundle.head[lane]].asset].asset;
 }
 
-/// What is constant of a chain, into its lane.
+/// Writes the constants of a chain into its lane.
 void write_constants(const WornAsset& worn, const ChainShape& shape, const ChainRecord& chain, const ChainPlace& to) {
   const Bundle& bundle = *to.part;
   for (std::uint32_t i = 0; i < chain.bone_count; ++i) {
@@ -33,7 +33,7 @@ void write_coefficients(const WornAsset& worn, const ChainShape& shape, const Ch
   }
 }
 
-/// What a lane's own bones ask for.
+/// Adds the features that a lane's own bones need.
 void add_wants(const Asset& asset, const ChainRecord& chain, std::uint32_t lane, Bundle& bundle) {
   for (std::uint32_t i = 0; i < chain.bone_count; ++i) {
     RowBone& wanted = bundle.bones[i];

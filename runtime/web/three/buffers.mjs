@@ -1,4 +1,4 @@
-// An asset's mesh and textures as three's: copied once, so that three can upload them again when the context was lost.
+// An asset's mesh and textures as three's objects: copied once, so that three can upload them again after the context was lost.
 
 import {
   BufferAttribute, ClampToEdgeWrapping, DataTexture, FloatType, IntType, LinearFilter, LinearMipmapLinearFilter, NearestFilter, RepeatWrapping,
@@ -42,13 +42,13 @@ export function attributesOf(asset) {
   };
   if (skin.length > 0) {
     attributes.bones = gather(Skin, 'bone', skin);
-    attributes.bones.gpuType = IntType; // as integers, of which the shader makes places
+    attributes.bones.gpuType = IntType; // integers, which the shader turns into places
     attributes.weights = gather(Skin, 'weight', skin, true);
   }
   return attributes;
 }
 
-/** Repeats only where a vertex's place leaves 0..1: else the roots' row of texels would meet the tips'. */
+/** Repeats only if a vertex's place leaves 0..1; else the roots' row of texels would blend with the tips'. */
 function wrapOf(places) {
   const slack = 1e-3;
   return places.array.some((place) => place < -slack || place > 1 + slack) ? RepeatWrapping : ClampToEdgeWrapping;
@@ -84,7 +84,7 @@ export function texturesOf(asset, places) {
   };
 }
 
-/** Matrices of all heads' bones where the simulation leaves them: three uploads them from there, nothing copies them. */
+/** The bone matrices of all heads, in the simulation's memory: three uploads them from there without a copy. */
 export function paletteTexture(coif, hair) {
   const first = hair.palette(0);
   const floats = MATRIX_FLOATS * hair.boneCount * hair.instances;

@@ -1,4 +1,4 @@
-// Hair in a scene of three's. Types and what each member does are in ../three.d.ts.
+// Hair in a scene of three's. ../three.d.ts documents types and members.
 
 import { DynamicDrawUsage, InstancedBufferGeometry, InstancedInterleavedBuffer, InterleavedBufferAttribute, BufferAttribute, Matrix4, Mesh, Object3D,
   Quaternion, Sphere, Vector3, Vector4 } from 'three';
@@ -47,7 +47,7 @@ export class CoifHair extends Object3D {
     return uniforms;
   }
 
-  /** After members of `material` were changed. */
+  /** Applies changed members of `material`. */
   updateMaterial(changes = {}) {
     const m = Object.assign(this.material, changes);
     const { uniforms } = this;
@@ -71,7 +71,7 @@ export class CoifHair extends Object3D {
     this.passes = passes.map((each) => ({ ...each, material: passMaterial(this, each) }));
   }
 
-  /** The head's place from now on: that of `object`, of which head space is a part; its own place where none is named. */
+  /** Lets the head follow `object`; without it, this object. */
   follow(head, object = this) {
     if (!(head in this.heads)) throw new RangeError(`there is no head ${head}`);
     this.heads[head].followed = object;
@@ -90,7 +90,7 @@ export class CoifHair extends Object3D {
     this.#sort(camera);
   }
 
-  /** The rest pose, at rest, where the heads are now. */
+  /** Brings the hair to rest in its rest pose, at the heads' present places. */
   reset() {
     this.#place();
     for (const head of this.heads) {
@@ -99,7 +99,7 @@ export class CoifHair extends Object3D {
     this.hasStarted = true;
   }
 
-  /** Heads go where what they follow is now. */
+  /** Moves heads to the present places of the objects that they follow. */
   #place() {
     this.updateWorldMatrix(true, false);
     toLocal.copy(this.matrixWorld).invert();
@@ -163,7 +163,7 @@ export class CoifHair extends Object3D {
     mesh.receiveShadow = this.receives && writesColor;
     mesh.customDepthMaterial = this.shadows.depth;
     mesh.customDistanceMaterial = this.shadows.distance;
-    mesh.raycast = () => {}; // what is drawn is elsewhere than the mesh at rest
+    mesh.raycast = () => {}; // the drawn hair is not where the mesh at rest is
     this.add(mesh);
     return mesh;
   }
@@ -194,7 +194,7 @@ export class CoifHair extends Object3D {
     this.passes?.forEach(({ material }) => material.dispose());
   }
 
-  /** Gives back what it took of three's and the module's memory; the asset stays. */
+  /** Frees its memory of three's and of the module's; the asset stays. */
   dispose() {
     this.#dropBatches();
     for (const texture of [...Object.values(this.textures), this.palettes]) texture?.dispose();

@@ -1,4 +1,4 @@
-// Ways to draw hair with three: of which passes each consists, and their materials. The table is that of shaders/README.md, "Passes".
+// Ways to draw hair with three: the passes of each, and their materials, after the table in shaders/README.md, "Passes".
 
 import {
   BackSide, DoubleSide, FrontSide, MeshBasicMaterial, MeshDepthMaterial, MeshDistanceMaterial, MeshToonMaterial, RGBADepthPacking,
@@ -9,15 +9,15 @@ import { keepHair, shadeHair } from './shader_code.mjs';
 const DOUBLE_SIDED = 1; // MaterialRecord::flags
 const FACES_TOGETHER = 2;
 const NO_LIMIT = 3.402823466e38;
-const DEPTH_ALPHA = 0.5; // where not writing depth shows more of what is behind than it should, and writing it less
+const DEPTH_ALPHA = 0.5; // from this alpha on, missing depth would be the larger error for things that are drawn later
 
-/** A pass of texels with `from` <= alpha < `to`; from `solid` on they cover all that is behind them. */
+/** A pass of texels with `from` <= alpha < `to`; from `solid` on they cover everything behind them. */
 const pass = (name, from, to, solid, more = {}) => ({
   name, from, to, solid, keep: 'keep_range.glsl', side: DoubleSide, blended: false, writesColor: true, writesDepth: true, ...more });
 
 const thinned = (name, keep, before) => ({ discard, opaque }) => [pass(name, discard, NO_LIMIT, opaque, { keep, before, thins: true })];
 
-/** For thresholds and flags of a material: the passes in their order. */
+/** The passes for a material's thresholds and flags, in order. */
 export const MODES = {
   blend({ discard, opaque, both, together }) {
     const soft = (name, side) => pass(name, discard, opaque, NO_LIMIT, { side, blended: true, writesDepth: false });
@@ -51,7 +51,7 @@ export function passesOf(mode, material, { lowest, highest }) {
     }));
 }
 
-/** Defines for what an asset has. */
+/** The defines for an asset's features. */
 function definesOf(hair, each) {
   const { skinning, textures, material } = hair;
   const lit = (color) => color.some((part) => part !== 0) || material.shading === 2; // Marschner's highlights have no colour of their own
@@ -95,7 +95,7 @@ export function passMaterial(hair, each) {
   return finish(new MeshToonMaterial(state(each)), hair, each, (shader, model, maps) => shadeHair(shader, each, model, maps));
 }
 
-/** What draws hair into three's shadow maps: texels that are more solid than not. */
+/** The material that draws hair into three's shadow maps: texels that are more solid than transparent. */
 export function shadowMaterials(hair) {
   const each = { ...pass('shadow', DEPTH_ALPHA, NO_LIMIT, 0), tests: true };
   const kept = (material) => finish(material, hair, each, (shader) => keepHair(shader, each));

@@ -1,5 +1,5 @@
-// How coif's shaders stand in three's: three's own code finds lights, shadows, fog and colour spaces, coif's skins vertices, keeps or
-// drops texels and reflects light. shaders/README.md has what the pieces do and which names they read.
+// Puts coif's shaders into three's: three's code handles lights, shadows, fog and colour spaces, coif's skins vertices, keeps or
+// drops texels and reflects light. shaders/README.md documents the pieces and the names that they read.
 
 import { pieces } from './shaders.mjs';
 
@@ -74,7 +74,7 @@ ${pass.before === undefined ? '' : pieces[pass.before]}
 ${pieces[pass.keep].replace(/^in vec3 rest_place;.*$/m, '')}
 `;
 
-/** Light on a strand. Some names of the pieces are names of three's: they stand for others while the pieces are read. */
+/** Light on a strand. Some names of the pieces are also three's, so defines rename them within the pieces. */
 const shading = (model, maps) => /* glsl */ `
 varying vec3 vViewPosition;
 varying vec3 hair_tangent;
@@ -97,7 +97,7 @@ struct HairMaterial { vec3 color; };
 Strand hair_strand;
 Reflected hair_sum;
 
-// three's light is an irradiance, coif's what a white matte surface makes of it.
+// three's light is an irradiance, coif's the radiance of a white matte surface.
 void RE_Direct_Hair(const in IncidentLight light, const in vec3 at, const in vec3 normal, const in vec3 view, const in vec3 clearcoat,
                     const in HairMaterial material, inout ReflectedLight reflected) {
   add_light(hair_sum, hair_strand, light.direction, light.color * RECIPROCAL_PI);
@@ -147,7 +147,7 @@ export function shadeHair(shader, pass, model, maps) {
   });
 }
 
-/** For MeshBasicMaterial, MeshDepthMaterial and MeshDistanceMaterial: texels are kept or dropped, three writes what it writes. */
+/** For MeshBasicMaterial, MeshDepthMaterial and MeshDistanceMaterial: coif keeps or drops texels, and three writes its own output. */
 export function keepHair(shader, pass) {
   const { '#include <beginnormal_vertex>': normal, ...main } = VERTEX_MAIN;
   shader.vertexShader = replaced(shader.vertexShader, main);

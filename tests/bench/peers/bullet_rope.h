@@ -42,7 +42,7 @@ class BulletRopes {
   btDbvtBroadphase broadphase_;
   btSequentialImpulseConstraintSolver solver_;
   btSoftRigidDynamicsWorld world_{&dispatcher_, &broadphase_, &solver_, &configuration_};
-  btSphereShape sphere_{kHeadRadius};  ///< Of all heads, so that they share its signed distance field too.
+  btSphereShape sphere_{kHeadRadius};  ///< All heads share it, and its signed distance field.
   std::vector<std::unique_ptr<btRigidBody>> heads_;
   std::vector<Rope> ropes_;
   double seconds_ = 0;

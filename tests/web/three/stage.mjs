@@ -75,7 +75,7 @@ class Stage {
     return pixels;
   }
 
-  /** Of a picture: pixels that are not the background's blue, and the mean of their colours. */
+  /** Counts a picture's pixels that are not the background's blue, and averages their colours. */
   look(pixels = this.picture()) {
     let count = 0;
     const mean = [0, 0, 0];

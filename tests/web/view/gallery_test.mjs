@@ -29,7 +29,7 @@ function countContexts() {
   }
 }
 
-/** Of sheet.html; nothing may be complained of. */
+/** Runs `act` on sheet.html; the browser must not complain. */
 async function withSheet(act, viewport = WIDE, before = countContexts) {
   const browser = await launch();
   try {
@@ -64,7 +64,7 @@ async function pixelsOf(page, number) {
   return Uint8Array.from(values);
 }
 
-/** Of the PNG's first row: 8 pixels around everything, and a title's line. */
+/** One picture of the PNG's first row: there are 8 pixels around everything, and a title's line above. */
 function pictureOf(sheet, column) {
   const left = 8 + column * (SIDE + 8), top = 8 + 24 + 8;
   const out = new Uint8Array(4 * SIDE * SIDE);

@@ -22,7 +22,7 @@ function rendered(view, ...options) {
   return readPng(inWork('reference.png')).rgba;
 }
 
-/** Of a page that shows the sample, made with these options; nothing may be complained of. */
+/** Runs `act` on a page that shows the sample, made with these options; the browser must not complain. */
 async function withPage(act, ...options) {
   coif('view', ASSET, '-o', 'page.html', '--page', PAGE, ...options);
   const browser = await launch();
@@ -48,7 +48,7 @@ function histogram(pixels) {
   return counts;
 }
 
-/** Of what the page says below the picture: { title, colours, texts }; colours as numbers. */
+/** The page's legend below the picture: { hidden, title, texts, colours }; colours as numbers. */
 async function legend(page) {
   await page.waitForFunction(async () => { const view = await window.coif; view.showNumbers(); return true; });
   return page.$eval('#legend', (box) => ({
@@ -58,10 +58,10 @@ async function legend(page) {
   })).then((found) => ({ ...found, colours: found.colours.map(([r, g, b]) => (r << 16) | (g << 8) | b) }));
 }
 
-/** Of each pixel, which of these colours it has; -1: none of them, as where a pixel's samples differ. */
+/** Index of each pixel's colour among `colours`; -1: none of them, as where a pixel's samples differ. */
 const classes = (pixels, colours) => Array.from({ length: PIXELS }, (_, i) => colours.findIndex((c) => isNear(c, colour(pixels, i))));
 
-/** Of a head at a grown-up's height that turns a quarter about Y and slides, within a second. */
+/** A head at a grown-up's height that turns a quarter about Y and slides, within a second. */
 function writeClip(name) {
   const floats = Float32Array.of(0, 0.5, 1, 0, 0, 0, 1, 0, Math.SQRT1_2, 0, Math.SQRT1_2, 0, 0, 0, 1, 0, 1.6, 0, 0, 1.8, 0.1, 0, 1.6, 0);
   writeFileSync(inWork(name), JSON.stringify({

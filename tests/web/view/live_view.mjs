@@ -24,7 +24,7 @@ function start(...words) {
   return view;
 }
 
-/** Of bob's source and recipe; nothing may be complained of, and nothing asked of anybody but the program. */
+/** Runs `act` on the live view of bob's source and recipe; the browser must neither complain nor ask another server. */
 export async function withView(act) {
   copyFileSync(SOURCE, inWork('bob.glb'));
   copyFileSync(SOURCE.replace(/\.glb$/, '.recipe.json'), inWork('bob.recipe.json'));

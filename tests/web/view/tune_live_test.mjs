@@ -10,7 +10,7 @@ const { WORK } = process.env;
 const SIZE = { width: 320, height: 240 };
 
 const changes = (page) => page.evaluate(() => window.view.live.state.changes);
-/** Of the asset as it came, the bones' mean. */
+/** The bones' mean damping ratio, as the asset has it. */
 const ownRatio = (page) => page.evaluate(() => {
   const { bones } = window.view.wasm.motion().damping_ratio;
   return bones.reduce((sum, [, value]) => sum + value, 0) / bones.length;

@@ -13,7 +13,7 @@ const STEPS = 40;
 const inWork = (name) => join(WORK, name);
 const coif = (...words) => execFileSync(COIF, words, { encoding: 'utf8', cwd: WORK });
 
-/** Of a page that shows `asset`; nothing may be complained of. */
+/** Runs `act` on a page that shows `asset`; the browser must not complain. */
 async function withPage(asset, act) {
   coif('view', asset, '-o', 'page.html', '--page', PAGE);
   const browser = await launch();

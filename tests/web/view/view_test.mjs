@@ -27,7 +27,7 @@ function makePage(asset = ASSET) {
   return inWork('page.html');
 }
 
-/** Of a page that shows the sample; nothing may be complained of. */
+/** Runs `act` on a page that shows the sample; the browser must not complain. */
 async function withPage(act, viewport) {
   const browser = await launch();
   try {

@@ -14,10 +14,10 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kLeastShare = 0.1f;   ///< Of an edge: what is nearer to a corner is cut through the corner.
-constexpr std::size_t kPartners = 6;  ///< Of a triangle, the worst ones, whose planes are tried.
+constexpr float kLeastShare = 0.1f;   ///< Share of an edge: a cut nearer to a corner goes through the corner.
+constexpr std::size_t kPartners = 6;  ///< Number of a triangle's worst partners whose planes are tried.
 
-/// Where an edge of a triangle is cut.
+/// A cut through an edge of a triangle.
 struct EdgeCut {
   std::uint32_t from, to;  ///< Vertices.
   float share;
@@ -27,7 +27,7 @@ struct EdgeCut {
 struct Cut {
   std::array<EdgeCut, 2> edges;
   std::size_t edge_count = 0;
-  Vector3f start, end;    ///< Of the line, metres.
+  Vector3f start, end;    ///< The line's ends, metres.
   std::size_t added = 0;  ///< Triangles.
   double gain = 0;        ///< Weight put right.
 
@@ -44,8 +44,9 @@ class Cutting {
     }
   }
 
-  /// Gains only fall as others are cut, so that the one whose gain is looked up anew and still the largest is the
-  /// largest (lazy evaluation, Minoux 1978, "Accelerated greedy algorithms for maximizing submodular set functions").
+  /// Lazy evaluation (Minoux 1978, "Accelerated greedy algorithms for maximizing submodular set functions"): gains only
+  /// fall as other triangles are cut, so a gain that is still the largest after it was computed again is the largest of
+  /// all.
   CutResult run() {
     for (std::uint32_t t = 0; t < of_triangle_.size(); ++t) offer(t);
     while (!offers_.empty()) {
@@ -72,7 +73,7 @@ class Cutting {
     }
   };
 
-  /// One of a triangle's samples, as the triangle sees it.
+  /// One of a triangle's samples, from the triangle's side.
   struct Opinion {
     std::uint64_t partner_in_view;
     std::uint32_t partner;
@@ -86,7 +87,7 @@ class Cutting {
     if (const auto cut = best_cut(triangle)) offers_.push({cut->per_triangle(), triangle});
   }
 
-  /// Sorted, so that those of one partner in one view follow each other.
+  /// Sorted, so that the samples of one partner in one view follow each other.
   [[nodiscard]] std::vector<Opinion> opinions_of(std::uint32_t triangle) const {
     std::vector<Opinion> opinions;
     opinions.reserve(of_triangle_[triangle].size());
@@ -101,7 +102,7 @@ class Cutting {
     return opinions;
   }
 
-  /// Calls `each` with those of each partner in each view.
+  /// Calls `each` with the samples of each partner in each view.
   static void for_groups(std::span<const Opinion> opinions, auto&& each) {
     for (std::size_t begin = 0, end = 0; begin < opinions.size(); begin = end) {
       while (end < opinions.size() && opinions[end].partner_in_view == opinions[begin].partner_in_view) ++end;
@@ -150,7 +151,7 @@ class Cutting {
     return best;
   }
 
-  /// Along the plane of another triangle; and from the corners beside where that meets edges.
+  /// Cuts along the plane of another triangle, and from the corners beside it to where the plane meets edges.
   [[nodiscard]] std::vector<Cut> cuts_by(std::uint32_t partner, std::uint32_t triangle) const {
     const std::array<Vector3f, 3> plane = corners_of(partner), corner = corners_of(triangle);
     const Vector3f normal = (plane[1] - plane[0]).cross(plane[2] - plane[0]).normalized();
@@ -181,7 +182,7 @@ class Cutting {
     return cuts;
   }
 
-  /// Which points are on the left of a line across a triangle.
+  /// Tests on which side of a line across a triangle a point is: true on the left.
   static auto left_of(const Vector3f& start, const Vector3f& end, const Vector3f& normal) {
     return [across = Vector3f(normal.cross(end - start)), start](const Vector3f& point) {
       return across.dot(point - start) > 0;

@@ -10,7 +10,7 @@
 namespace coif::cook {
 namespace {
 
-constexpr double kLeastGain = 0.1;              ///< dB, of all cuts together.
+constexpr double kLeastGain = 0.1;              ///< dB, for all cuts together.
 constexpr double kLeastGainOfHundredth = 0.01;  ///< dB that each further hundredth of triangles must gain.
 
 /// dB, where a picture's squared error falls by this share.
@@ -31,7 +31,7 @@ Crossings cut_where_crossing(const AssetContents& contents, const visibility::Ha
     crossings.votes = search.take_votes();
     return crossings;
   };
-  // A glance tells most hair from that where crossings matter.
+  // A quick look separates most hair from hair in which crossings matter.
   Crossings result = figures_of(search.look(1));
   if (gain_of(result.share) < kLeastGain) return uncut(std::move(result));
   const SeenCrossings seen = search.look(settings.views_per_cell);

@@ -17,28 +17,27 @@
 
 namespace coif::cook {
 
-/// Hair whose triangles are cut where they cross, and what led to it.
+/// Hair whose triangles are cut where they cross, and the reasons.
 struct CutHair {
   AssetContents contents;
-  visibility::FoundOrders orders;  ///< Those of the whole triangles, pieces one after the other where the whole was.
+  visibility::FoundOrders orders;  ///< The orders of the whole triangles, with each triangle's pieces in its place.
   std::size_t cuts = 0;            ///< Lines that triangles were cut along.
   std::size_t added = 0;           ///< Triangles.
   double gain = 0;                 ///< Expected, dB.
 };
 
-/// What crossing triangles cost the pictures, and the cure.
+/// The effect of crossing triangles on pictures, and the cuts.
 struct Crossings {
   std::size_t pairs = 0;        ///< Triangles of which neither is before the other all over some picture.
-  double share = 0;             ///< Part of what pictures in these orders lose that no order could help.
+  double share = 0;             ///< Share of the pictures' loss in these orders that no order could avoid.
   std::optional<CutHair> cut;   ///< None where cutting would gain too little.
-  visibility::RestVotes votes;  ///< Votes about what was looked at, where nothing is cut.
+  visibility::RestVotes votes;  ///< The votes of the views that were looked at; filled if nothing is cut.
 };
 
-/// Cuts the hair of `contents`, drawn as `hair` is in the orders by direction and by the rule of `drawn`, where this
-/// puts most right for the triangles that it adds: at most so many, and not where that gains too little. Looks at the
-/// hair at rest along as many lines, from as many sides and with as many threads as `settings` say. `share_of_order`:
-/// how much of the pictures' squared error is of wrong order; asked only where it matters. Coarser levels stay as they
-/// are.
+/// Cuts the hair of `contents` where that gains most for the triangles that it adds: at most as many as the budget
+/// allows, and not where the gain is too small. `hair` is drawn in the orders by direction and by the rule of `drawn`.
+/// Looks at the hair at rest with the lines, views and threads of `settings`. `share_of_order`: share of the pictures'
+/// squared error that comes from wrong order; called only where it matters. Coarser levels stay as they are.
 [[nodiscard]] Crossings cut_where_crossing(const AssetContents& contents, const visibility::HairSurface& hair,
                                            std::span<const Eigen::Vector3f> positions,
                                            const visibility::FoundOrders& drawn, std::size_t most_added,
@@ -47,21 +46,20 @@ struct Crossings {
 
 struct CutSettings {
   std::size_t most_added = 0;  ///< Triangles.
-  float shortest_edge =
-      0;  ///< Metres: no edge is cut nearer to its ends, since views have to see each piece to place it.
+  /// Metres: no edge is cut nearer to its ends, since views have to see each piece to place it.
+  float shortest_edge = 0;
   double least_gain = 0;  ///< Weight of samples that each triangle added must put right.
 };
 
 struct CutResult {
   std::size_t cuts = 0;   ///< Lines that triangles were cut along.
   std::size_t added = 0;  ///< Triangles.
-  double gained = 0;      ///< Of SeenCrossings::unavoidable: what is so no longer.
+  double gained = 0;      ///< Part of SeenCrossings::unavoidable that the cuts made avoidable.
 };
 
-/// Cuts triangles in two or three where they cross others as far as pictures show it, the cuts first that put most
-/// right for each triangle they add: along the other one's plane, or only from a corner to where that plane meets an
-/// edge, which adds half as many. The numbers of triangles in the samples are those of the mesh. The same for the same
-/// samples.
+/// Cuts triangles in two or three where they cross others in pictures. The cuts with the largest gain per added
+/// triangle come first: along the other triangle's plane, or only from a corner to where that plane meets an edge,
+/// which adds half as many. Samples use the mesh's triangle numbers. Equal samples give equal results.
 CutResult cut_crossings(const SeenCrossings& crossings, const CutSettings& settings, SplitMesh& mesh);
 
 }  // namespace coif::cook

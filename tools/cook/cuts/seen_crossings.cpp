@@ -25,7 +25,7 @@ std::uint64_t pair_of(std::uint32_t a, std::uint32_t b) {
   return std::uint64_t(low) << 32 | high;
 }
 
-/// Adds what the blended layers of a line want of each other (order_error.h).
+/// Adds the order that the blended layers of a line want among each other (order_error.h).
 void add_pairs(const visibility::FragmentView& view, std::size_t index, const visibility::DrawRule& rule,
                std::vector<LayerPair>& pairs) {
   const auto line = view.line(index);
@@ -115,7 +115,7 @@ CrossingSearch::View CrossingSearch::view_of(std::size_t number) {
   grid.solid_alpha = rule_.opaque_threshold;
   grid.past_head = false;
   const visibility::FragmentView view(hair_, positions_, grid);
-  constexpr std::size_t kPoses = 2;  // of hair that moves: rest takes every other turn
+  constexpr std::size_t kPoses = 2;  // For hair that moves: rest takes every other turn.
   if (visibility::pose_of_view(cell, turn, kPoses) == 0) {
     const visibility::SightLines lines(view, rule_.opaque_threshold);
     votes_.keep(cell, number % settings_.views_per_cell, visibility::votes_of(lines, own_, rule_));

@@ -18,8 +18,8 @@
 
 namespace coif::cook {
 
-/// A line of sight that meets two triangles of which no order is right all over a picture: they cross there, or lie
-/// before each other in turns.
+/// A line of sight through two triangles for which no order is right in a whole picture: they cross, or each is in
+/// front of the other somewhere.
 struct CrossingSample {
   std::uint32_t view = 0;
   std::uint32_t near = 0, far = 0;  ///< Triangles of the surface.
@@ -27,28 +27,28 @@ struct CrossingSample {
   float weight = 0;  ///< Squared error of the pixel where these two alone are swapped.
 };
 
-/// What no order of whole triangles can draw, seen from all sides at rest.
+/// The crossings that no order of whole triangles can draw, seen from all sides at rest.
 struct SeenCrossings {
   std::vector<CrossingSample> samples;  ///< By view.
-  std::size_t pairs = 0;                ///< Of triangles, each counted once for all views.
-  double unavoidable =
-      0;            ///< What any order loses of all weights, since it draws one of two triangles first everywhere.
-  double lost = 0;  ///< What the orders lose, that included.
+  std::size_t pairs = 0;                ///< Pairs of triangles, each counted once for all views.
+  /// Loss of any order over all weights, since it draws one of two triangles first everywhere.
+  double unavoidable = 0;
+  double lost = 0;  ///< Loss of the given orders, which includes `unavoidable`.
 };
 
-/// Looks at the hair from all sides for what crosses.
+/// Looks for crossings from all sides.
 class CrossingSearch {
  public:
-  /// Along as many lines, from as many sides at most, and with the threads that `settings` say. `orders`: of all
-  /// triangles. Keeps references to the hair and its positions.
+  /// Uses the lines, views and threads of `settings`. `orders`: of all triangles. Keeps references to the hair and its
+  /// positions.
   CrossingSearch(const visibility::HairSurface& hair, std::span<const Eigen::Vector3f> positions,
                  const visibility::CellOrders& orders, const visibility::DrawRule& rule,
                  const visibility::SampleSettings& settings);
 
-  /// From so many sides of each cell; those that it was looked at from before are not taken again.
+  /// Looks from this many sides of each cell, without those looked at before.
   [[nodiscard]] SeenCrossings look(std::size_t views_per_cell);
 
-  /// Votes of those of its views that orders are found from, too (pose_of_view()). They are not here afterwards.
+  /// Moves out the votes of those of its views that are also used to find orders (pose_of_view()).
   [[nodiscard]] visibility::RestVotes take_votes() { return std::move(votes_); }
 
  private:
@@ -65,9 +65,9 @@ class CrossingSearch {
   visibility::DrawRule rule_;
   visibility::SampleSettings settings_;
   std::array<std::uint8_t, kViewCells> order_of_;
-  std::vector<std::vector<std::uint32_t>> places_;  ///< Of each triangle in each order.
-  std::vector<View> views_;                         ///< Those of a cell follow each other.
-  std::size_t looked_at_ = 0;                       ///< Of each cell.
+  std::vector<std::vector<std::uint32_t>> places_;  ///< For each order, the place of each triangle.
+  std::vector<View> views_;                         ///< The views of a cell follow each other.
+  std::size_t looked_at_ = 0;                       ///< Number of views of each cell that were looked at.
   std::vector<std::uint32_t> own_;                  ///< Each triangle's own number.
   visibility::RestVotes votes_;
 };

@@ -15,7 +15,7 @@ namespace {
 
 float mixed(float from, float to, float share) { return from + share * (to - from); }
 
-/// A unit vector, and a share beside it.
+/// Blends a unit vector, and the share stored beside it.
 void mix_snorm(std::int16_t (&into)[4], const std::int16_t (&to)[4], float share) {
   Eigen::Vector3f direction;
   for (int k = 0; k < 3; ++k) direction[k] = mixed(float(into[k]), float(to[k]), share);
@@ -74,8 +74,8 @@ std::size_t SplitMesh::count_at(std::uint32_t from, std::uint32_t to) const {
 
 std::vector<SplitMesh::Halves> SplitMesh::split_edge(std::uint32_t from, std::uint32_t to, float share) {
   std::vector<Halves> halves;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>
-      made;  // most triangles at an edge share its vertices
+  /// The new vertices so far: most triangles at an edge share its vertices.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> made;
   const std::uint32_t from_place = place_[from], to_place = place_[to];
   const std::vector<std::uint32_t> split = at_edge_[edge_between(from, to)];
   for (const std::uint32_t t : split) {
@@ -138,8 +138,7 @@ std::uint32_t SplitMesh::place_of(const VertexRecord& vertex) {
   return places_.try_emplace({p[0], p[1], p[2]}, std::uint32_t(places_.size())).first->second;
 }
 
-/// From the place that was there first to the other, whichever way the edge is named: all its vertices come to the same
-/// place.
+/// Always from the place that came first, whichever way the edge is named, so that all its vertices get the same place.
 std::uint32_t SplitMesh::add_between(std::uint32_t from, std::uint32_t to, float share) {
   if (place_[from] > place_[to]) {
     std::swap(from, to);

@@ -12,9 +12,9 @@
 
 namespace coif::cook {
 
-/// The finest level of packed hair while edges of it are split. Vertices at the same place count as one, so that no gap
-/// opens beside an edge, wherever texture coordinates or patches end. What a split changes of the picture at rest is
-/// below rounding: positions, texture coordinates, normals, tangents, light and weights of a new vertex lie between
+/// The finest level of packed hair while its edges are split. Vertices at the same place count as one, so that no gap
+/// opens beside an edge, also where texture coordinates or patches end. A split changes the picture at rest by less
+/// than rounding: positions, texture coordinates, normals, tangents, light and weights of a new vertex lie between
 /// those of the edge's ends.
 class SplitMesh {
  public:
@@ -23,7 +23,7 @@ class SplitMesh {
   struct Triangle {
     std::array<std::uint32_t, 3> vertex;
     std::uint32_t patch;
-    std::uint32_t origin;  ///< Which triangle of the contents it is a part of.
+    std::uint32_t origin;  ///< The triangle of the contents that it is a part of.
   };
 
   [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
@@ -31,17 +31,17 @@ class SplitMesh {
   [[nodiscard]] Eigen::Vector3f position(std::uint32_t vertex) const {
     return Eigen::Map<const Eigen::Vector3f>(vertices_[vertex].position);
   }
-  /// How many triangles meet in the edge between two vertices: as many as splitting it adds.
+  /// Number of triangles at the edge between two vertices; splitting it adds as many.
   [[nodiscard]] std::size_t count_at(std::uint32_t from, std::uint32_t to) const;
 
   /// A triangle that was split.
   struct Halves {
-    std::uint32_t kept;    ///< Its own index, now of one half.
-    std::uint32_t added;   ///< Of the other, with a higher one than all before.
-    std::uint32_t tip;     ///< The vertex that both halves have beside the new one,
+    std::uint32_t kept;    ///< Index of the first half, which is the triangle's own.
+    std::uint32_t added;   ///< Index of the other half, higher than all before.
+    std::uint32_t tip;     ///< The vertex that both halves share besides the new one.
     std::uint32_t middle;  ///< the new one.
   };
-  /// Puts a vertex on the edge, `share` of the way, 0..1 and neither of them, into every triangle that has it.
+  /// Puts a vertex on the edge, at `share` of the way (0 < share < 1), into every triangle of that edge.
   std::vector<Halves> split_edge(std::uint32_t from, std::uint32_t to, float share);
 
   /// Writes vertices, skin, indices and patches of the contents that this was made of; orders by direction must be none
@@ -62,7 +62,7 @@ class SplitMesh {
   std::vector<SkinRecord> skin_;
   std::vector<Triangle> triangles_;
   std::map<std::array<float, 3>, std::uint32_t> places_;
-  std::vector<std::uint32_t> place_;                              ///< Of each vertex.
+  std::vector<std::uint32_t> place_;                              ///< Place of each vertex.
   std::unordered_map<Edge, std::vector<std::uint32_t>> at_edge_;  ///< Triangles.
 };
 

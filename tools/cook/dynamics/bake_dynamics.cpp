@@ -14,10 +14,10 @@ namespace {
 
 constexpr double kUsualFriction = 2;        ///< 1/s
 constexpr double kLeastKept = 1.0e-4;       ///< Share of the velocity; a drag of 1 keeps none, and friction has no end.
-constexpr double kMostGravity = 1000;       ///< What a DynamicsRecord may hold.
+constexpr double kMostGravity = 1000;       ///< The largest value of a DynamicsRecord.
 constexpr double kVertical = 1.0 - 1.0e-4;  ///< Cosine of a direction that counts as down.
 
-/// Of a bone's middle, where it takes the values of curves.
+/// The place of a bone's middle, where it takes the values of curves.
 double middle_place(const Skeleton& skeleton, const SkeletonBone& bone) {
   const double root_place = bone.kind == BoneKind::kSimulated ? skeleton.bones[bone.parent].place : 0;
   return 0.5 * (root_place + bone.place);
@@ -33,13 +33,13 @@ DynamicsRecord dynamics_by_curve(double place, const RigRecipe& recipe) {
   return record;
 }
 
-/// What the recipe says of critical damping at this place; none: nothing.
+/// The recipe's share of critical damping at this place; none: not given.
 std::optional<double> said_ratio(const RigRecipe& recipe, double place) {
   if (recipe.damping_ratio) return evaluate(*recipe.damping_ratio, place);
   return recipe.liveliness ? std::optional(1 - *recipe.liveliness) : std::nullopt;
 }
 
-/// What the runtime's default solver moves by; see runtime/docs/MODEL.md.
+/// Sets the numbers of the runtime's default solver; see runtime/docs/MODEL.md.
 void bake_motion(const RigRecipe& recipe, std::optional<double> ratio, double length, DynamicsRecord& record) {
   bake_oscillator(ratio, length, record);
   record.torsion = float(recipe.torsion.value_or(kUsualTorsion));
@@ -47,14 +47,14 @@ void bake_motion(const RigRecipe& recipe, std::optional<double> ratio, double le
   record.parent_share = float(recipe.parent_share);
 }
 
-/// Who says how a bone moves.
+/// The sources that may define how a bone moves.
 struct Sayer {
   MotionSource source = MotionSource::kRigid;
-  BoneJoint joint;                      ///< Of the file's springs, if any.
-  const PatchOverride* said = nullptr;  ///< Of its chain alone; null: nothing.
+  BoneJoint joint;                      ///< The file's spring joint of the bone, if any.
+  const PatchOverride* said = nullptr;  ///< The recipe's values for its chain; null: none.
 };
 
-/// What is said of a chain alone holds before the file's springs, too.
+/// Values for the bone's chain take precedence over the file's springs.
 MotionSource source_of(const SkeletonBone& bone, const Sayer& sayer, const RigRecipe& recipe) {
   if (bone.kind != BoneKind::kSimulated) return MotionSource::kRigid;
   const bool has_curve = sayer.said != nullptr && sayer.said->resistance;
@@ -80,7 +80,7 @@ std::vector<Sayer> sayers_of(const importer::SourceModel& source, const Skeleton
   return sayers;
 }
 
-/// What a bone's recipe, in which what is said of its chain holds, and the file say of it.
+/// Adds the motion of a bone from its recipe, in which the values for its chain are applied, and from the file.
 void add_motion(const Skeleton& skeleton, const SkeletonBone& bone, const Sayer& sayer, const RigRecipe& recipe,
                 SaidMotion& motion) {
   const double place = middle_place(skeleton, bone);
@@ -113,7 +113,7 @@ bool has_sideways_gravity(const importer::SourceSpringJoint& joint) {
   return joint.gravity_power != 0 && std::abs(joint.gravity_direction.y()) < kVertical;
 }
 
-/// What of the joints' settings is lost on these bones, one warning for each kind.
+/// Warns about settings of the joints that are lost on these bones, once for each kind.
 void warn_of_lost_settings(const importer::SourceModel& source, std::span<const Sayer> sayers, Findings& findings) {
   const importer::SourceSpring* sideways = nullptr;
   const importer::SourceSpring* centered = nullptr;

@@ -57,19 +57,20 @@ inline constexpr double kSpringRate = 60;  ///< Frames per second at which sprin
 /// Settings of one joint for a bone of `length` metres; hit_radius is left at 0.
 [[nodiscard]] DynamicsRecord dynamics_of_joint(const importer::SourceSpringJoint& joint, double length);
 
-/// Rate at which a twist goes back where the recipe leaves it open, 1/s: a twist is gone within a swing of the hair,
-/// and not so fast that it shows.
+/// Rate at which a twist decays where the recipe gives none, 1/s: it is gone within a swing of the hair, and not so
+/// fast that one sees it.
 inline constexpr double kUsualTorsion = 20;
 
-/// Who says how a bone moves.
+/// The source of a bone's motion.
 enum class MotionSource { kRigid, kSpring, kCurve, kPreset };
 
-/// One of each for every bone of a skeleton; empty where nothing is simulated.
+/// The requested motion: one entry per bone of a skeleton; empty where nothing is simulated.
 struct SaidMotion {
   std::vector<DynamicsRecord> records;  ///< Hit radii 0; bones that a preset moves have no stiffness yet.
   std::vector<MotionSource> sources;
-  std::vector<const HairPreset*> presets;  ///< That it has, or would have if a preset moved it; not null.
-  /// What the bones that a preset moves are damped by, of what would keep them from swinging past their rest.
+  /// The preset that the bone has, or would have if a preset moved it; never null.
+  std::vector<const HairPreset*> presets;
+  /// For bones that a preset moves: damping as a share of the damping that keeps them from swinging past their rest.
   std::vector<double> damping_ratios;
   /// NaturalMotion::is_tied of bones that a preset moves; empty: none is.
   std::vector<bool> tied{};
@@ -77,36 +78,36 @@ struct SaidMotion {
   [[nodiscard]] bool is_tied(std::size_t bone) const { return bone < tied.size() && tied[bone]; }
 };
 
-/// The asset's SkeletonRecord::air_lag: what the recipe says, else what is usual for where most of the hair's numbers
-/// come from. VRM brakes velocities in the world; Algorithm 1's friction is taken against air that goes along; and
-/// human hair has its head's air about it, but not all of it.
+/// The asset's SkeletonRecord::air_lag: the recipe's value, else the usual one for the source of most of the hair's
+/// numbers. VRM damps velocities in the world; Algorithm 1's friction acts against air that follows the head; human
+/// hair has its head's air around it, but not all of it.
 [[nodiscard]] float air_lag(const RigRecipe& recipe, const SaidMotion& said);
 
-/// How each bone moves: as the file's spring bones say or by the recipe's curves, as "dynamics.source" has it. By its
-/// curve a bone takes the values at its middle, so that a chain of one bone has the mean and not the tip's value.
-/// `of_chain`, empty or one for each chain, is what the recipe says of its motion alone, before the file's springs.
-/// Notes how many have springs; warns of what springs lose.
+/// How each bone moves: by the file's spring bones or by the recipe's curves, as "dynamics.source" says. A bone takes
+/// the values of a curve at its middle, so that a chain of one bone has the mean and not the tip's value. `of_chain`,
+/// empty or one for each chain, has the recipe's values for that chain; they take precedence over the file's springs.
+/// Notes how many bones have springs; warns of settings of springs that are lost.
 [[nodiscard]] SaidMotion bake_dynamics(const importer::SourceModel& source, const Skeleton& skeleton,
                                        const RigRecipe& recipe, std::span<const PatchOverride> of_chain,
                                        Findings& findings);
 
-/// For each chain of the rig, whether its hair is tied: a pony tail, a pigtail or a braid, which hangs free as one
-/// round bundle. Loose hair hangs in sheets, or beside other locks.
+/// Whether the hair of each chain is tied: a pony tail, a pigtail or a braid, which hangs free as one round bundle.
+/// Loose hair hangs in sheets, or beside other locks.
 ///
 /// A chain is tied where it is at least 15 cm long, its hair is no wider than 0.6 of that and at least 0.45 times as
 /// thick as wide (both: two standard deviations across the bones, by area), and no other chain of at least half its
 /// length hangs nearer beside its lower half than a quarter of both their widths from surface to surface.
 [[nodiscard]] std::vector<bool> find_tied_chains(const HairStrips& hair, const HairRig& rig);
 
-/// Lets the bones of tied chains that a preset moves swing as tied hair does, where neither the recipe nor `of_chain`
-/// (empty, or one for each chain) says a friction or a damping of their own. Notes which chains are tied.
+/// Lets the bones of tied chains that a preset moves swing as tied hair does, unless the recipe or `of_chain` (empty,
+/// or one for each chain) gives a friction or a damping. Notes which chains are tied.
 void loosen_tied_chains(const Skeleton& skeleton, const std::vector<bool>& tied, const RigRecipe& recipe,
                         std::span<const PatchOverride> of_chain, SaidMotion& motion, Findings& findings);
 
-/// Which directions each bone may have, one record per bone of the skeleton: as the recipe says, else as the file's
-/// springs do (VRMC_springBone_limit; not where "dynamics.source" is "curves"). Empty where no bone has a limit. The
-/// recipe's lie about the direction in which a bone was modelled, and what they turn about is at right angles to that.
-/// Error (kBadInput): the recipe names bones that are not there, or do not move.
+/// The allowed directions of each bone, one record per bone of the skeleton: the recipe's, else those of the file's
+/// springs (VRMC_springBone_limit; not where "dynamics.source" is "curves"). Empty where no bone has a limit. The
+/// recipe's limits are around the direction in which a bone was modelled, and their axes are perpendicular to it. Error
+/// (kBadInput): the recipe names bones that do not exist, or do not move.
 [[nodiscard]] tl::expected<std::vector<LimitRecord>, ToolError> bake_limits(const importer::SourceModel& source,
                                                                             const Skeleton& skeleton,
                                                                             const RigRecipe& recipe,

@@ -32,7 +32,7 @@ std::set<std::uint32_t> chains_called(const AssetContents& contents, const std::
   return chains;
 }
 
-/// What begins each chain, as many as a message has room for.
+/// Names of the first bones of the chains, as many as a message has room for.
 std::string chain_names(const AssetContents& contents) {
   constexpr std::size_t kMost = 12;
   std::vector<std::string> names;

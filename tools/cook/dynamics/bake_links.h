@@ -19,7 +19,7 @@ namespace coif::cook {
 /// Two chains, the one with the lower index first.
 using ChainPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// What a pair of chains carries together.
+/// The hair that a pair of chains carries together.
 struct SharedHair {
   std::uint32_t strips = 0;
   std::uint32_t depths = 0;  ///< Down to which bones strips are between the two: 1 the first of either chain alone.
@@ -31,40 +31,40 @@ struct SharedStrips {
   std::uint32_t count = 0;  ///< Strips that hang on some pair.
 };
 
-/// By the skin's weights. A strip is a patch before any was cut, since what was cut still touches. It hangs on two
-/// chains where both carry a good part of it, and of what the weaker one carries a good part lies in triangles that
-/// follow both. So neither weights that were rounded, nor roots that blend into the neighbour, nor two tails that
-/// grow out of one cap are taken for a sheet.
+/// Finds strips that hang on two chains, by the skin's weights. A strip is a patch before cuts, since pieces still
+/// touch. It hangs on two chains where both carry a good part of it, and a good part of the weaker one's is in
+/// triangles that follow both. So neither rounded weights, nor roots that blend into the neighbour, nor two tails that
+/// grow out of one cap count as a sheet.
 [[nodiscard]] SharedStrips find_shared_strips(const HairStrips& hair, const HairRig& rig);
 
-/// Pairs of chains, and how many depths of each are to be linked at most.
+/// Pairs of chains, and the largest number of depths to link for each.
 using LinkedDepths = std::map<ChainPair, std::uint32_t>;
 
-/// How far apart linked bones may get, as shares of their distance at rest.
+/// The range of distances of linked bones, as shares of their distance at rest.
 struct LinkRoom {
   double stretch = 0;
   double shrink = 0;
 };
 
-/// Links of chains, and what did not become one.
+/// The links of chains, and the pairs that were left out.
 struct LinkForest {
-  std::vector<LinkRecord> links;      ///< As the asset has them: by depth, predecessors first.
+  std::vector<LinkRecord> links;      ///< In the asset's order: by depth, predecessors first.
   std::vector<ChainPair> linked;      ///< Pairs that some link holds together.
   std::vector<ChainPair> roundabout;  ///< Pairs left out, since other pairs hold these chains together already.
   std::vector<LinkRecord> touching;   ///< Links left out, since both bones end at one place.
 };
 
-/// Links each pair of chains, depth by depth: a bone to the nearest one of the other chain that is as deep. Of pairs
-/// that close a circle the widest is left out, unless a chain between them has ended. Each tree starts in its middle,
-/// since a solver that goes through the links one by one is the more exact the fewer follow each other.
+/// Links each pair of chains, depth by depth: a bone to the nearest one of equal depth in the other chain. Of pairs
+/// that close a circle the widest is left out, unless a chain between them has ended. Each tree starts in its middle: a
+/// solver that goes through the links one by one is more exact if fewer follow each other.
 [[nodiscard]] LinkForest link_chains(const AssetContents& contents, const LinkedDepths& pairs, const LinkRoom& room);
 
 struct RigRecipe;
 
-/// Which bones of neighbouring chains stay together, as the recipe says it of the bones packed in `contents`.
-/// Empty where it wants none, and then a note tells of strips that hang on two chains. Error (kBadInput): the
-/// recipe names bones that are not there or do not move, or two of one chain, or more pairs than anybody means.
-/// `source` is the file's name.
+/// The links between bones of neighbouring chains, by the recipe's words about the bones packed in `contents`. Empty
+/// where the recipe has none; then a note mentions strips that hang on two chains. Error (kBadInput): the recipe names
+/// bones that do not exist or do not move, or two of one chain, or more pairs than anybody can mean. `source` is the
+/// file's name.
 [[nodiscard]] tl::expected<std::vector<LinkRecord>, ToolError> bake_links(const std::string& source,
                                                                           const HairStrips& hair, const HairRig& rig,
                                                                           const AssetContents& contents,

@@ -1,7 +1,6 @@
 #pragma once
 
-// The formulas that make a bone's numbers from what is said of it: pure, for whoever has said it. runtime/docs/MODEL.md
-// derives them.
+// Pure formulas for a bone's numbers, whatever the source of their inputs. runtime/docs/MODEL.md derives them.
 
 #include "cook/recipe/hair_preset.h"
 #include "lab/passive_model.h"
@@ -19,34 +18,35 @@ namespace coif::cook {
 
 inline constexpr double kGravity = 9.81;  ///< m/s^2
 
-/// What damping is measured by: the square root of the stiffness of a bone of `length` metres, 1/s. Gravity stiffens a
-/// hanging bone as a pendulum, and so does the head's own acceleration, taken to be as large.
+/// The unit of damping: the square root of the stiffness of a bone of `length` metres, 1/s. Gravity stiffens a hanging
+/// bone like a pendulum, and so does the head's own acceleration, which is assumed to be as large.
 [[nodiscard]] double natural_rate(const DynamicsRecord& record, double length);
 
 /// The damping that, with the friction, brings a bone of `length` metres to this share of critical damping; 0 where
 /// friction alone does more.
 [[nodiscard]] double damping_for(double ratio, double length, const DynamicsRecord& record);
 
-/// Stiffness and damping of `record` from its resistance, authoring rate, friction and gravity, up to kMostStiffness
-/// and kMostDamping. `ratio`: share of critical damping; none: what the resistance brings.
+/// Sets stiffness and damping of `record` from its resistance, authoring rate, friction and gravity, up to
+/// kMostStiffness and kMostDamping. `ratio`: share of critical damping; none: the damping that follows from the
+/// resistance.
 void bake_oscillator(std::optional<double> ratio, double length, DynamicsRecord& record);
 
-/// 1/s^2: of the joint where bone `i` of the rig starts, of hair that its own weight just bends over at
+/// Stiffness of the joint where bone `i` of the rig starts, 1/s^2, for hair that its own weight just bends over at
 /// `bending_length` metres.
 [[nodiscard]] double natural_stiffness(const lab::Rig& rig, std::span<const lab::Carried> carried, std::size_t i,
                                        double bending_length);
 
-/// 1/s: how fast bone `i` swings with this stiffness and what hangs from it, in the passive model.
+/// Rate at which bone `i` swings with this stiffness and everything that hangs from it, 1/s, in the passive model.
 [[nodiscard]] double swing_rate(const lab::Rig& rig, std::span<const lab::Carried> carried, std::size_t i,
                                 double stiffness);
 
-/// How hair moves that nobody gave numbers to.
+/// The motion of hair for which nobody gave numbers.
 struct NaturalMotion {
   double bending_length = 0;  ///< Metres.
-  double damping_ratio = 0;   ///< Share of what keeps a joint from swinging past its rest.
-  /// Only the bending is damped, not the swinging: a tied bundle has no neighbours along which it rubs as it swings.
-  /// The ratio, 1.6 times as large, is then that of the joint's stiffness alone, as seen at the rate at which it
-  /// swings: half of the bending's loss factor.
+  double damping_ratio = 0;   ///< Share of the damping that keeps a joint from swinging past its rest.
+  /// Only the bending is damped, not the swinging: a tied bundle has no neighbours along which it rubs. The ratio, 1.6
+  /// times as large, then refers to the joint's stiffness alone, at the rate at which it swings: half of the bending's
+  /// loss factor.
   bool is_tied = false;
 };
 
@@ -59,9 +59,9 @@ void bake_natural(const lab::Rig& rig, std::span<const lab::Carried> carried, st
 [[nodiscard]] double friction_of(const HairPreset& preset, bool is_tied);
 
 /// Leans the pull of each bone of the rig for which `takes` is true against the weight that it carries, so that it
-/// rests as modelled under an upright head. A bone too soft for that is made as stiff as it takes, its damping with it.
-/// `bones`, `records` and `takes` begin at the asset's first simulated bone; the rig has the records' gravity and
-/// parent shares. Returns how many were too soft.
+/// rests as modelled under an upright head. A bone that is too soft is made stiff enough, with its damping. `bones`,
+/// `records` and `takes` begin at the asset's first simulated bone; the rig has the records' gravity and parent shares.
+/// Returns how many were too soft.
 std::size_t lean_against_weight(const lab::Rig& rig, std::span<const BoneRecord> bones, const std::vector<bool>& takes,
                                 std::span<DynamicsRecord> records);
 

@@ -100,7 +100,7 @@ std::string names_of(const AssetContents& contents, const ChainGroup& group, std
 
 namespace {
 
-/// Copies one bone and says where it went, so that its children find it.
+/// Copies one bone and records its new place for its children.
 void keep_bone(const AssetContents& from, std::uint32_t bone, std::uint32_t chain, std::vector<std::uint32_t>& moved_to,
                AssetContents& to) {
   BoneRecord record = from.bones[bone];

@@ -18,7 +18,8 @@ constexpr double kMostSelfDifferencePct = 0.1;
 /// Share of the chain's length. A chain that hurries about its head is off by a few percent for the contacts' sake; one
 /// that amplifies is off by ten and more.
 constexpr double kMostRuntimeError = 0.05;
-constexpr double kMostGrowth = 1.0e4;  ///< No need to compute what amplifies a rounding error into sight.
+/// A chain that amplifies more turns a rounding error into a visible one; it need not be computed.
+constexpr double kMostGrowth = 1.0e4;
 
 lab::ReferenceSettings trial_settings(const std::stop_token& stop, double most_steps_per_second = 11520) {
   lab::ReferenceSettings settings;
@@ -48,7 +49,7 @@ std::vector<double> trial_times() {
 }
 
 lab::ReferenceRun solve_trial(const lab::Rig& rig, motion::Motion motion, const std::stop_token& stop) {
-  // What is far from agreeing with coarse steps would not with fine ones: those are left.
+  // A chain that is far from agreement with coarse steps would not agree with fine ones either, and is given up.
   constexpr double kCoarse = 2880, kHopelessPct = 3;
   lab::ReferenceRun run = lab::solve_reference(rig, {}, *motion::path_of(motion), trial_settings(stop, kCoarse));
   const double difference = run.self_difference_pct();

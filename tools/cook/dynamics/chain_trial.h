@@ -12,25 +12,25 @@
 
 namespace coif::cook {
 
-/// The motions that a cook runs to judge an asset: how many sub-steps it wants, and where frames need a twist. An asset
-/// stores their names, so that this list may change without those that users choose from (all_motions()). `jog` is not
-/// one of them: it pumps hair from a small sway to a large one, which takes longer than a cook looks.
+/// The motions that a cook runs to judge an asset: how many sub-steps it needs, and where frames need a twist. Assets
+/// store their names, so this list may differ from the motions that users choose from (all_motions()). `jog` is
+/// missing: it builds up from a small sway to a large one, which takes longer than a cook's trial.
 inline constexpr motion::Motion kCookSuite[] = {
     motion::Motion::kStill, motion::Motion::kNod,  motion::Motion::kTurn,   motion::Motion::kCharge,
     motion::Motion::kRun,   motion::Motion::kJump, motion::Motion::kTumble, motion::Motion::kTeleport,
     motion::Motion::kBow,   motion::Motion::kLie};
 
-// Whether a chain has one motion: over motions of the suite two computations of the reference agree, and the runtime
-// follows it (runtime/docs/MODEL.md, "Well-posed or not").
+// Tests whether a chain's motion is well-posed: over motions of the suite, two computations of the reference agree, and
+// the runtime follows them (runtime/docs/MODEL.md, "Well-posed or not").
 
 inline constexpr std::uint32_t kTrialRate = 60, kTrialSubsteps = 4;
 
-/// From what most easily parts two computations to what least does; still and nod never did so alone.
+/// In the order in which they separate two computations, the worst first; still and nod never did so alone.
 inline constexpr motion::Motion kTrialMotions[] = {motion::Motion::kTumble, motion::Motion::kTurn, motion::Motion::kRun,
                                                    motion::Motion::kCharge, motion::Motion::kJump};
 
-/// Steps a second that a reference of the cook begins with. Most chains agree with twice as many to a fiftieth of what
-/// is wanted; for the others there are more.
+/// Steps per second at which a cook's reference begins. For most chains twice as many agree to a fiftieth of the wanted
+/// error; the others get more.
 inline constexpr double kCoarsestSteps = 360;
 
 /// How a chain failed.
@@ -39,10 +39,10 @@ struct ChainFinding {
   motion::Motion motion = motion::Motion::kStill;
   double self_difference_pct = 0;
   double runtime_error = 0;
-  double growth = 0;  ///< So large that nothing was computed.
+  double growth = 0;  ///< Too large: nothing was computed.
 };
 
-/// Where it is good, `runs` are its motions, in the order of kTrialMotions.
+/// If the chain is good, `runs` are its motions, in the order of kTrialMotions.
 struct ChainTrial {
   ChainFinding finding;
   std::vector<lab::ReferenceRun> runs;
@@ -51,21 +51,21 @@ struct ChainTrial {
 /// When trials look, seconds.
 [[nodiscard]] std::vector<double> trial_times();
 
-/// The motion of all that moves, as finely as it takes, or as coarsely as shows that there is none.
+/// The reference of all that moves, with as many steps as it needs, or as few as show that it does not converge.
 [[nodiscard]] lab::ReferenceRun solve_trial(const lab::Rig& rig, motion::Motion motion,
                                             const std::stop_token& stop = {});
 
-/// True where a cascade amplifies rounding into sight: there is no need to compute it.
+/// True where a cascade amplifies rounding errors until they are visible: then it need not be computed.
 [[nodiscard]] bool grows_beyond_hope(const AssetContents& alone);
 
 /// Tries contents with one chain (chains_alone()) in the model that they are meant for. `threads`: without influence on
 /// the result.
 [[nodiscard]] ChainTrial try_chain(const AssetContents& alone, const platform::Threads& threads);
-/// The same, however hopeless it is.
+/// As try_chain(), even where it grows beyond hope.
 [[nodiscard]] ChainTrial try_any_chain(const AssetContents& alone, const platform::Threads& threads);
 
-/// RMS over all samples of the runs of one chain, share of its length; what was not finite is as far off as can be.
-/// `rig` has the chain's tips, and both have the same motions.
+/// RMS difference over all samples of one chain's runs, share of its length; infinite values count as the largest
+/// error. `rig` has the chain's tips, and both lists have the same motions.
 [[nodiscard]] double rms_apart(const lab::Rig& rig, std::span<const lab::ReferenceRun> a,
                                std::span<const lab::ReferenceRun> b);
 

@@ -18,13 +18,13 @@
 namespace coif::cook {
 namespace {
 
-/// 1/s. A reference of what is stiffer takes minutes; and what is stiff hardly swings.
+/// 1/s. The reference of a stiffer joint would take minutes, and a stiff joint hardly swings.
 constexpr double kMostRate = 60000;
 
-/// Share of the chain's length, RMS over a motion, that nobody sees. Chains of one bone differ by what their damping is
-/// measured against.
+/// Share of the chain's length, RMS over a motion, that nobody sees. Chains of one bone differ by the unit of their
+/// damping.
 constexpr double kAlike = 0.02;
-/// A cascade that amplifies this much does not move as if it did not.
+/// A cascade that amplifies more moves visibly differently.
 constexpr double kMostGrowthAlike = 30;
 
 /// The same hair in either model.
@@ -43,7 +43,7 @@ bool is_too_stiff(const AssetContents& passive, const ChainGroup& group) {
   });
 }
 
-/// Of the first telling chain that has no one motion; empty if each has.
+/// The findings about the first telling chain whose motion is not well-defined; empty if all are.
 std::optional<IllPosedChains> try_group(const AssetContents& contents, const ChainGroup& group,
                                         const platform::Threads& threads) {
   for (const std::uint32_t chain : group.telling) {
@@ -53,7 +53,7 @@ std::optional<IllPosedChains> try_group(const AssetContents& contents, const Cha
   return std::nullopt;
 }
 
-/// How far apart the models move a chain, over the worst motion; infinite as soon as that is too far.
+/// The largest difference of a chain between the models over all motions; infinite as soon as it is too large.
 double distance_of_models(const BothModels& both, std::uint32_t chain, const platform::Threads& threads) {
   const AssetContents cascade = alone(both.cascade, chain), passive = alone(both.passive, chain);
   if (chain_growth(cascade, 0) > kMostGrowthAlike) return INFINITY;
@@ -71,7 +71,7 @@ double distance_of_models(const BothModels& both, std::uint32_t chain, const pla
   return worst;
 }
 
-/// What became of a group, and why; `why` is empty where it stays what it is by rule.
+/// The decision for a group; `why` is empty where the rule's model stays.
 struct Verdict {
   ChainModel model = ChainModel::kCascade;
   std::string why;

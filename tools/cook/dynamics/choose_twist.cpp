@@ -21,10 +21,10 @@ constexpr std::uint32_t kWatchedRate = 60, kWatchedSubsteps = 2;
 /// Radians. Games move heads in other ways than the suite does: 60 degrees are left until the arc flips, and at 120 it
 /// turns about the bone no faster than sqrt(3) times as fast as the bone swings.
 constexpr double kMostFold = 2 * std::numbers::pi / 3;
-constexpr std::size_t kMostNames = 4;  ///< In a note.
+constexpr std::size_t kMostNames = 4;  ///< Most names in a note.
 
-/// May the bone bend that far from its default direction by the parent? The limit counts from what parent and head
-/// share, and what pushes hair out of a collider comes after it.
+/// Whether the bone may bend that far from its parent's default direction. The limit is measured from the direction
+/// that parent and head share, and colliders push after it.
 bool may_fold(const BoneRecord& bone, const DynamicsRecord& dynamics) {
   const bool is_held = dynamics.parent_share == 1 && bone.colliders == 0;
   return !is_held || double(dynamics.angle_limit) > kMostFold;
@@ -89,7 +89,7 @@ std::vector<double> largest_folds(const AssetContents& contents, const platform:
   return largest;
 }
 
-/// What a head of a large crowd takes of the runtime's memory.
+/// Bytes of the runtime's memory per head of a large crowd.
 std::uint64_t bytes_per_head(const AssetContents& contents) {
   const lab::OpenedAsset opened(contents);
   HairDesc desc;

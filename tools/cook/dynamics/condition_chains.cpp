@@ -16,30 +16,29 @@
 namespace coif::cook {
 namespace {
 
-/// What a chain is given. Damping and friction are shares of the square root of the bone's stiffness, its own weight's
-/// and its acceleration's included; both at 1 are half of critical each.
+/// A candidate for a chain. Damping and friction are shares of the square root of the bone's stiffness, which includes
+/// its weight's and its acceleration's; with 1 each is half of critical.
 struct Conditioning {
   double damping = 0;
   double friction = 0;
   double parent_share = 1;
 };
 
-/// From little to much. Damping alone helps short chains; friction takes the energy out of long ones; and only a share
-/// of the pull that does not follow the parent bounds the gain of very long ones.
+/// From little to much. Damping alone helps short chains; friction takes energy out of long ones; only a share of the
+/// pull that does not follow the parent bounds the gain of very long ones.
 constexpr Conditioning kCandidates[] = {{0.5, 0, 1},   {1, 0, 1},     {2, 0, 1},   {3, 0, 1},   {1, 0.5, 0.8},
                                         {1, 0.7, 0.6}, {2, 0.7, 0.8}, {2, 1, 0.6}, {2, 1, 0.4}, {2, 1.4, 0.3},
                                         {3, 2, 0.2},   {4, 3, 0.1},   {4, 4, 0}};
-/// What comes after so many that are good changes more. Chains of many bones take long to compute.
+/// Number of good candidates after which the search ends: later ones change more. Chains of many bones take long.
 std::size_t enough_good(std::uint32_t bones) { return bones <= 16 ? 3 : 1; }
 
-/// % of the chain's length, RMS: above, two computations of what the artist asked for have less in common than with
-/// Algorithm 1.
+/// % of the chain's length, RMS: above it two computations of the artist's motion differ by more than from Algorithm 1.
 constexpr double kMostSelfDifferenceOfArtistPct = 5;
 constexpr int kArtistIterations = 8;
 
 struct Outcome {
   std::size_t candidate = 0;
-  double difference = 0;  ///< From what the artist asked for, share of the length, RMS over the motions.
+  double difference = 0;  ///< Difference from the artist's motion, share of the length, RMS over the motions.
   bool is_good = true;
 };
 
@@ -86,13 +85,13 @@ lab::ReferenceRun run_by_steps(const lab::OpenedAsset& opened, const lab::Rig& r
   return run;
 }
 
-/// What the artist asked for: motions of a chain's tips, in the order of kTrialMotions.
+/// The artist's motion: runs of a chain's tips, in the order of kTrialMotions.
 struct AskedMotions {
   lab::Rig rig;
   std::vector<lab::ReferenceRun> runs;
 };
 
-/// The chain's motions as it is, where there are any.
+/// The chain's motions with the artist's numbers, where they are well-defined.
 AskedMotions artists_motions(const AssetContents& contents, std::uint32_t chain, const platform::Threads& threads) {
   const AssetContents alone = chains_alone(contents, std::array{chain});
   const lab::OpenedAsset opened(alone);
@@ -107,14 +106,14 @@ AskedMotions artists_motions(const AssetContents& contents, std::uint32_t chain,
   return {rig, std::move(runs)};
 }
 
-/// What a candidate makes of the telling chains of a group.
+/// The result of a candidate for the telling chains of a group.
 struct Examined {
   bool is_good = true;
-  double difference = 0;  ///< As Outcome::difference, of the chain that it changes most.
+  double difference = 0;  ///< As Outcome::difference, for the chain that it changes most.
 };
 
-/// What some of kCandidates come to. Chains of all of them are examined beside each other, no further one of a
-/// candidate that is not good.
+/// Examines some of kCandidates, all chains of all candidates in parallel; a candidate that fails gets no further
+/// chain.
 std::vector<Examined> examine_group(const AssetContents& contents, const ChainGroup& group,
                                     std::span<const AskedMotions> asked, std::span<const Conditioning> candidates,
                                     const platform::Threads& threads) {
@@ -140,9 +139,9 @@ std::vector<Examined> examine_group(const AssetContents& contents, const ChainGr
   return examined;
 }
 
-/// Finds the candidate that changes the motion least among those under which every telling chain is good. As many are
-/// examined at a time as there are threads, and what they find counts in the order of the candidates: it does not
-/// depend on how many there are.
+/// Finds the candidate that changes the motion least among those under which every telling chain is good. Examines as
+/// many at a time as there are threads. Results count in the order of the candidates, so they do not depend on the
+/// number of threads.
 Outcome search(const AssetContents& contents, const ChainGroup& group, const platform::Threads& threads) {
   std::vector<AskedMotions> asked;
   for (const std::uint32_t chain : group.telling) asked.push_back(artists_motions(contents, chain, threads));

@@ -8,13 +8,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Most of the pull that may lean: what is left along the bone keeps it stable.
+/// Largest share of the pull that may lean: the rest, along the bone, keeps it stable.
 constexpr double kMostLean = 0.8;
-constexpr double kSteady = 1.5;  ///< Hair that stands is this much stiffer than its weight could topple.
+/// Standing hair is this much stiffer than the least that its weight could not topple.
+constexpr double kSteady = 1.5;
 
-/// What bends a bone at its start, in its model's own unit, and what topples it, against its `stiffness` in that unit.
+/// The load that bends a bone at its start, in its model's own unit, and the load that topples it relative to
+/// `stiffness`.
 struct Burden {
-  Vector3d side = Vector3d::Zero();  ///< At right angles to the bone: its pull has to lean by as much.
+  Vector3d side = Vector3d::Zero();  ///< Perpendicular to the bone: its pull has to lean by this much.
   double topple = 0;
 };
 
@@ -28,7 +30,7 @@ std::vector<Burden> burdens_in_cascade(const lab::Rig& rig) {
   return burdens;
 }
 
-/// Of how many bones the longest way from the head to a tip through each bone has.
+/// For each bone, the number of bones of the longest way from the head through it to a tip.
 std::vector<double> bones_in_a_row(const lab::Rig& rig) {
   std::vector<double> above(rig.bones.size()), below(rig.bones.size(), 0.0), all;
   for (std::size_t i = 0; i < rig.bones.size(); ++i) {
@@ -43,8 +45,8 @@ std::vector<double> bones_in_a_row(const lab::Rig& rig) {
   return all;
 }
 
-/// Torques over what each joint carries. A column buckles where its joints give way together: each has to hold its
-/// share (Dunkerley's bound).
+/// Torques over the mass that each joint carries. A column buckles where its joints give way together, so each has to
+/// hold its share (Dunkerley's bound).
 std::vector<Burden> burdens_in_passive(const lab::Rig& rig) {
   const std::vector<lab::Carried> carried = lab::carried_at_rest(rig.bones);
   const std::vector<double> joints = bones_in_a_row(rig);
@@ -55,7 +57,7 @@ std::vector<Burden> burdens_in_passive(const lab::Rig& rig) {
     const Vector3d own = bone.gravity_scale * bone.length * Vector3d(0, -kGravity, 0), direction = bone.rest_direction;
     weights[i] += own;
     middles[i] += weights[i].y() * bone.length * direction;  // first moment about the start, times gravity
-    // The bending of what hangs from it turns it too; what is left, its own has to hold.
+    // The bending of the bones that hang from it turns it too; its own bending has to hold the rest.
     const Vector3d wanted = -bone.length * direction.cross(weights[i]);
     const Vector3d torque = wanted - lab::across(torques[i], direction);
     burdens[i] = {torque.cross(direction) / carried[i].inertia,

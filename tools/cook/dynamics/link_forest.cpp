@@ -28,7 +28,7 @@ std::vector<Depths> depths_of_chains(const AssetContents& contents) {
   return chains;
 }
 
-/// Where the bone's particle is at rest, head space.
+/// The bone's particle at rest, head space.
 Eigen::Vector3d resting_tail(const BoneRecord& bone) {
   const auto vector = [](const float(&v)[3]) { return Eigen::Vector3d(double(v[0]), double(v[1]), double(v[2])); };
   return vector(bone.joint) + double(bone.length) * vector(bone.rest_direction);
@@ -42,7 +42,7 @@ std::uint32_t nearest(const AssetContents& contents, std::uint32_t bone, const s
   return *std::ranges::min_element(others, {}, [&](std::uint32_t other) { return gap(contents, bone, other); });
 }
 
-/// Over so many depths, between the bones that are nearest to each other.
+/// Mean distance over so many depths, between the nearest bones of each depth.
 double mean_gap(const AssetContents& contents, const Depths& one, const Depths& other, std::size_t depths) {
   double sum = 0;
   for (std::size_t d = 0; d < depths; ++d) {
@@ -57,7 +57,7 @@ double mean_gap(const AssetContents& contents, const Depths& one, const Depths& 
 struct Candidate {
   double gap;  ///< Metres at rest, the mean.
   ChainPair pair;
-  std::size_t depths;  ///< That it can link.
+  std::size_t depths;  ///< Number of depths that it can link.
 
   bool operator<(const Candidate& other) const { return std::tie(gap, pair) < std::tie(other.gap, other.pair); }
 };
@@ -101,7 +101,7 @@ struct Visit {
   std::uint32_t level;  ///< Links up to the root.
 };
 
-/// All of the tree from this chain on, level by level.
+/// The whole tree from this chain on, level by level.
 std::vector<Visit> visit_from(const Neighbours& neighbours, std::uint32_t root) {
   std::vector<Visit> visits = {{root, kNone, 0}};
   for (std::size_t i = 0; i < visits.size(); ++i) {
@@ -113,8 +113,8 @@ std::vector<Visit> visit_from(const Neighbours& neighbours, std::uint32_t root) 
   return visits;
 }
 
-/// The chain from which the farthest is nearest; of several the longest, and of those the first. It lies halfway
-/// between the ends of the longest way through the tree.
+/// The chain whose farthest chain is nearest; among equals the longest, then the first. It lies halfway between the
+/// ends of the longest way through the tree.
 std::uint32_t middle_of(const Neighbours& neighbours, const std::vector<Depths>& chains, std::uint32_t member) {
   const std::uint32_t one_end = visit_from(neighbours, member).back().chain;
   const std::vector<Visit> across = visit_from(neighbours, one_end);
@@ -128,7 +128,7 @@ std::uint32_t middle_of(const Neighbours& neighbours, const std::vector<Depths>&
   return std::min(middle, other, [&](std::uint32_t a, std::uint32_t b) { return rank(a) < rank(b); });
 }
 
-/// Every tree from its middle on, but for chains that nothing is linked to.
+/// Every tree, from its middle on; chains without links are left out.
 std::vector<Visit> visit_trees(const Neighbours& neighbours, const std::vector<Depths>& chains) {
   std::vector<Visit> all;
   std::vector<bool> seen(chains.size(), false);

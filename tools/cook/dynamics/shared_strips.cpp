@@ -7,27 +7,27 @@
 namespace coif::cook {
 namespace {
 
-constexpr double kFollows = 0.1;     // of a triangle's weight: what it can be pulled by
-constexpr double kGoodPart = 0.15;   // of what the stronger chain carries of a strip
-constexpr double kStretched = 0.15;  // of what the weaker chain carries: on triangles between the two
-constexpr double kAnyPart = 0.02;    // of the whole strip; less is dirt of a brush
-constexpr double kLastPart = 0.05;   // of what is between two chains: what the deepest of their bones have of it
+constexpr double kFollows = 0.1;     // Share of a triangle's weight with which a chain can pull it.
+constexpr double kGoodPart = 0.15;   // Share of the stronger chain's part of a strip.
+constexpr double kStretched = 0.15;  // Share of the weaker chain's part, on triangles between the two.
+constexpr double kAnyPart = 0.02;    // Share of the whole strip; less is dirt of a brush.
+constexpr double kLastPart = 0.05;   // Share of the area between two chains that their deepest bones have.
 
-/// Square metres in triangles that follow two chains, by the depth of the less deep of the bones that they follow most.
+/// Square metres in triangles that follow two chains, by the smaller depth of the two bones that they follow most.
 using BetweenChains = std::vector<double>;
 
 /// Square metres of one strip.
 struct StripLoad {
   double area = 0;
-  std::map<std::uint32_t, double> carried;  ///< By each chain.
+  std::map<std::uint32_t, double> carried;  ///< Area that each chain carries.
   std::map<ChainPair, BetweenChains> between;
 };
 
-/// What one chain carries of a triangle.
+/// The part of a triangle that one chain carries.
 struct Share {
   double weight = 0;
-  double heaviest = 0;      ///< Weight of the bone with most.
-  std::uint32_t depth = 0;  ///< That bone's.
+  double heaviest = 0;      ///< Weight of its heaviest bone.
+  std::uint32_t depth = 0;  ///< Depth of that bone.
 };
 
 using ChainShares = std::map<std::uint32_t, Share>;

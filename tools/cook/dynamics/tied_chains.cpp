@@ -17,12 +17,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kShortestTied = 0.15;  ///< Metres. What is shorter hardly swings.
-constexpr double kWidestTied = 0.6;     ///< Of the length.
+constexpr double kShortestTied = 0.15;  ///< Metres. Shorter hair hardly swings.
+constexpr double kWidestTied = 0.6;     ///< Share of the length.
 constexpr double kRoundTied = 0.45;     ///< Thickness over width.
-constexpr double kMostlyOwn = 0.5;      ///< Of a triangle's weight.
-constexpr double kBesideGap = 0.25;     ///< Of both widths.
-constexpr double kLongBeside = 0.5;     ///< Of the length: shorter chains, a fringe, do not count as neighbours.
+constexpr double kMostlyOwn = 0.5;      ///< Share of a triangle's weight.
+constexpr double kBesideGap = 0.25;     ///< Share of the sum of both widths.
+constexpr double kLongBeside = 0.5;     ///< Share of the length: shorter chains, a fringe, do not count as neighbours.
 constexpr double kLowerHalf = 0.5;
 
 /// Area, and first and second moments of where hair is about a bone's start, across the bone.
@@ -53,7 +53,7 @@ BundleSize size_of(const CrossSection& section) {
   return {2 * std::sqrt(std::max(0.0, half + apart)), 2 * std::sqrt(std::max(0.0, half - apart))};
 }
 
-/// The bone that carries most of a triangle, and its share; bone 0 for hair that follows the head.
+/// The bone with the largest share of a triangle, and its share; bone 0 for hair that follows the head.
 BoneWeight heaviest_bone(const HairMesh& mesh, const SkinWeights& weights, std::size_t triangle) {
   std::vector<BoneWeight> sum;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -82,7 +82,7 @@ std::vector<CrossSection> cross_sections(const HairStrips& hair, const HairRig& 
 }
 
 struct Bundle {
-  double length = 0;            ///< Metres along the chain; of a branched one to its farthest tip.
+  double length = 0;            ///< Metres along the chain; for a branched one to its farthest tip.
   BundleSize size;              ///< Mean by area.
   std::vector<Vector3d> lower;  ///< Middles and tails of the bones of the lower half.
 

@@ -13,13 +13,13 @@
 namespace coif::cook {
 namespace {
 
-constexpr double kUsualError = 0.007;  ///< Where the recipe asks for nothing, this is wanted and nothing less refused.
-/// In slower frames nobody knows what the head does: there the error grows with their square, and up to this much is
-/// let be.
+constexpr double kUsualError = 0.007;  ///< The target where the recipe has none; a larger error is not refused then.
+/// In slower frames the head's motion is unknown, so the error may grow with their square, up to this.
 constexpr double kUsualRate = 60, kMostUsualError = 0.02;
-/// Nor is more than four steps a frame of the usual rate taken for less than that.
+/// At most four steps per frame of the usual rate are spent on that target.
 constexpr double kDearSteps = 4 * kUsualRate;
-constexpr double kWorthwhile = 0.9;  ///< Of an error that is too large: dearer settings leave no more of it.
+/// Factor on an error that is too large: a costlier setting must reduce it at least to this share.
+constexpr double kWorthwhile = 0.9;
 constexpr std::uint32_t kParts[] = {1, 2, 3, 4, 6, 8, 12, 16};
 
 std::vector<std::uint32_t> frame_rates(const RigRecipe& recipe) {
@@ -31,9 +31,9 @@ std::vector<std::uint32_t> frame_rates(const RigRecipe& recipe) {
   return rates;
 }
 
-/// What the recipe asks for, as shares and nanoseconds; 0: nothing.
+/// The recipe's budget, as shares and nanoseconds; 0: none.
 struct Budget {
-  bool is_usual = false;  ///< Nobody asked.
+  bool is_usual = false;  ///< The recipe has no budget.
   double error = 0;
   double max_error = 0;
   double worst_second = 0;
@@ -45,7 +45,7 @@ struct Budget {
     const double longer = std::max(1.0, kUsualRate / rate);
     return is_usual ? std::min(error * longer * longer, kMostUsualError) : error;
   }
-  /// How many times what it may be the worst of the errors is.
+  /// The worst error divided by its allowed value.
   [[nodiscard]] double excess(const MeasuredRate& measured, std::uint32_t rate, std::uint32_t substep_rate) const {
     const auto share = [](double reached, double asked) { return asked > 0 ? reached / asked : 0.0; };
     return std::max({share(double(measured.quality.rms_error), error_at(rate, substep_rate)),
@@ -69,14 +69,15 @@ Budget budget_of(const RigRecipe& recipe, double longest) {
   return budget;
 }
 
-/// All frame rates with sub-steps of the same rate: the dearest of the parts, the worst of the errors.
+/// All frame rates with sub-steps of the same rate: the highest cost and the worst error.
 struct TriedRate {
   TuningRecord tuning{};
   double max_error = 0;
   double worst_second = 0;
   double excess = 0;  ///< Budget::excess() of the worst rate.
-  double mean_excess =
-      0;  ///< Of all rates, 1 where it is less: finer steps may help some where one is as good as it gets.
+  /// Mean over all rates, where a smaller excess counts as 1: finer steps may help some rates where another is as good
+  /// as possible.
+  double mean_excess = 0;
   std::uint32_t worst_motion = 0;
 };
 
@@ -179,7 +180,7 @@ tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, 
     const bool is_first = parts == kParts[0];
     if (!affordable && !is_first) break;
     if (is_first || tried.excess < least.excess) least = tried;
-    // Where nothing is good enough, more sub-steps have to gain something.
+    // Where nothing is good enough, more sub-steps must gain something.
     if (is_first || tried.excess <= 1 || tried.mean_excess < kWorthwhile * best.mean_excess) best = tried;
     best.tuning.met = affordable && ((budget.is_usual && budget.cost > 0) || best.excess <= 1);
     if (best.excess <= 1 || !affordable) break;

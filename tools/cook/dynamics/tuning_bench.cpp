@@ -17,9 +17,9 @@ namespace coif::cook {
 namespace {
 
 constexpr double kSeconds = 2;
-constexpr double kMostError = 1000;    ///< That an asset may hold.
+constexpr double kMostError = 1000;    ///< The largest error that an asset may hold.
 constexpr std::size_t kFewBones = 24;  ///< Up to here every chain is run.
-/// Steps times bones: of the reference, over all motions, and of the runtime, over all motions, frame rates and
+/// Limits in steps times bones: of the reference over all motions, and of the runtime over all motions, frame rates and
 /// sub-steps.
 constexpr double kMostReferenceWork = 8e6;
 constexpr std::uint64_t kMostRuntimeWork = 8'000'000;
@@ -32,7 +32,7 @@ lab::ReferenceSettings reference_settings(std::span<const std::uint32_t> rates) 
   settings.sample_times = lab::frame_times(rates, kSeconds);
   settings.steps_per_second = kCoarsestSteps;
   settings.most_steps_per_second = 23040;
-  settings.wanted_self_difference_pct = 0.1;  // a seventh of the smallest error that is usually asked for
+  settings.wanted_self_difference_pct = 0.1;  // A seventh of the smallest usual target.
   return settings;
 }
 
@@ -48,7 +48,7 @@ std::size_t bones_of(const AssetContents& contents, std::span<const std::uint32_
   return count;
 }
 
-/// Chains that tell about the others, groups with most bones first, as far as there is work for their references.
+/// Chains that represent the others, groups with most bones first, up to the limit of work for their references.
 ChainsToRun telling_chains(const AssetContents& contents, const lab::ReferenceSettings& settings) {
   std::vector<ChainGroup> groups = group_chains(contents);
   std::ranges::stable_sort(groups, std::greater<>{},
@@ -186,7 +186,7 @@ MeasuredRate TuningBench::measure(std::uint32_t rate, std::uint32_t parts) const
   row.substeps = parts;
   const double model_cost = nominal_passive_cost(passive_, parts) + nominal_twist_cost(twisting_, parts);
   row.cost = float(nominal_cost(bones_, parts) + model_cost);
-  // What did not stay finite is as wrong as can be written down, and not right for comparing false.
+  // A run that did not stay finite counts as the largest error; NaN would compare as false.
   const auto worse = [](float a, double b) { return std::max(a, float(b <= kMostError ? b : kMostError)); };
   for (std::size_t m = 0; m < errors.size(); ++m) {
     if (!known_[m].reference.is_solved()) continue;

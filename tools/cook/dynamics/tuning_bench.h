@@ -15,24 +15,25 @@
 
 namespace coif::cook {
 
-/// What the runtime does at one frame rate, over all motions of the suite.
+/// The runtime's errors at one frame rate, over all motions of the suite.
 struct MeasuredRate {
   QualityRecord quality;
   double worst_second = 0;
 };
 
-/// Which chains of an asset are run, and how many others are not, nor any like them.
+/// The chains of an asset to run, and the number of others that are neither run nor represented.
 struct ChainsToRun {
   std::vector<std::uint32_t> chains;
   std::size_t left_out = 0;
 };
 
-/// The runtime beside the reference, for any frame rate of the recipe's and number of parts; each is measured once.
+/// Runs the runtime beside the reference, for any frame rate of the recipe's and number of parts; each is measured
+/// once.
 ///
-/// Its work is bounded by counts of steps times bones, which are the same on every machine and on any number of
-/// threads: about ten seconds of one processor at most, whatever the file. Of many chains those are run that tell about
-/// most others; a motion whose reference takes more than its share is as exact as that share makes it, or left out.
-/// left_out() says all of it.
+/// Its work is bounded by counts of steps times bones, which are equal on every machine and for any number of threads:
+/// at most about ten seconds of one processor, whatever the file. Of many chains it runs those that represent most
+/// others. A motion whose reference needs more than its share is as exact as that share allows, or left out. left_out()
+/// lists all of it.
 class TuningBench {
  public:
   TuningBench(const AssetContents& contents, std::span<const std::uint32_t> rates, const platform::Threads& threads);

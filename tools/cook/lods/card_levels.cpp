@@ -12,8 +12,8 @@ namespace coif::cook {
 namespace {
 
 constexpr std::size_t kNear = 8;            // vertices that one takes its weights from
-constexpr double kLeastWeight = 1.0 / 510;  // of a bone: less is not stored
-constexpr double kReach = 0.5;              // of the head's half height: what is farther counts as so far
+constexpr double kLeastWeight = 1.0 / 510;  // Smaller weights of a bone are not stored.
+constexpr double kReach = 0.5;              // Share of the head's half height: larger distances count as this.
 
 /// The finest level, as coarser ones follow it.
 class FinestCards {
@@ -27,7 +27,7 @@ class FinestCards {
 
   struct Followed {
     std::vector<BoneWeight> weights;
-    std::uint32_t patch = 0;  ///< Of the nearest vertex.
+    std::uint32_t patch = 0;  ///< The nearest vertex's patch.
   };
 
   [[nodiscard]] Followed at(const Eigen::Vector3f& place) const {
@@ -52,7 +52,7 @@ class FinestCards {
   std::vector<std::uint32_t> patch_of_;  ///< Per vertex.
 };
 
-/// Which of the finest level's patches each strip lies at: where most of its vertices do.
+/// For each strip, the finest level's patch at which most of its vertices lie.
 std::vector<std::uint32_t> patches_met(const importer::SourceLevel& level,
                                        std::span<const FinestCards::Followed> followed) {
   std::vector<std::uint32_t> met;
@@ -124,7 +124,7 @@ struct Distances {
   std::size_t count = 0;
 };
 
-/// How far one level's vertices are from another's cards.
+/// Adds the distances of one level's vertices from another's cards.
 void add_distances(const HairMesh& mesh, const DetailLevel& of, const DetailLevel& from, double reach,
                    const platform::Threads& threads, Distances& distances) {
   const std::vector<std::uint32_t> triangles = indices_of(from);

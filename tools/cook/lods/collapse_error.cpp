@@ -20,7 +20,7 @@ bool has_area(const std::array<std::uint32_t, 3>& points) {
   return points[0] != points[1] && points[1] != points[2] && points[2] != points[0];
 }
 
-/// To find what of a coarse patch is nearest to a point of the fine one.
+/// Finds the nearest part of a coarse patch to a point of the fine one.
 class CoarsePatch {
  public:
   CoarsePatch(const PatchSurface& surface, const CollapseSequence& sequence, std::size_t steps)
@@ -38,8 +38,8 @@ class CoarsePatch {
     }
   }
 
-  /// From the triangles around what the point has become on to their neighbours, as long as that leads nearer; any
-  /// value below `enough` once one is found. 0 for points that are in no triangle.
+  /// Searches from the triangles around the point that it has collapsed into, on to their neighbours as long as these
+  /// are nearer; may stop at any value below `enough`. 0 for points that are in no triangle.
   [[nodiscard]] double squared_distance_of(std::uint32_t point, std::size_t pose, double enough) const {
     if (becomes_[point] == point || around_[becomes_[point]].empty()) return 0;
     double nearest = INFINITY;
@@ -75,7 +75,7 @@ std::vector<std::uint32_t> collapsed_corners(const PatchSurface& surface, const 
                                              std::size_t steps) {
   std::vector<std::uint32_t> now(surface.vertex_of_corner.size());
   std::iota(now.begin(), now.end(), 0u);
-  // Backwards: where a corner goes is known before what went into it.
+  // Backwards, so that a corner's target is known before the corners that went into it.
   for (std::size_t m = steps == 0 ? 0 : sequence.steps[steps - 1].moves_end; m-- > 0;) {
     now[sequence.moves[m].from] = now[sequence.moves[m].to];
   }

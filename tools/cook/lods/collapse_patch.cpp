@@ -13,22 +13,23 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Weight of the planes that hold the outline, against those of the surface: silhouettes are what is seen of strips.
+/// Weight of the planes that hold the outline, against those of the surface: people see mostly silhouettes of strips.
 constexpr double kOutlineWeight = 4;
-/// A candidate whose error has grown by more than this share since it was weighed goes back to the queue.
+/// A candidate whose error has grown by more than this factor since it was weighed returns to the queue.
 constexpr double kStale = 1.1;
 
 struct Candidate {
   double error = 0;  ///< Metres.
   std::uint32_t from = 0, to = 0;
-  std::uint32_t version = 0;  ///< Of `from` when it was weighed; an older one is out of date.
+  std::uint32_t version = 0;  ///< Version of `from` when it was weighed; an older one is out of date.
 
   bool operator<(const Candidate& other) const {  // std::priority_queue hands out the largest
     return std::pair(error, from) > std::pair(other.error, other.from);
   }
 };
 
-/// For each point of each pose the planes of its triangles, by area, and of its borders, standing on the surface.
+/// For each point of each pose the planes of its triangles, weighted by area, and of its borders, perpendicular to the
+/// surface.
 std::vector<SurfaceQuadric> find_quadrics(const PatchSurface& surface) {
   std::vector<SurfaceQuadric> quadrics(surface.positions.size());
   const auto doubled_normal = [&](std::size_t pose, std::uint32_t t) -> Vector3d {
@@ -89,7 +90,7 @@ class Collapser {
   CollapseSequence sequence_;
 };
 
-/// Both ends' quadrics at `to`, over all poses.
+/// The error of both ends' quadrics at `to`, over all poses.
 double Collapser::change(std::uint32_t from, std::uint32_t to) const {
   double sum = 0;
   for (std::size_t pose = 0; pose < surface_.poses; ++pose) {
@@ -100,8 +101,8 @@ double Collapser::change(std::uint32_t from, std::uint32_t to) const {
   return sum;
 }
 
-/// Puts the best way to remove `from` into the queue, if there is one: the quadrics choose among its neighbours, and
-/// the measured error says when its turn is.
+/// Puts the best way to remove `from`, if any, into the queue. The quadrics choose among its neighbours; the measured
+/// error decides its turn.
 void Collapser::weigh(std::uint32_t from) {
   ++version_[from];
   target_[from] = importer::kNoIndex;
@@ -134,7 +135,7 @@ double Collapser::squared_error(std::uint32_t point, std::span<const ShrinkingSu
   return at_least;
 }
 
-/// How far `from`, and what went into it before, would lie from the triangles around `to`. Metres.
+/// Distance of `from`, and of the points that collapsed into it before, from the triangles around `to`. Metres.
 double Collapser::measure(std::uint32_t from, std::uint32_t to) {
   const auto star = shrinking_.star_after(from, to);
   double worst = squared_error(from, star, 0);
@@ -166,7 +167,7 @@ CollapseSequence Collapser::run() {
     if (best.version != version_[best.from]) continue;
     const bool fits = shrinking_.may_collapse(best.from, best.to);
     const double error = fits ? measure(best.from, best.to) : 0;
-    if (!fits || error > kStale * best.error + 1.0e-9) {  // What lies around has changed since.
+    if (!fits || error > kStale * best.error + 1.0e-9) {  // Its surroundings have changed since.
       weigh(best.from);
       continue;
     }

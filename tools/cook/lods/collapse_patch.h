@@ -37,16 +37,16 @@ class SurfaceQuadric {
   double constant_ = 0;
 };
 
-/// All that used corner `from` uses `to` from now on.
+/// Everything that used corner `from` uses `to` from now on.
 struct CornerMove {
   std::uint32_t from = 0;
   std::uint32_t to = 0;
 };
 
-/// A patch that loses its points one by one: which may go where without tearing or folding it.
+/// A patch that loses its points one by one; says which points may collapse without tearing or folding it.
 class ShrinkingSurface {
  public:
-  using Points = std::array<std::uint32_t, 3>;  ///< Of one triangle.
+  using Points = std::array<std::uint32_t, 3>;  ///< The points of one triangle.
 
   /// Keeps a reference. Triangles without area are left out.
   explicit ShrinkingSurface(const PatchSurface& surface);
@@ -64,7 +64,7 @@ class ShrinkingSurface {
   /// The triangles around `to` when `from` has gone there. Valid until the next call.
   [[nodiscard]] std::span<const Points> star_after(std::uint32_t from, std::uint32_t to);
 
-  /// What may_collapse() has allowed last. Appends to `moves`.
+  /// Performs the collapse that may_collapse() allowed last. Appends to `moves`.
   void collapse(std::uint32_t from, std::uint32_t to, std::vector<CornerMove>& moves);
 
  private:
@@ -77,22 +77,22 @@ class ShrinkingSurface {
 
   const PatchSurface& surface_;
   std::vector<Triangle> triangles_;
-  std::vector<std::vector<std::uint32_t>> triangles_of_;  ///< Per point; those that are left.
+  std::vector<std::vector<std::uint32_t>> triangles_of_;  ///< Per point: the remaining triangles.
   std::vector<bool> on_border_, fixed_;
   std::uint32_t left_ = 0;
-  // Of the question in hand.
+  // Scratch of the present question.
   std::vector<std::uint32_t> mark_, neighbours_;
   std::uint32_t last_mark_ = 0;
   std::vector<Points> star_;
   std::vector<CornerMove> moves_;
 };
 
-/// How a patch loses its triangles, one edge after the other. Any number of first steps makes a coarser patch out of
-/// the finest one's vertices, so levels of detail share them.
+/// The order in which a patch loses its triangles, one edge after the other. Any number of first steps gives a coarser
+/// patch from the finest one's vertices, so levels of detail share them.
 struct CollapseSequence {
   struct Step {
     float error = 0;                   ///< Metres, in the worst of the poses, when it was made; ascending.
-    std::uint32_t triangles_left = 0;  ///< After it.
+    std::uint32_t triangles_left = 0;  ///< After this step.
     std::uint32_t moves_end = 0;       ///< moves[0 .. moves_end) belong to this step and those before.
   };
   std::vector<Step> steps;
@@ -101,7 +101,7 @@ struct CollapseSequence {
 
 struct CollapseLimits {
   double largest_error = 0.01;  ///< Metres.
-  double fewest_share = 0;      ///< Of its triangles that a patch keeps in any case.
+  double fewest_share = 0;      ///< Share of its triangles that a patch always keeps.
 };
 
 /// Collapses edges onto one of their ends, those first that change the shape least. Corners of the outline stay, so
@@ -116,12 +116,12 @@ struct CollapseLimits {
 [[nodiscard]] std::vector<std::uint32_t> collapsed_corners(const PatchSurface& surface,
                                                            const CollapseSequence& sequence, std::size_t steps);
 
-/// How far the surface's points lie from the patch after `steps` steps, in the worst of the poses, metres. Each looks
-/// for what is nearest from where it has gone, as long as neighbours are nearer, so the true distance may be less.
+/// Largest distance of the surface's points from the patch after `steps` steps, over all poses, metres. Each point
+/// searches from where it has gone, as long as neighbours are nearer, so the true distance may be smaller.
 [[nodiscard]] double collapsed_error(const PatchSurface& surface, const CollapseSequence& sequence, std::size_t steps);
 
-/// The patch after its first `steps` steps: three vertices of the mesh for each triangle that is left. `originals` are
-/// the vertices of the patch's triangles as they were, in the order of PatchSurface::triangles.
+/// The patch after its first `steps` steps: three vertices of the mesh for each remaining triangle. `originals` are the
+/// original vertices of the patch's triangles, in the order of PatchSurface::triangles.
 [[nodiscard]] std::vector<std::uint32_t> collapsed_triangles(const PatchSurface& surface,
                                                              const CollapseSequence& sequence, std::size_t steps,
                                                              std::span<const std::uint32_t> originals);

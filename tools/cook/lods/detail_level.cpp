@@ -21,7 +21,7 @@ float largest_screen(double head_height, float error, const LodSettings& setting
   return float(std::min(head_height * settings.pixel_error / (kScreenLines * error), double(kLargestScreen)));
 }
 
-/// How its patches came about.
+/// How the level was made, for notes.
 std::string origin_of(const DetailLevel& level, const DetailLevel& finest) {
   std::size_t common = 0;
   for (std::size_t p = 0; p < level.triangles_of.size(); ++p) {
@@ -47,7 +47,7 @@ std::uint64_t bytes_of(const DetailLevel& level) {
          sizeof(LodRecord);
 }
 
-/// What coarser levels take beside the finest: their own vertices, too.
+/// The size of coarser levels besides the finest: also their own vertices.
 std::string cost_in_bytes(std::span<const DetailLevel> levels) {
   std::uint64_t bytes = sizeof(LodRecord) + levels[0].simulated.size();
   std::vector<std::uint32_t> before = vertices_of(levels[0]), all;
@@ -139,7 +139,7 @@ std::size_t first_used(const std::vector<DetailLevel>& levels, double largest) {
   return first;
 }
 
-/// One past the last: the levels from which on each fits sizes that the scene does not have.
+/// End of the used levels: from there on each fits only sizes that the scene does not have.
 std::size_t end_of_used(const std::vector<DetailLevel>& levels, std::size_t first, double smallest) {
   std::size_t end = first + 1;
   while (end < levels.size() && levels[end - 1].screen_size > smallest) ++end;

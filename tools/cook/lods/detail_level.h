@@ -13,11 +13,11 @@ namespace coif::cook {
 
 struct DrawnRecipe;
 
-/// One level of detail: what it draws of each patch, and the bones that move on their own.
+/// One level of detail: the triangles that it draws of each patch, and the bones that it simulates.
 struct DetailLevel {
   std::vector<std::vector<std::uint32_t>> triangles_of;  ///< Per patch, three vertices each; empty: it is not drawn.
   float error = 0;                                       ///< As LodRecord::error.
-  /// Metres: what of `error` shows, as screen sizes follow from it.
+  /// Metres: the visible part of `error`, from which screen sizes follow.
   float shown_error = 0;
   float screen_size = 0;        ///< As LodRecord::screen_size.
   std::vector<bool> simulated;  ///< Per bone.
@@ -26,9 +26,9 @@ struct DetailLevel {
   [[nodiscard]] std::size_t patch_count() const;
 };
 
-/// Of all its triangles, patch by patch.
+/// The indices of all its triangles, patch by patch.
 [[nodiscard]] std::vector<std::uint32_t> indices_of(const DetailLevel& level);
-/// Each once, ascending.
+/// Its vertices, each once, ascending.
 [[nodiscard]] std::vector<std::uint32_t> vertices_of(const DetailLevel& level);
 
 struct LodSettings {
@@ -44,25 +44,26 @@ struct LodSettings {
 
 inline constexpr double kScreenLines = 1080;
 
-/// What the hair's triangles draw from the one with this number on.
+/// The level of the hair's triangles from this number on.
 [[nodiscard]] DetailLevel level_from(const HairStrips& hair, std::size_t first_triangle);
 
-/// What the hair's own triangles draw, all of them, with all bones.
+/// The level of all the hair's own triangles, with all bones.
 [[nodiscard]] DetailLevel finest_level(const HairStrips& hair, const Skeleton& skeleton);
 
-/// Screen sizes of all levels, and the bones of the coarser ones, which follow from the largest size each is used at.
+/// Sets the screen sizes of all levels, and the bones of the coarser ones, which follow from the largest size at which
+/// each is used.
 ///
-/// A level fits from that size on at which what shows of the next coarser one's error is `pixel_error` pixels:
-/// screen_size = height of the head * pixel_error / (kScreenLines * shown_error of the next level).
+/// A level fits from the size on at which the shown error of the next coarser one is `pixel_error` pixels: screen_size
+/// = height of the head * pixel_error / (kScreenLines * shown_error of the next level).
 void place_on_screen(double head_height, const Skeleton& skeleton, const LodSettings& settings,
                      std::vector<DetailLevel>& levels);
 
-/// Notes what each coarser level has, and what all of them take.
+/// Notes the contents of each coarser level, and the size of all of them.
 void describe_levels(std::span<const DetailLevel> levels, Findings& findings);
 
-/// Leaves levels out that are too fine or too coarse for every size at which the recipe's scene shows the head. One
-/// always stays. The finest that stays simulates every bone and is what errors are measured from: those of the others
-/// grow by its own at most, and are given so.
+/// Leaves out levels that are too fine or too coarse for every size at which the recipe's scene shows the head. One
+/// always stays. The finest that stays simulates every bone, and errors are relative to it: those of the others grow by
+/// its own at most, and are stored so.
 void leave_out_levels(const DrawnRecipe& recipe, std::vector<DetailLevel>& levels, Findings& findings);
 
 }  // namespace coif::cook

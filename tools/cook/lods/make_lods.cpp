@@ -58,7 +58,7 @@ void LevelMaker::drop(std::size_t excess) {
   dropper_->drop(excess, left, drawn_);
 }
 
-/// Takes the patches towards `target`, each as far as its measured error allows. Returns the errors.
+/// Simplifies the patches towards `target`, each as far as its measured error allows. Returns the errors.
 std::vector<float> LevelMaker::simplify(std::size_t target) {
   const std::vector<std::size_t> finer = steps_;
   steps_ = simplified_.steps_for(target, drawn_, finer);
@@ -89,7 +89,7 @@ DetailLevel LevelMaker::make(std::size_t target) {
   return level;
 }
 
-/// Of hair that was dropped from what this level draws.
+/// Distance of dropped hair from the hair that this level draws.
 double LevelMaker::dropped_distance(const DetailLevel& level) const {
   if (std::ranges::all_of(drawn_, [](bool drawn) { return drawn; })) return 0;
   const std::vector<std::uint32_t> triangles = indices_of(level);

@@ -68,7 +68,7 @@ std::vector<Pose> bent_poses(const HairMesh& mesh, const HairRig& rig) {
 
 namespace {
 
-/// For each of the patch's vertices (by its position in PatchView::vertices) its point and its corner.
+/// For each of the patch's vertices (by its place in PatchView::vertices) its point and its corner.
 struct Numbering {
   std::vector<std::uint32_t> point, corner;
   std::vector<std::uint32_t> vertex_of_point, vertex_of_corner;
@@ -133,7 +133,7 @@ std::vector<EdgeUse> edges_by_point(const PatchSurface& surface) {
   return sorted_edges(corners, same);
 }
 
-/// The border's directions at its points: the turn between the one that comes and the one that goes.
+/// Fixes the corners of the border: points at which it turns.
 void fix_corners(const PatchSurface& surface, PatchOutline& outline) {
   std::vector<Eigen::Vector3d> arriving(surface.points(), Eigen::Vector3d::Zero()), leaving = arriving;
   std::vector<int> starts(surface.points(), 0), ends = starts;

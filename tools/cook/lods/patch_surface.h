@@ -12,13 +12,13 @@ namespace coif::cook {
 using Pose = std::vector<Eigen::Vector3f>;
 
 /// The rest pose, and where bones move, two poses in which every simulated bone is turned against its parent: about X
-/// in one, about Z in the other, so that hair of any direction bends in at least one. What looks alike in all of them
-/// looks alike in motion; at rest alone, a straight tail is as good as two triangles. A bone turns by 20 degrees, or
-/// less where the longest chain would turn by more than 120 in all.
+/// in one, about Z in the other, so that hair of any direction bends in at least one. A simplification that looks right
+/// in all of them looks right in motion; at rest alone, a straight tail is as good as two triangles. A bone turns by 20
+/// degrees, or less where the longest chain would turn by more than 120 in all.
 [[nodiscard]] std::vector<Pose> bent_poses(const HairMesh& mesh, const HairRig& rig);
 
-/// One patch by itself, for simplification: what is at one place is one point, what has one texture coordinate there is
-/// one corner, so that hard edges do not tear the surface and texture seams stay seams.
+/// One patch by itself, for simplification. All vertices at one place are one point, and those with one texture
+/// coordinate there are one corner, so that hard edges do not tear the surface and texture seams stay seams.
 struct PatchSurface {
   struct Triangle {
     std::array<std::uint32_t, 3> point;
@@ -39,7 +39,7 @@ struct PatchSurface {
 [[nodiscard]] PatchSurface make_patch_surface(const HairStrips& hair, const PatchView& view,
                                               std::span<const Pose> poses);
 
-/// Where a patch ends, and which of its points carry its shape.
+/// The outline of a patch, and the points that carry its shape.
 struct PatchOutline {
   struct Edge {
     std::uint32_t a, b;      ///< Points, in the triangle's direction.
@@ -47,8 +47,8 @@ struct PatchOutline {
   };
   std::vector<Edge> edges;
   std::vector<bool> on_border;  ///< Per point.
-  /// Per point: corners of the outline (so the points and the ends of strips stay), and where more than two triangles
-  /// or several borders meet.
+  /// Per point: corners of the outline (so the points and the ends of strips stay), and places where more than two
+  /// triangles or several borders meet.
   std::vector<bool> fixed;
 };
 

@@ -52,7 +52,7 @@ bool ShrinkingSurface::may_collapse(std::uint32_t from, std::uint32_t to) {
   return !fixed_[from] && keeps_topology(from, to) && keeps_facing(from, to) && find_moves(from, to);
 }
 
-/// The link condition: what both ends have as a neighbour is what the dying triangles have as their third point.
+/// The link condition: the common neighbours of both ends are exactly the third points of the triangles that vanish.
 bool ShrinkingSurface::keeps_topology(std::uint32_t from, std::uint32_t to) {
   std::size_t dying = 0;
   for (std::uint32_t t : triangles_of_[from]) {
@@ -91,8 +91,8 @@ bool ShrinkingSurface::keeps_facing(std::uint32_t from, std::uint32_t to) const 
   return true;
 }
 
-/// Which corner of `to` continues each corner of `from`: the one on the same side of a texture seam, as a dying
-/// triangle shows. False where none shows it.
+/// Finds the corner of `to` that continues each corner of `from`: the one on the same side of a texture seam, by a
+/// triangle that vanishes. False where no triangle shows it.
 bool ShrinkingSurface::find_moves(std::uint32_t from, std::uint32_t to) {
   moves_.clear();
   for (std::uint32_t t : triangles_of_[from]) {

@@ -62,8 +62,9 @@ std::vector<std::size_t> SimplifiedPatches::steps_for(std::size_t target, const 
 
 namespace {
 
-constexpr double kBaredAtMost = 0.02;  ///< Of all pixels with hair: what the outline of hair may lose.
-constexpr double kAloneAtMost = 0.2;   ///< Of one patch's pixels: a wisp that is seen against the background stays.
+constexpr double kBaredAtMost = 0.02;  ///< Share of all pixels with hair that the hair's outline may lose.
+/// Share of one patch's pixels: a wisp that is seen against the background stays.
+constexpr double kAloneAtMost = 0.2;
 
 }  // namespace
 

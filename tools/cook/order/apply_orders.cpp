@@ -9,8 +9,8 @@
 namespace coif::cook {
 namespace {
 
-/// For each patch how many others begin before it in the file. Patches that were cut are numbered after all others, so
-/// their numbers do not tell. Those of coarser levels are where the ones are that they stand for.
+/// For each patch the number of others that begin before it in the file. Pieces of cut patches have numbers after all
+/// others, so numbers do not tell. Patches of coarser levels take the places of those that they replace.
 std::vector<std::uint32_t> places_in_file(const PatchSet& patches) {
   std::vector<std::uint32_t> place(patches.count, importer::kNoIndex);
   std::uint32_t next = 0;
@@ -59,7 +59,7 @@ std::vector<LodRecord> levels_of(const AssetContents& contents) {
   return {{0, std::uint32_t(contents.patches.size()), 0, 0}};
 }
 
-/// A level's patches, lowest key first; equal ones as they are.
+/// Sorts a level's patches by key, lowest first; equal ones keep their order.
 template <typename Key>
 std::vector<std::uint32_t> sorted_patches(const LodRecord& level, const Key& key) {
   std::vector<std::uint32_t> patches(level.patch_count);
@@ -88,7 +88,7 @@ class Reorder {
     }
   }
 
-  /// Appends an order by direction, after stored(). `order`: of the finest level's triangles, as they were before.
+  /// Appends an order by direction, after stored(). `order`: of the finest level's triangles, in their old numbers.
   void append(const visibility::UnitOrder& order) {
     for (const std::uint32_t triangle : order) contents_.orders.push_back(moved_to_[triangle]);
     const Keys place = mean_places(order, levels_.front());

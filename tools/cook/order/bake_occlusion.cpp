@@ -19,20 +19,20 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kLines = 128;          ///< Of a view, along the hair's longest side.
-constexpr float kMargin = 1.0f / 256;  ///< Of the same side: what lies this flat on a card may be the card itself.
-constexpr float kNoLight = 1.0e-7f;    ///< Far below what is stored: whatever else is in the way changes nothing.
+constexpr float kLines = 128;          ///< Lines of a view along the hair's longest side.
+constexpr float kMargin = 1.0f / 256;  ///< Share of that side: hair this close above a card may be the card itself.
+constexpr float kNoLight = 1.0e-7f;    ///< Far below the stored precision: further layers change nothing.
 
-/// Lines that the triangles of one view may be tried against, so that neither time nor memory grows without bound where
-/// all triangles are as large as the hair. Of hair that artists made, the most that is known is a quarter of it.
+/// Largest number of line tests for the triangles of one view, so that time and memory are bounded where all triangles
+/// are as large as the hair. Artists' hair is known to need at most a quarter of it.
 constexpr double kMostTries = 2.0e6;
 constexpr float kFewestLines = 8;
 
-/// Where light is gathered.
+/// A point where light is gathered.
 struct Receiver {
-  Vector3f point;               ///< Of the vertex.
-  Vector3f outside;             ///< The same, out of the head if it was inside.
-  Vector3f normal;              ///< Of the triangles around it; 0 for a vertex without any.
+  Vector3f point;               ///< The vertex.
+  Vector3f outside;             ///< The vertex, moved out of the head if it was inside.
+  Vector3f normal;              ///< Normal of the triangles around it; 0 for a vertex without triangles.
   std::uint32_t patch = kNone;  ///< kNone: it is in no triangle.
 };
 
@@ -60,7 +60,7 @@ Vector3f nearest_of_core(const ColliderRecord& solid, const Vector3f& point) {
                     : Vector3f(center);
 }
 
-/// The head as its colliders tell it is wider than the scalp that hair grows from; what is inside would get no light.
+/// The head of the colliders is wider than the scalp that hair grows from; points inside would get no light.
 Vector3f out_of(std::span<const ColliderRecord> solids, Vector3f point) {
   constexpr int kTries = 4;  // leaving one may enter another
   for (int i = 0; i < kTries; ++i) {
@@ -74,7 +74,7 @@ Vector3f out_of(std::span<const ColliderRecord> solids, Vector3f point) {
   return point;
 }
 
-/// What one direction brings to each receiver.
+/// The light that each receiver gets from one direction.
 class LitSide {
  public:
   LitSide(const visibility::HairSurface& hair, std::span<const Vector3f> positions, const visibility::ViewGrid& grid,
@@ -104,7 +104,8 @@ class LitSide {
     return passes;
   }
 
-  /// The line passes the vertex at some distance, and nearly along a card it meets the card itself before or behind it.
+  /// The line passes the vertex at some distance. Nearly along a card it meets the card itself before or behind the
+  /// vertex.
   [[nodiscard]] bool is_own(const visibility::Fragment& fragment, const Vector3f& offset,
                             const Receiver& receiver) const {
     if (!(std::abs(offset.dot(receiver.normal)) < margin_)) return false;
@@ -152,8 +153,8 @@ float choose_spacing(const visibility::HairSurface& hair, std::span<const Vector
 }
 
 struct Gathered {
-  std::vector<double> shares;  ///< Of the light for each vertex, 0..1; -1 for one that is in no triangle.
-  bool is_coarse = false;      ///< By fewer lines than were wanted.
+  std::vector<double> shares;  ///< Share of the light for each vertex, 0..1; -1 for a vertex without triangles.
+  bool is_coarse = false;      ///< Fewer lines than wanted were used.
 };
 
 Gathered gather(const visibility::HairSurface& hair, std::span<const Vector3f> positions,
@@ -191,14 +192,14 @@ Gathered gather(const visibility::HairSurface& hair, std::span<const Vector3f> p
   return gathered;
 }
 
-/// What has been written so far.
+/// Statistics of the values written so far.
 struct Written {
   std::vector<bool> is_lit;  ///< Per vertex.
   double sum = 0, least = 1;
   std::size_t count = 0;
 };
 
-/// Vertices that a finer level has already keep what they have there.
+/// Vertices that a finer level has too keep the finer level's value.
 void write_level(const Gathered& gathered, double strength, std::vector<VertexRecord>& vertices, Written& written) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (written.is_lit[i] || gathered.shares[i] < 0) continue;

@@ -18,7 +18,7 @@
 namespace coif::cook {
 namespace {
 
-/// To choose from, beside the usual one. Dark hair before bright skin shows what a threshold of 0.95 hides.
+/// Candidates besides the usual threshold. Dark hair before bright skin shows what a threshold of 0.95 hides.
 constexpr float kThresholds[] = {0.5f, 0.55f, 0.6f, 0.65f, 0.7f, 0.75f, 0.8f, 0.85f, 0.9f, 0.95f, 0.97f, 0.99f};
 constexpr float kSameThreshold = 0.005f;
 
@@ -26,12 +26,12 @@ constexpr double kEnough = 50;  ///< dB: pictures that are nearer to the exact o
 constexpr std::size_t kTrianglesPerView = 150;
 constexpr std::size_t kFewestViews = 2, kMostViews = 12;
 constexpr std::size_t kMostWork = 320'000;  ///< Triangles times views of a cell.
-/// More are not searched unasked: it would take minutes, for hair that no game draws.
+/// By default larger meshes are not searched: it would take minutes, for hair that no game draws.
 constexpr std::size_t kMostTriangles = 250'000;
 constexpr std::size_t kQuickViews = 4, kQuickJudgeViews = 1;
 constexpr std::size_t kQuickLines = 3000;
-/// Lines that the triangles of the views of a cell may be tried against: what limits time and memory where all
-/// triangles are as large as the hair. Of hair that artists made, the most that is known is three quarters of it.
+/// Largest number of line tests for the triangles of the views of a cell: bounds time and memory where all triangles
+/// are as large as the hair. Artists' hair is known to need at most three quarters of it.
 constexpr double kMostTriesOfACell = 9.0e6;
 constexpr std::size_t kFewestLinesOfAView = 200;
 
@@ -61,7 +61,7 @@ class OrderChoice {
     settings_.max_orders = most_orders();
     settings_.min_gain = recipe.order_method == OrderMethod::kViews ? 0 : recipe.order_min_gain;
     settings_.threads = threads;
-    // What each pair of triangles wants is seen from so many sides as there are triangles to be told apart.
+    // The number of viewing directions for a pair's vote follows from the number of triangles.
     const std::size_t triangles = contents.indices.size() / 3;
     const std::size_t wanted = std::clamp(triangles / kTrianglesPerView, kFewestViews, kMostViews);
     settings_.views_per_cell = std::clamp<std::size_t>(kMostWork / triangles, 1, wanted);
@@ -69,7 +69,7 @@ class OrderChoice {
     judged_.emplace(visibility::judged_hair(hair_, poses, settings_));
   }
 
-  /// With as many views as tell which directions belong together, and layers of all alphas that may be blended.
+  /// Uses as many views as it takes to group the directions, and layers of all alphas that may be blended.
   [[nodiscard]] visibility::FoundOrders quick_search() const {
     visibility::OrderSearchSettings quick = settings_;
     quick.opaque_threshold =
@@ -82,26 +82,26 @@ class OrderChoice {
     return visibility::search_orders(with_threshold(quick.opaque_threshold), *judged_, poses_, head_, quick);
   }
 
-  /// The recipe's, or what those orders look best with.
+  /// The recipe's threshold, or the one with which those orders look best.
   [[nodiscard]] float threshold_for(const visibility::FoundOrders& quick) const {
     return recipe_.opaque_threshold == 0 ? best_threshold(quick) : usual_threshold_;
   }
 
-  /// `quick`: by quick_search(), of this hair or of the same before it was cut.
-  /// `seen`: of this hair with this threshold.
+  /// `quick`: from quick_search(), of this hair or of the same hair before cuts. `seen`: of this hair with this
+  /// threshold.
   [[nodiscard]] visibility::FoundOrders refine(const visibility::FoundOrders& quick, float threshold,
                                                const visibility::RestVotes& seen) const {
     visibility::OrderSearchSettings settings = settings_;
     settings.opaque_threshold = threshold;
     visibility::FoundOrders found =
         visibility::refine_orders(with_threshold(threshold), *judged_, poses_, head_, quick, settings, seen);
-    if (threshold == usual_threshold_) return found;  // which was compared with it
+    if (threshold == usual_threshold_) return found;  // It has been compared with it.
     const visibility::FoundOrders head = by_head();
     found.head = head.head;
     return found.found.psnr > head.head.psnr ? std::move(found) : head;
   }
 
-  /// Where triangles cross, seen by as many views as the quick search has.
+  /// Where triangles cross, seen by the views of the quick search.
   [[nodiscard]] Crossings find_crossings(const visibility::FoundOrders& quick, float threshold) const {
     if (recipe_.order_cut_budget == 0 || quick.by_view.orders.empty()) return {};
     const visibility::HairSurface hair = with_threshold(threshold);
@@ -121,11 +121,11 @@ class OrderChoice {
   }
 
   [[nodiscard]] float usual_threshold() const { return usual_threshold_; }
-  /// The share of the wanted lines of sight that there are; 1 but for triangles that are nearly as large as the hair.
+  /// Share of the wanted lines of sight that are used; 1 except for triangles that are nearly as large as the hair.
   [[nodiscard]] double share_of_lines() const { return share_of_lines_; }
 
  private:
-  /// The hair as it is drawn with some opaque threshold.
+  /// The hair drawn with another opaque threshold.
   [[nodiscard]] visibility::HairSurface with_threshold(float threshold) const {
     visibility::HairSurface hair = hair_.surface;
     hair.alpha = alpha_.at(threshold);
@@ -186,7 +186,7 @@ class OrderChoice {
            std::views::filter([this](float t) { return t < usual_threshold_ - kSameThreshold; });
   }
 
-  /// What the quick search and the first steps of best_threshold() will ask for in any case.
+  /// Prepares the thresholds that the quick search and the first steps of best_threshold() always need.
   void prepare_first(float quick) const {
     std::vector<float> first{quick, usual_threshold_};
     for (const float threshold : thresholds_above() | std::views::take(1)) first.push_back(threshold);
@@ -194,8 +194,8 @@ class OrderChoice {
     alpha_.prepare(first);
   }
 
-  /// Upwards and downwards from the usual one as long as it helps. Lower thresholds hide more of what should shine
-  /// through, and leave less to be sorted and blended: where both are worth the same it is the lower one.
+  /// Tries thresholds above and below the usual one as long as that helps. A lower threshold hides more of the layers
+  /// that should shine through, and leaves less to sort and blend; of equally good ones the lower is chosen.
   [[nodiscard]] float best_threshold(const visibility::FoundOrders& orders) const {
     const Judged usual{usual_threshold_, worth(orders, usual_threshold_)};
     const Judged higher = climb(orders, usual, thresholds_above());
@@ -208,7 +208,7 @@ class OrderChoice {
     double worth;
   };
 
-  /// dB, less what they cost.
+  /// dB, minus the cost of its layers.
   [[nodiscard]] double worth(const visibility::FoundOrders& orders, float threshold) const {
     const visibility::OrderQuality quality = judge(orders, threshold, kQuickJudgeViews);
     return std::min(quality.psnr, kEnough) - kGainPerLayer * quality.blended;
@@ -228,7 +228,7 @@ class OrderChoice {
   const AssetContents& contents_;
   std::span<const visibility::HairPositions> poses_;
   ThresholdAlpha& alpha_;
-  visibility::SeenHair hair_;  ///< Its mips have their own alpha yet.
+  visibility::SeenHair hair_;  ///< Its mips still have their own alpha.
   visibility::UnitOrder head_;
   float usual_threshold_;
   visibility::OrderSearchSettings settings_;
@@ -251,7 +251,7 @@ tl::expected<OrderFigures, ToolError> choose_order(const DrawnRecipe& recipe, st
     return {};
   }
   std::optional<lab::OpenedAsset> opened(std::in_place, contents);
-  if (!opened->asset().is_open()) return {};  // the cooker says why where it opens what it wrote
+  if (!opened->asset().is_open()) return {};  // The cook reports the reason where it opens the file that it wrote.
   auto poses = find_order_poses(opened->asset(), recipe.order_solver);
   if (!poses) return tl::unexpected(poses.error());
   ThresholdAlpha alpha(contents, used, visibility::AlphaTexture(opened->asset()), threads);

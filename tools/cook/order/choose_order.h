@@ -18,26 +18,26 @@
 
 namespace coif::cook {
 
-/// What choose_order() made; all 0 where nothing is blended or looked for.
+/// Expected quality of the orders of choose_order(); all 0 where nothing is blended or searched.
 struct OrderFigures {
   std::uint32_t orders = 0;     ///< The one for all directions included.
-  double psnr = 0;              ///< Expected of pictures, dB: of all pixels together,
-  double median = 0;            ///< over the views at rest,
-  double worst = 0;             ///< of the worst of these,
-  double moving = 0;            ///< and over those in motion.
+  double psnr = 0;              ///< Expected PSNR of pictures, dB, over all pixels together.
+  double median = 0;            ///< The median over the views at rest.
+  double worst = 0;             ///< The worst of these views.
+  double moving = 0;            ///< Over the views in motion.
   std::uint32_t crossings = 0;  ///< Pairs of triangles of which neither is before the other all over some picture.
   std::uint32_t cuts = 0;       ///< Lines that triangles were cut along.
   std::uint32_t added = 0;      ///< Triangles.
   double cut_gain = 0;          ///< Expected of the cuts, dB.
 };
 
-/// dB that each further layer of a pixel must gain that is blended instead of drawn solid: it is shaded and written
-/// once more, where a solid one hides what is behind it.
+/// dB that each further layer of a pixel must gain to be blended instead of drawn solid: it is shaded and written once
+/// more, where a solid one hides everything behind it.
 inline constexpr double kGainPerLayer = 0.5;
 
-/// `triangles`: of the finest level before.
+/// `triangles`: number of the finest level's before the cuts.
 void note_crossings(const Crossings& crossings, std::size_t triangles, Findings& findings);
-/// `usual_threshold`: what the material had.
+/// `usual_threshold`: the material's.
 void note_orders(const visibility::FoundOrders& found, float usual_threshold, Findings& findings);
 
 [[nodiscard]] OrderFigures figures_of(const visibility::FoundOrders& found, const Crossings& crossings);
@@ -55,26 +55,26 @@ struct PatchOrder {
 /// distances keep the order of the file.
 [[nodiscard]] PatchOrder sort_patches(const HairStrips& hair, const Eigen::Vector3d& head_center);
 
-/// Puts the patches of every level of detail into the order found for the finest one, and their triangles with them;
-/// writes the orders by direction, and in the material how they are to be drawn. Patches of coarser levels go where
-/// those of the finest with the same place in the file are; in orders of triangles, where these are on average.
+/// Sorts the patches of every level of detail by the order found for the finest one, with their triangles; writes the
+/// orders by direction, and into the material how to draw them. A coarser level's patches go to the places of the
+/// finest level's patches with the same place in the file; in orders of triangles, to the mean place of these.
 void apply_orders(const visibility::FoundOrders& found, AssetContents& contents);
 
-/// Looks for the orders in which the packed hair is best drawn (search_orders()), at rest and in motion, and writes
-/// them, and the opaque threshold where the recipe leaves it open. What is drawn is never worse, as far as the search
-/// can tell, than by distance from the head, which is kept where nothing is blended. Mips must have their own alpha
-/// yet: each threshold is tried with those that keep_coverage() would make for it with `used`. Before that, cuts
-/// triangles of the finest level where they cross (cook/cuts), as far as "order.cut_budget" allows. Notes what was
-/// chosen, with figures. Errors: kBadInput for hair that the runtime cannot simulate.
+/// Looks for the orders in which the packed hair is best drawn (search_orders()), at rest and in motion. Writes them,
+/// and the opaque threshold where the recipe leaves it open. As far as the search can tell, the pictures are never
+/// worse than by distance from the head, which is kept where nothing is blended. Mips must still have their own alpha:
+/// each threshold is tried with those that keep_coverage() would make for it with `used`. Before that, cuts triangles
+/// of the finest level where they cross (cook/cuts), as far as "order.cut_budget" allows. Notes the choice, with
+/// figures. Errors: kBadInput for hair that the runtime cannot simulate.
 tl::expected<OrderFigures, ToolError> choose_order(const DrawnRecipe& recipe, std::span<const Image> used,
                                                    const platform::Threads& threads, AssetContents& contents,
                                                    Findings& findings);
 
-/// Writes into each vertex which share of the light from everywhere reaches it in the rest pose
-/// (VertexRecord::normal[3]): over the 96 directions of view_cells.h, each as wide as its cell, the mean of what the
-/// hair before the vertex lets through, 0 where a collider of the head is before it. Hair seen from both sides is lit
-/// from both; hair with an outside only by what is above its surface. A card does not shade itself. Alpha counts as
-/// painted, so this comes before keep_coverage(). Recipe: "occlusion.strength". Notes the mean and the least.
+/// Writes into each vertex the share of ambient light that reaches it in the rest pose (VertexRecord::normal[3]): the
+/// mean over the 96 directions of view_cells.h, each as wide as its cell, of the light that the hair before the vertex
+/// lets through, 0 where a collider of the head is before it. Two-sided hair is lit from both sides; one-sided hair
+/// only from above its surface. A card does not shade itself. Uses alpha as painted, so it comes before
+/// keep_coverage(). Recipe: "occlusion.strength". Notes mean and minimum.
 ///
 /// Source of the idea: Zhukov, Iones, Kronin 1998, "An ambient light illumination model".
 void bake_occlusion(const DrawnRecipe& recipe, const platform::Threads& threads, AssetContents& contents,

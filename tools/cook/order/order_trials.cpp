@@ -16,14 +16,14 @@ struct Moment {
   double seconds;
 };
 
-/// Besides rest: hair thrown to both sides and back, and hair blown back.
+/// In addition to rest: hair thrown to both sides and back, and hair blown back.
 constexpr Moment kMoments[] = {{motion::Motion::kTurn, 0.15},
                                {motion::Motion::kTurn, 0.35},
                                {motion::Motion::kTurn, 0.6},
                                {motion::Motion::kCharge, 0.2},
                                {motion::Motion::kCharge, 0.5}};
 
-/// By its name in a recipe.
+/// The solver of this name in a recipe.
 const Solver& solver_named(std::string_view name) {
   if (name == "cascade") return kCascadeSolver;
   if (name == "passive") return kPassiveSolver;

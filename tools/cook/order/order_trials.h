@@ -18,21 +18,21 @@
 
 namespace coif::cook {
 
-/// The hair in the poses that orders are found for: at rest, then, where it moves, thrown to both sides and back, and
-/// blown back. `solver`: by its name in a recipe. Errors: those of simulate_pose().
+/// The poses for which orders are found: at rest and, for hair that moves, thrown to both sides and back, and blown
+/// back. `solver`: its name in a recipe. Errors: those of simulate_pose().
 tl::expected<std::vector<visibility::HairPositions>, ToolError> find_order_poses(const Asset& asset,
                                                                                  std::string_view solver);
 
-/// Alpha of the hair as it is drawn with one or another opaque threshold, for each of which mips keep their coverage
-/// (mips_for_threshold()). Each is made once.
+/// Alpha of the hair for different opaque thresholds. For each, mips keep their coverage (mips_for_threshold()). Each
+/// is made once.
 class ThresholdAlpha {
  public:
-  /// `plain`: of the contents as they are. Keeps references to contents and `used`, whose texels must not change.
+  /// `plain`: alpha of the present contents. Keeps references to contents and `used`, whose texels must not change.
   ThresholdAlpha(const AssetContents& contents, std::span<const Image> used, visibility::AlphaTexture plain,
                  const platform::Threads& threads)
       : contents_(contents), used_(used), plain_(std::move(plain)), threads_(threads) {}
 
-  /// Makes those that are missing, beside each other.
+  /// Makes the missing ones in parallel.
   void prepare(std::span<const float> thresholds);
 
   [[nodiscard]] const visibility::AlphaTexture& at(float threshold);

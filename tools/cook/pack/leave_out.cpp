@@ -6,7 +6,7 @@
 namespace coif::cook {
 namespace {
 
-/// The last of the textures, so that no other has to move.
+/// Must be the last texture, so that no other has to move.
 std::uint64_t clear_shift_mask(AssetContents& contents) {
   if (contents.textures.empty() || contents.textures.back().role != TextureRole::kShiftMask) return 0;
   const std::size_t before = contents.texels.size();

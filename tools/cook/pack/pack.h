@@ -22,17 +22,17 @@ struct DrawnRecipe;
 /// Writes vertices, skin, indices and patches of `contents`: patches contiguous in draw order, triangles inside a patch
 /// ordered for the vertex cache, vertices in order of first use. Positions move to head space.
 ///
-/// Each of `levels`, finest first, has its own indices and patches; all share the finest one's vertices and order. One
-/// level alone needs no records.
+/// Each of `levels`, finest first, has its own indices and patches; all share the finest one's vertices and order. A
+/// single level needs no records.
 void pack_mesh(const HairStrips& hair, const HairRig& rig, std::span<const DetailLevel> levels, const PatchOrder& order,
                AssetContents& contents);
 
-/// The most that a shading model returns of light that comes from everywhere alike ("white furnace"), where a white
-/// matte surface returns 1: an upper bound over all directions of view, of a white base texture with a full mask, in
-/// the channel that returns most, without the ambient term and before `light_cut`. Derived in shaders/SHADING.md.
+/// The largest reflection of a shading model under uniform light from everywhere ("white furnace"), where a white matte
+/// surface has 1: an upper bound over all viewing directions, with a white base texture and a full mask, in the
+/// brightest channel, without the ambient term and before `light_cut`. Derived in shaders/SHADING.md.
 [[nodiscard]] double furnace_bound(const MaterialRecord& material);
 
-/// The cut with which the material returns no more than it gets; 0 where it does not anyway.
+/// The cut with which the material reflects no more than it gets; 0 if that is already so.
 [[nodiscard]] float bounding_cut(const MaterialRecord& material);
 
 /// The recipe's material; its base colour times `color`'s factor, thresholds as chosen, highlights with the shift and
@@ -40,8 +40,8 @@ void pack_mesh(const HairStrips& hair, const HairRig& rig, std::span<const Detai
 [[nodiscard]] MaterialRecord pack_material(const BaseColor& color, const BakedTextures& textures, const HairMesh& hair,
                                            const DrawnRecipe& recipe);
 
-/// What a cook by this version of the tool says of its origin. `recipe_hash`: recipe_hash(). `source_hash`: XXH64 of
-/// the source file's bytes.
+/// The provenance of a cook by this version of the tool. `recipe_hash`: recipe_hash(). `source_hash`: XXH64 of the
+/// source file's bytes.
 [[nodiscard]] ProvenanceRecord make_provenance(const importer::SourceModel& source, std::uint64_t recipe_hash,
                                                std::uint64_t source_hash);
 

@@ -34,7 +34,7 @@ void pack_shading(const DrawnRecipe& recipe, MaterialRecord& record) {
 
 MaterialRecord pack_material(const BaseColor& color, const BakedTextures& textures, const HairMesh& hair,
                              const DrawnRecipe& recipe) {
-  constexpr double kMostShift = 10;  // that an asset holds
+  constexpr double kMostShift = 10;  // The largest value in an asset.
   MaterialRecord record{};
   store(recipe.base_color, record.base_color);
   store(recipe.ambient, record.ambient);
@@ -42,7 +42,7 @@ MaterialRecord pack_material(const BaseColor& color, const BakedTextures& textur
   store(recipe.secondary_color, record.secondary_color);
   record.primary_exponent = float(recipe.primary_exponent);
   record.secondary_exponent = float(recipe.secondary_exponent);
-  // What the shader adds and multiplies where it reads a texture (shaders/shading.glsl).
+  // The offset and factor of the shader where it reads a texture (shaders/shading.glsl).
   const double shift = textures.constant_shift - 0.5;
   record.primary_shift = float(std::clamp(recipe.primary_shift + shift, -kMostShift, kMostShift));
   record.secondary_shift = float(std::clamp(recipe.secondary_shift + shift, -kMostShift, kMostShift));
@@ -65,7 +65,7 @@ double sine_integral(double n) {
   return std::sqrt(kPi) * std::exp(std::lgamma(0.5 * (n + 1)) - std::lgamma(0.5 * n + 1));
 }
 
-// Over the half vector, dL = 4 (V.H) dH; a view across the strand has most of the lobe in front of it.
+// Over the half vector, dL = 4 (V.H) dH; a view across the strand sees most of the lobe.
 double thesis_lobe(double exponent) { return 8 / kPi * sine_integral(exponent + 2); }
 
 double mirror_cone_lobe(double exponent) { return 2 * sine_integral(exponent + 1); }
@@ -83,7 +83,7 @@ double kajiya_kay_bound(const MaterialRecord& m, int channel) {
 /// A fibre parts the light that it gets, whatever its colour.
 double marschner_bound(const MaterialRecord&, int) { return 1; }
 
-/// What lights add in one channel, in the order of ShadingModel.
+/// The bound of what lights add in one channel, in the order of ShadingModel.
 constexpr double (*kBounds[])(const MaterialRecord& material, int channel) = {thesis_bound, kajiya_kay_bound,
                                                                               marschner_bound};
 static_assert(std::size(kBounds) == kShadingModelCount);

@@ -29,8 +29,8 @@ VertexRecord pack_vertex(const HairStrips& hair, const Eigen::Vector3f& origin, 
   return record;
 }
 
-/// The same triangles in an order that suits the vertex cache. Numbers the vertices afresh: with those of the whole
-/// mesh each patch would cost as much as all of it.
+/// Orders the triangles for the vertex cache. Numbers the vertices anew: with the whole mesh's numbers each patch would
+/// cost as much as the mesh.
 class CacheOrder {
  public:
   explicit CacheOrder(std::size_t vertices) : number_(vertices, importer::kNoIndex) {}
@@ -72,7 +72,7 @@ void lay_out_level(const DetailLevel& level, const PatchOrder& order, CacheOrder
   contents.lods.push_back(record);
 }
 
-/// In how many of the levels each bone is simulated; each level simulates less than the one before.
+/// In how many levels each bone is simulated; each level simulates fewer than the one before.
 std::vector<std::uint8_t> count_levels(std::span<const DetailLevel> levels) {
   std::vector<std::uint8_t> counts(levels.front().simulated.size(), 0);
   for (const DetailLevel& level : levels) {

@@ -48,7 +48,7 @@ Outcome read_word(const std::string& name, const json& value, RecipeBodyCollider
 
 double square_of(const std::array<double, 3>& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
 
-/// What of it does not go together, as a sentence; empty: nothing.
+/// A sentence about values that contradict each other; empty if there are none.
 std::string shape_fault(const RecipeBodyCollider& c) {
   if (c.bone.empty()) return "has no \"bone\"";
   if (c.normal && square_of(*c.normal) < 1.0e-12) return "has a \"normal\" without direction";

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a recipe says of the body that hair keeps out of.
+// The recipe's colliders on the body, which hair keeps out of.
 
 #include <array>
 #include <optional>
@@ -9,14 +9,14 @@
 
 namespace coif::cook {
 
-/// A collider on a bone of the body, in the rest pose: a ball, a capsule where it has a tail, a tapered one where the
-/// tail has a radius of its own, or a plane where it has a normal. Model space, metres, Y up.
+/// A collider on a bone of the body, in the rest pose: a ball; with a tail a capsule, tapered where the tail has a
+/// radius of its own; with a normal a plane. Model space, metres, Y up.
 struct RecipeBodyCollider {
-  std::string bone;                             ///< As the file calls it, letters of either case.
+  std::string bone;                             ///< Its name in the file, ignoring case.
   std::optional<std::array<double, 3>> center;  ///< None: where the bone is.
   std::optional<std::array<double, 3>> tail;
-  std::optional<std::array<double, 3>> normal;  ///< To where the hair is; of any length but 0.
-  std::optional<double> radius;                 ///< Of all but a plane, which has none.
+  std::optional<std::array<double, 3>> normal;  ///< Points to the side of the hair; any length but 0.
+  std::optional<double> radius;                 ///< For all shapes but a plane.
   std::optional<double> tail_radius;
   bool inside = false;            ///< Hair stays inside; balls and capsules only.
   std::vector<std::string> hair;  ///< Patterns of the hair's bones that may touch it; empty: all.

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a recipe says of the directions that bones may have.
+// The recipe's limits of bones' directions.
 
 #include <array>
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace coif::cook {
 
-/// A limit around the direction in which a bone was modelled. What the kinds bound: LimitRecord.
+/// A limit around the direction in which a bone was modelled. The kinds are described at LimitRecord.
 struct RecipeBoneLimit {
   std::vector<std::string> bones;       ///< Patterns with * and ?, letters of either case.
   std::string kind;                     ///< "cone", "hinge", "spherical" or "none".
-  double angle = 0;                     ///< Degrees: of a cone or hinge to either side; of a spherical limit its pitch.
+  double angle = 0;                     ///< Degrees. Cone and hinge: to either side. Spherical limit: its pitch.
   double yaw = 0;                       ///< Degrees, of a spherical limit, 0..90.
-  std::array<double, 3> axis{1, 0, 0};  ///< Model space: what a hinge turns about, and the pitch; not 0.
+  std::array<double, 3> axis{1, 0, 0};  ///< Model space: the axis of a hinge or of the pitch; not 0.
 };
 
 }  // namespace coif::cook

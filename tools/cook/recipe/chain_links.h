@@ -1,6 +1,6 @@
 #pragma once
 
-// What a recipe says of chains that stay together.
+// The recipe's links of chains.
 
 #include <array>
 #include <string>
@@ -8,10 +8,11 @@
 
 namespace coif::cook {
 
-/// Which chains are linked: by a word, or by pairs of names.
+/// The chains to link: by a word, or by pairs of names.
 struct RecipeLinks {
   std::string word = "none";  ///< "none" or "shared_strips"; "" where there are pairs.
-  /// Each a name of bones of either side: patterns with * and ?, letters of either case. Any bone stands for its chain.
+  /// Each pair has a name of bones for either side: patterns with * and ?, ignoring case. Any bone stands for its
+  /// chain.
   std::vector<std::array<std::string, 2>> pairs{};
 };
 

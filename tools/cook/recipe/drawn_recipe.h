@@ -16,10 +16,10 @@ enum class ShiftMaskFormat { kEac, kRg8 };
 enum class Sides { kAuto, kBoth, kFront };
 enum class ShadingEnergy { kPublished, kBounded };
 
-/// What a recipe says of how hair looks: levels of detail, draw orders, textures and material.
+/// The recipe's values for the look of hair: levels of detail, draw orders, textures and material.
 struct DrawnRecipe {
   double scene_largest_size = 0;   ///< Share of the viewport's height; 0: any.
-  double scene_smallest_size = 0;  ///< The same.
+  double scene_smallest_size = 0;  ///< As scene_largest_size.
   std::uint32_t lod_levels = 0;
   double lod_ratio = 0;
   double lod_max_error = 0;
@@ -41,10 +41,10 @@ struct DrawnRecipe {
   RecipeTexture strand_id_texture;
   RecipeTexture root_to_tip_texture;
   VertexColors vertex_colors = VertexColors::kAuto;
-  std::string normal_texture;  ///< Path beside the recipe; "": the source's.
+  std::string normal_texture;  ///< Path relative to the recipe; "": the source's texture.
   double normal_strength = 0;
   NormalGreen normal_green = NormalGreen::kAuto;
-  /// None: texture_limit(), and cards' textures as large as "cards.texels" says.
+  /// None: texture_limit(); textures of cards are as large as "cards.texels" says.
   std::optional<std::uint32_t> texture_max_size;
   std::uint32_t texture_seed = 0;
   ShiftMaskFormat shift_mask_format = ShiftMaskFormat::kEac;

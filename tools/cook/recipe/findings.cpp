@@ -33,9 +33,9 @@ void Findings::acknowledge(std::span<const std::string> codes) {
 
 namespace {
 
-/// Nanoseconds per bone, single core: of a frame (matrices, the head's path), of each part of its step, of a twist's
-/// share of that, and of what the passive model takes on top, scalar, on a 2.1 GHz server core. A yardstick, not a
-/// promise: it stays, so that budgets and bytes do.
+/// Nanoseconds per bone on a single core: per frame (matrices, the head's path), per part of its step, for a twist in
+/// each part, and for what the passive model adds; scalar, on a 2.1 GHz server core. A yardstick, not a promise: it
+/// never changes, so that budgets and bytes stay the same.
 constexpr double kFrameCost = 45, kPartCost = 105, kTwistCost = 25, kPassiveCost = 155;
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 namespace coif::cook {
 
-/// What "dynamics.preset" means.
+/// The values that "dynamics.preset" stands for.
 struct HairPreset {
   const char* name;
   double bending_length;  ///< Metres.

@@ -7,10 +7,10 @@
 
 namespace coif::cook {
 
-/// What hair stays out of.
+/// The shape of the head that hair keeps out of.
 enum class HeadShape { kAuto, kEllipsoid, kSphere, kCapsule, kNothing };
 
-/// What a recipe says of which triangles are hair, and of the head that they grow on.
+/// The recipe's values for choosing the hair's triangles, and for the head that it grows on.
 struct HairRecipe {
   // Patterns with * and ?, letters of either case.
   std::vector<std::string> hair_meshes;

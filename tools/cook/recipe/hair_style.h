@@ -8,11 +8,11 @@
 
 namespace coif::cook {
 
-/// What hair that is grown looks like: the recipe's section "grow", whose meanings, defaults and ranges stand in
-/// grow_keys.cpp. Angles are degrees about the middle of the head: elevations above it, azimuths 0 at the face and 90
-/// at the model's left. Lengths are metres on a head of usual size, and grow with the head.
+/// The style of grown hair: the recipe's section "grow". grow_keys.cpp has meanings, defaults and ranges. Angles are
+/// degrees about the middle of the head: elevations above it, azimuths 0 at the face and 90 at the model's left.
+/// Lengths are metres on a head of usual size, and grow with the head.
 struct HairStyle {
-  std::string grow_style;  ///< Which built-in style the other keys begin from; "none": the defaults.
+  std::string grow_style;  ///< The built-in style that the other keys start from; "none": the defaults.
   std::uint32_t grow_strands = 0;
   std::uint32_t grow_seed = 0;
   // hairline: the lowest elevation of roots
@@ -67,7 +67,7 @@ struct HairStyle {
   double grow_frizz_length = 0;
   double grow_flyaways = 0;
   double grow_flyaway_reach = 0;
-  // what a strand is
+  // strands
   double grow_width = 0;
   double grow_taper = 0;
   std::array<double, 3> grow_root_color{};
@@ -77,13 +77,13 @@ struct HairStyle {
 
 struct BuiltInStyle {
   const char* name;
-  const char* keys;  ///< JSON of the section "grow": what differs from the defaults.
+  const char* keys;  ///< JSON of the section "grow": differences from the defaults.
 };
 
-/// Every style that "grow.style" may name, but for "none".
+/// Every style that "grow.style" may name, except "none".
 [[nodiscard]] std::span<const BuiltInStyle> built_in_styles();
 
-/// What "grow.style" may be: "none" and their names.
+/// The choices of "grow.style": "none" and the styles' names.
 inline constexpr const char* kStyleWords = "none|bob|fringe_bob|locks|long|wavy|curly|afro|short|spiky|slick|ponytail";
 
 }  // namespace coif::cook

@@ -25,13 +25,13 @@ const RecipeKey& key_at(const char* path) {
   return *std::ranges::find_if(recipe_keys(), [path](const RecipeKey& key) { return key.path() == path; });
 }
 
-/// One word of an override that stands for a value of the whole recipe.
+/// A word of an override, for a value that the whole recipe has too.
 struct OverrideKey {
   const char* name;
-  const RecipeKey& (*key)();  ///< How it is read, checked and written.
+  const RecipeKey& (*key)();  ///< The key by which it is read, checked and written.
   bool of_motion;
   void (*take)(Recipe& from, PatchOverride& to);
-  bool (*give)(const PatchOverride& from, Recipe& to);  ///< False: nothing is said.
+  bool (*give)(const PatchOverride& from, Recipe& to);  ///< False: the override does not give it.
   void (*add)(const PatchOverride& later, PatchOverride& to);
 };
 
@@ -81,7 +81,7 @@ Outcome read_name(const json& value, std::string& name) {
   return {};
 }
 
-/// One number or a list of them.
+/// A number or a list of numbers.
 Outcome read_indices(const json& value, std::vector<std::uint32_t>& indices) {
   const json list = value.is_array() ? value : json::array({value});
   for (const json& item : list) {

@@ -56,7 +56,7 @@ tl::expected<void, std::string> read_section(const std::string& section, const j
   return {};
 }
 
-/// All sections of a document, over what `recipe` has.
+/// Reads all sections of a document into `recipe`.
 tl::expected<void, std::string> read_document(const json& document, Recipe& recipe) {
   for (const auto& [section, values] : document.items()) {
     const bool is_list = section == "patches" && values.is_array();  // short for its "overrides"
@@ -67,7 +67,7 @@ tl::expected<void, std::string> read_document(const json& document, Recipe& reci
   return {};
 }
 
-/// What a section says of a key that `said`, where it is not empty, goes before. Null: nothing.
+/// The word that chooses a preset: `said` if not empty, else the document's value. Null: none.
 json chosen_word(const json& document, const char* section, const char* key, const std::string& said) {
   return said.empty() ? member(member(document, section), key) : json(said);
 }
@@ -126,7 +126,7 @@ std::string commented(const Recipe& recipe, bool says_all) {
 Recipe default_recipe() {
   Recipe recipe;
   for (const RecipeKey& key : recipe_keys()) {
-    // The table is ours: a default that does not fit its own range is caught by the tests.
+    // The table is our own: tests check that each default is in its range.
     (void)read_value(key, json::parse(key.default_json), recipe);
   }
   return recipe;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What an artist may say about a cook. recipe_keys.cpp holds the one table of keys, defaults and ranges.
+// The artist's settings of a cook. recipe_keys.cpp has the one table of keys, defaults and ranges.
 
 #include "base/tool_error.h"
 #include "cook/recipe/cards_recipe.h"
@@ -21,36 +21,34 @@
 
 namespace coif::cook {
 
-/// All values of a recipe: what it says of each stage of a cook, which knows its own part alone. Their defaults and
-/// ranges stand in the table of recipe_keys.cpp: start from default_recipe().
+/// All values of a recipe. Each stage of a cook sees only its own base class. Defaults and ranges are in the table of
+/// recipe_keys.cpp: start from default_recipe().
 struct Recipe : HairStyle, SceneRecipe, SourceRecipe, CardsRecipe, HairRecipe, StripRecipe, RigRecipe, DrawnRecipe {
-  std::string look_preset;                         ///< "none", or what the values began from.
+  std::string look_preset;                         ///< "none", or the preset that the values started from.
   std::vector<std::string> acknowledged_warnings;  ///< Codes of the table of issues.
 };
 
-/// What shows how hair looks and moves, in a fraction of the time: one level of detail, drawn by distance from the
-/// head, small textures stored as they come, no occlusion, cards fitted once.
+/// The recipe of a quick cook for looks and motion: one level of detail, drawn by distance from the head, small
+/// uncompressed textures, no occlusion, cards fitted once.
 [[nodiscard]] Recipe draft_of(Recipe recipe);
 
 /// Every key at its default.
 [[nodiscard]] Recipe default_recipe();
 
-/// What a recipe begins from, whatever it says itself. Empty: as it says.
+/// Presets that override those of the recipe. Empty: the recipe's own.
 struct RecipeBeginning {
-  std::string preset;  ///< Before its "look.preset".
-  std::string style;   ///< Before its "grow.style".
+  std::string preset;  ///< Overrides "look.preset".
+  std::string style;   ///< Overrides "grow.style".
 };
 
-/// Reads JSON (with // comments). Unknown keys, wrong types and values out of range are errors that name the key,
-/// the range and, for a misspelt key, the nearest one.
-/// What a preset ("look.preset", recipe_presets()) says holds where no other key does; so does, in "grow", what a
-/// built-in style
-/// ("grow.style") says.
+/// Reads JSON (with // comments). Unknown keys, wrong types and values out of range are errors that name the key, the
+/// range and, for a misspelt key, the nearest one. The values of a preset ("look.preset", recipe_presets()) hold where
+/// no other key gives one; in "grow", so do those of a built-in style ("grow.style").
 tl::expected<Recipe, ToolError> parse_recipe(const std::string& text, const std::string& name,
                                              const RecipeBeginning& beginning = {});
 tl::expected<Recipe, ToolError> read_recipe(const std::filesystem::path& path, const RecipeBeginning& beginning = {});
 
-/// Whether a path ends in ".recipe.json": as the source of a cook such a file says itself what hair grows.
+/// Whether a path ends in ".recipe.json": as the source of a cook, such a file describes grown hair.
 [[nodiscard]] bool is_recipe_file(const std::filesystem::path& path);
 /// The text of a recipe's file, not looked at yet. kFileAccess where it cannot be read or is too large for one.
 tl::expected<std::string, ToolError> read_recipe_text(const std::filesystem::path& path);
@@ -58,7 +56,8 @@ tl::expected<std::string, ToolError> read_recipe_text(const std::filesystem::pat
 /// The complete recipe as JSON with a comment for each key: default, range, unit, meaning. Parses back to `recipe`.
 [[nodiscard]] std::string print_recipe(const Recipe& recipe);
 
-/// The same without what was added to comments since: what a recipe's hash is taken of, so that it stays what it was.
+/// canonical_recipe() without keys that were added later and have their defaults, so that a recipe's hash stays the
+/// same.
 [[nodiscard]] std::string canonical_recipe(const Recipe& recipe);
 
 /// XXH64 of canonical_recipe().

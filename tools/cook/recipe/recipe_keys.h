@@ -14,7 +14,7 @@
 
 namespace coif::cook {
 
-/// A value that is one of a few words: an enumeration, whose numbers are the words' places in RecipeKey::choices.
+/// A value that is one of a few words: an enumeration, whose numbers are the places of the words in RecipeKey::choices.
 struct ChoiceField {
   std::size_t (*get)(const Recipe&);
   void (*set)(Recipe&, std::size_t);
@@ -36,7 +36,7 @@ using RecipeField =
                  std::vector<PatchOverride> Recipe::*, std::vector<RecipeBodyCollider> Recipe::*,
                  std::vector<RecipeBoneLimit> Recipe::*, RecipeLinks Recipe::*, RecipeTexture Recipe::*, ChoiceField>;
 
-/// One key of a recipe: everything that reading, checking and printing it needs.
+/// One key of a recipe, with everything that reading, checking and printing it needs.
 struct RecipeKey {
   const char* section;
   const char* name;
@@ -45,32 +45,32 @@ struct RecipeKey {
   double low;  ///< Smallest and largest number allowed, where the value has numbers.
   double high;
   const char* choices;    ///< Words allowed, separated by '|'; null: any text.
-  const char* unit;       ///< "" where there is none.
-  const char* meaning;    ///< What the artist sees, one line.
+  const char* unit;       ///< "" if it has none.
+  const char* meaning;    ///< Its effect for the artist, one line.
   const char* also = "";  ///< What more it may be, a clause that follows; no part of canonical_recipe().
 
-  /// The value is the path of a file, a text or, in an object, the member "file", empty for none. Only a recipe on the
-  /// disk may say such a key (view/server), and no output may be that file.
+  /// The value is the path of a file: a text or, in an object, the member "file", empty for none. Only a recipe on the
+  /// disk may have such a key (view/server), and no output may be that file.
   bool names_file = false;
-  /// What canonical_recipe() has in place of null, the default: of a key that once could not be null.
+  /// canonical_recipe() writes this for null, the default; for a key that once could not be null.
   const char* canonical_null = nullptr;
-  bool is_later = false;     ///< canonical_recipe() has it only where it says something else than its default.
+  bool is_later = false;     ///< Added later: canonical_recipe() has it only where it differs from its default.
   bool shapes_asset = true;  ///< false: the asset's bytes do not depend on it, and it is no part of canonical_recipe().
 
   [[nodiscard]] std::string path() const { return std::string(section) + "." + name; }
 };
 
-/// All of them, each section in one piece.
+/// All keys, section by section.
 [[nodiscard]] std::span<const RecipeKey> recipe_keys();
-/// Those of "grow" alone.
+/// The keys of "grow".
 [[nodiscard]] std::span<const RecipeKey> grow_keys();
 
-/// The files that a recipe names, as it writes them: paths from its folder.
+/// The files that a recipe names, as it writes them: paths relative to its folder.
 [[nodiscard]] std::vector<std::string> files_named_by(const Recipe& recipe);
 
 // JSON <-> one value of a recipe. The only place that knows how each type of value is written.
 
-/// "wants a number from 0 to 1, found \"much\"": what to say of a value that is something else.
+/// "wants a number from 0 to 1, found \"much\"": the message about a wrong value.
 [[nodiscard]] tl::unexpected<std::string> wants(const std::string& what, const nlohmann::json& found);
 
 /// Reads `json` into the field of `recipe`. The error is the rest of a sentence that starts with the key:
@@ -79,7 +79,7 @@ tl::expected<void, std::string> read_value(const RecipeKey& key, const nlohmann:
 
 [[nodiscard]] nlohmann::json write_value(const RecipeKey& key, const Recipe& recipe);
 
-/// `count` finite numbers, as far as coordinates go.
+/// `count` finite numbers in the range of coordinates.
 template <std::size_t kCount>
 std::optional<std::array<double, kCount>> read_numbers(const nlohmann::json& value) {
   constexpr double kFarthest = 1.0e5;
@@ -92,10 +92,10 @@ std::optional<std::array<double, kCount>> read_numbers(const nlohmann::json& val
   return numbers;
 }
 
-/// A list of names with wildcards, not empty, or one of them alone.
+/// A list of names with wildcards, not empty, or a single name.
 tl::expected<void, std::string> read_patterns(const nlohmann::json& value, std::vector<std::string>& out);
 
-/// A list of at most `most` entries, each read by `read(json, entry)`; the error says which one it is of.
+/// A list of at most `most` entries, each read by `read(json, entry)`; the error names the entry.
 template <typename Entry, typename Read>
 tl::expected<void, std::string> read_entries(const nlohmann::json& value, const char* what, std::size_t most,
                                              const Read& read, std::vector<Entry>& out) {
@@ -111,19 +111,19 @@ tl::expected<void, std::string> read_entries(const nlohmann::json& value, const 
   return {};
 }
 
-/// The same of "patches.overrides" alone.
+/// The reader of "patches.overrides".
 tl::expected<void, std::string> read_overrides(const nlohmann::json& json, std::vector<PatchOverride>& out);
 [[nodiscard]] nlohmann::json write_overrides(const std::vector<PatchOverride>& overrides);
-/// Of "body.colliders".
+/// The reader of "body.colliders".
 tl::expected<void, std::string> read_body_colliders(const nlohmann::json& json, std::vector<RecipeBodyCollider>& out);
 [[nodiscard]] nlohmann::json write_body_colliders(const std::vector<RecipeBodyCollider>& colliders);
-/// Of "dynamics.limits".
+/// The reader of "dynamics.limits".
 tl::expected<void, std::string> read_bone_limits(const nlohmann::json& json, std::vector<RecipeBoneLimit>& out);
 [[nodiscard]] nlohmann::json write_bone_limits(const std::vector<RecipeBoneLimit>& limits);
-/// Of those of "textures" that name an image.
+/// The reader of the keys of "textures" that name an image.
 tl::expected<void, std::string> read_recipe_texture(const nlohmann::json& json, RecipeTexture& out);
 [[nodiscard]] nlohmann::json write_recipe_texture(const RecipeTexture& texture);
-/// Of "dynamics.links".
+/// The reader of "dynamics.links".
 tl::expected<void, std::string> read_chain_links(const nlohmann::json& json, RecipeLinks& out);
 [[nodiscard]] nlohmann::json write_chain_links(const RecipeLinks& links);
 

@@ -8,13 +8,13 @@ namespace coif::cook {
 struct RecipePreset {
   const char* name;
   const char* meaning;  ///< One line, for people.
-  const char* keys;     ///< JSON of a recipe: what differs from the defaults.
+  const char* keys;     ///< JSON of a recipe: differences from the defaults.
 };
 
-/// Every preset that "look.preset" may name, but for "none".
+/// Every preset that "look.preset" may name, except "none".
 [[nodiscard]] std::span<const RecipePreset> recipe_presets();
 
-/// What "look.preset" may be: "none" and their names.
+/// The choices of "look.preset": "none" and the presets' names.
 inline constexpr const char* kPresetWords = "none|realistic|anime|stylised|ponytail|curly|short";
 
 }  // namespace coif::cook

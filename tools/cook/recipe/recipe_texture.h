@@ -9,9 +9,9 @@ namespace coif::cook {
 /// An image that the recipe names, and which of its numbers are meant. In JSON a path alone, or
 /// {"file": "hair_packed.png", "channel": "g", "invert": true}.
 struct RecipeTexture {
-  std::string file;  ///< Path beside the recipe; "": none.
+  std::string file;  ///< Path relative to the recipe; "": none.
   TextureChannel channel = TextureChannel::kAuto;
-  bool is_inverted = false;  ///< 1 means what 0 does else.
+  bool is_inverted = false;  ///< 1 and 0 are exchanged.
 
   [[nodiscard]] bool empty() const { return file.empty(); }
 };

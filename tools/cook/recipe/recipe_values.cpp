@@ -28,7 +28,7 @@ std::vector<std::string> words_of(const RecipeKey& key) {
   return words;
 }
 
-/// The place of the word among those of `key`.
+/// The place of the word among the choices of `key`.
 tl::expected<std::size_t, std::string> read_choice(const RecipeKey& key, const json& value) {
   const std::vector<std::string> words = words_of(key);
   const auto found = value.is_string() ? std::ranges::find(words, value.get<std::string>()) : words.end();

@@ -12,14 +12,14 @@
 
 namespace coif::cook {
 
-/// Which bones are rigid with the head, as a scalp is: the thesis's rule, none, or those of `scalp_bones`.
+/// The bones that are rigid with the head, like a scalp: by the thesis's rule, none, or those of `scalp_bones`.
 enum class ScalpRule { kThesis, kNoScalp, kPattern };
 enum class ChainSource { kAuto, kFile, kFit, kNoChains };
 enum class DynamicsSource { kAuto, kCurves, kSprings };
 enum class DynamicsModel { kAuto, kCascade, kPassive };
 enum class ConditioningRule { kAuto, kOff };
 
-/// What a recipe says of the bones that move hair, how they move, and what that may cost.
+/// The recipe's values for bones, their motion, and the motion's budget.
 struct RigRecipe {
   bool scene_simulate = false;
   ScalpRule scalp = ScalpRule::kThesis;
@@ -38,21 +38,22 @@ struct RigRecipe {
   DynamicsSource dynamics_source = DynamicsSource::kAuto;
   std::string dynamics_preset;  ///< "natural", "stiff", "heavy", "bouncy" or "wet".
   DynamicsModel dynamics_model = DynamicsModel::kAuto;
-  std::optional<double> liveliness;    ///< 0..1; none: the preset's, or what a resistance or spring has.
+  /// 0..1; none: the preset's, or the damping that comes with a resistance or spring.
+  std::optional<double> liveliness;
   std::vector<CurvePoint> resistance;  ///< Empty: by the preset.
-  std::optional<double> friction;      ///< 1/s; none: the preset's, or 2 beside a resistance.
+  std::optional<double> friction;      ///< 1/s; none: the preset's, or 2 with a resistance.
   std::optional<double> air_follow;
   bool sags = false;
   double gravity_scale = 0;
   double authoring_rate = 0;
-  std::optional<NumberOrCurve> damping_ratio;  ///< None: as `liveliness` says.
+  std::optional<NumberOrCurve> damping_ratio;  ///< None: follows from `liveliness`.
   ConditioningRule conditioning = ConditioningRule::kAuto;
   std::optional<double> torsion;        ///< 1/s; none: chosen for each chain.
   double angle_limit = 0;               ///< Degrees.
-  std::vector<RecipeBoneLimit> limits;  ///< Where two are of one bone, the later one holds.
+  std::vector<RecipeBoneLimit> limits;  ///< If two are for one bone, the later one holds.
   RecipeLinks links;
   double link_stretch = 0;  ///< Share of the distance at rest.
-  double link_shrink = 0;   ///< The same.
+  double link_shrink = 0;   ///< As link_stretch.
   double parent_share = 0;
 
   double budget_error = 0;  ///< Percent of the chain's length.

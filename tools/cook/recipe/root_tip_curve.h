@@ -8,7 +8,7 @@
 
 namespace coif::cook {
 
-/// One point of a root-to-tip curve: `at` 0 root .. 1 tip.
+/// One point of a curve along a chain; `at` is 0 at the root, 1 at the tip.
 struct CurvePoint {
   double at = 0;
   double value = 0;
@@ -19,7 +19,7 @@ struct CurvePoint {
 /// Piecewise linear through the points, constant outside them. `curve` is not empty and ascends.
 [[nodiscard]] double evaluate_curve(std::span<const CurvePoint> curve, double at);
 
-/// One number for all of a chain, or a curve, which is not empty.
+/// One number for a whole chain, or a curve, which is not empty.
 using NumberOrCurve = std::variant<double, std::vector<CurvePoint>>;
 
 [[nodiscard]] double evaluate(const NumberOrCurve& value, double at);

@@ -2,7 +2,7 @@
 
 namespace coif::cook {
 
-/// What a recipe says that a game's scene needs of an asset.
+/// The recipe's values about the needs of a game's scene.
 struct SceneRecipe {
   bool scene_draw = false;
   bool scene_names = false;

@@ -6,7 +6,7 @@ namespace coif::cook {
 
 enum class RecipeUpAxis { kFile, kX, kY, kZ };
 
-/// What a recipe says of the file that is read.
+/// The recipe's values for reading the source file.
 struct SourceRecipe {
   double metres_per_unit = 0;  ///< 0: from the file.
   RecipeUpAxis up_axis = RecipeUpAxis::kFile;

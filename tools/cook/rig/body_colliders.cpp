@@ -23,7 +23,7 @@ using Done = tl::expected<void, ToolError>;
 struct BodyCandidate {
   HeadCollider shape;
   std::uint32_t node = 0;
-  std::vector<std::uint32_t> bones;  ///< Of the hair, ascending.
+  std::vector<std::uint32_t> bones;  ///< Bones of the hair, ascending.
   std::string words;                 ///< For messages.
   bool of_recipe = false;
 };
@@ -44,7 +44,7 @@ HeadCollider shape_of_recipe(const RecipeBodyCollider& from, const Vector3d& joi
   to.axis = to_vector(*from.tail) - to.center;
   const double other = from.tail_radius.value_or(to.radii.x());
   const double length = to.axis.norm();
-  if (std::abs(other - to.radii.x()) >= length) {  // one ball holds the other
+  if (std::abs(other - to.radii.x()) >= length) {  // One ball contains the other.
     if (other > to.radii.x()) to.center += to.axis;
     to.radii.setConstant(std::max(other, to.radii.x()));
     to.axis.setZero();
@@ -103,7 +103,7 @@ class BodyPass {
                                     fmt::format("{}: \"body.colliders\" [{}]: {}", source_.path, entry, what)});
   }
 
-  /// Bones that have hair on them, or are called so, are not offered: there are hundreds.
+  /// Names to choose from. Bones that carry hair, or have a hair name, are left out: there are hundreds.
   [[nodiscard]] std::string offer(const std::string& name) const {
     std::vector<std::string> names;
     for (std::uint32_t n = 0; n < source_.nodes.size(); ++n) {
@@ -154,7 +154,7 @@ class BodyPass {
 
   static char to_lower(char c) { return char(std::tolower(static_cast<unsigned char>(c))); }
 
-  /// What the springs of the hair's bones collide with beside the head.
+  /// Adds the colliders of the hair bones' springs that are not on the head.
   void add_springs() {
     const std::vector<BoneJoint> joints = joints_of_bones(source_, skeleton_);
     std::map<std::uint32_t, std::vector<std::uint32_t>> bones_of;
@@ -185,7 +185,7 @@ class BodyPass {
     }
   }
 
-  /// How far the shape is from where its hair can be, with the body at rest; negative within.
+  /// Distance of the shape from the range of its hair, with the body at rest; negative within.
   [[nodiscard]] double gap(const BodyCandidate& candidate, const std::vector<BoneReach>& reach) const {
     double least = std::numeric_limits<double>::infinity();
     for (const std::uint32_t b : candidate.bones) {
@@ -255,7 +255,7 @@ class BodyPass {
   const RigRecipe& recipe_;
   Findings& findings_;
   std::vector<BodyCandidate> candidates_;
-  std::map<std::uint32_t, std::uint32_t> bone_of_;  // of nodes
+  std::map<std::uint32_t, std::uint32_t> bone_of_;  // Per node.
   BodyColliders out_;
 };
 

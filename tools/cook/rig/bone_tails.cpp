@@ -7,8 +7,8 @@ namespace coif::cook {
 namespace {
 
 constexpr double kShortestBone = 1.0e-3;  ///< Metres; shorter ones have no direction to speak of.
-/// Of the way to the end of the hair that the last bone carries: a marker before that does not mark its end. Blender's
-/// COLLADA has such, where axes were turned.
+/// Share of the way to the end of the hair that the last bone carries. An end marker before that does not mark the end;
+/// Blender's COLLADA has such markers, with turned axes.
 constexpr double kLeastOfHair = 0.4;
 
 /// Nodes in the tree below `node`, itself included.
@@ -24,7 +24,7 @@ std::size_t tree_size(const importer::SourceModel& source, std::uint32_t node) {
   return count;
 }
 
-/// The child that continues the chain: with most nodes below it, of equals the first.
+/// The child that continues the chain: the one with most nodes below it, among equals the first.
 std::uint32_t main_child(const importer::SourceModel& source, std::span<const std::uint32_t> children) {
   std::uint32_t best = children.front();
   std::size_t best_size = 0;
@@ -45,7 +45,7 @@ std::optional<Eigen::Vector3d> end_marker(const importer::SourceModel& source, s
   return std::nullopt;
 }
 
-/// Half, or half of what the bone's heaviest vertex has, where it shares all of them.
+/// A half, or half of the largest weight that the bone has at a vertex, if it shares all of them.
 float carrying_weight(const HairMesh& hair, std::uint32_t node) {
   float heaviest = 0;
   for (std::uint32_t v = 0; v < hair.positions.size(); ++v) {
@@ -78,8 +78,8 @@ std::optional<Eigen::Vector3d> end_of_vertices(const HairMesh& hair, std::uint32
   return start + direction * reach;
 }
 
-/// Its marker, unless that lies far before the end of its hair; the file's spring bones say how long those are that
-/// they turn.
+/// The bone's end marker, unless it lies far before the end of its hair; a bone that the file's springs turn always has
+/// the marker's length.
 std::optional<Eigen::Vector3d> end_of_leaf(const importer::SourceModel& source, const HairMesh& hair,
                                            std::uint32_t node, const Eigen::Vector3d& start, bool is_spring) {
   const std::optional<Eigen::Vector3d> marker = end_marker(source, node);
@@ -101,12 +101,12 @@ Eigen::Vector3d find_bone_tail(const importer::SourceModel& source, const HairMe
     tail = end_of_leaf(source, hair, node, start, is_spring);
   }
   if (tail && (*tail - start).norm() >= kShortestBone) return *tail;
-  // Along a simulated parent, at whose tail this bone starts; a rigid one has no length, but a joint to lead away from.
+  // Along a simulated parent, whose tail is this bone's start; for a rigid parent, away from its joint.
   const Eigen::Vector3d above = start - parent.start;
   const double length = std::max(above.norm(), kShortestBone);
   const Eigen::Vector3d direction =
       above.norm() >= kShortestBone ? Eigen::Vector3d(above.normalized()) : -Eigen::Vector3d::UnitY();
-  // A tail at its own start means joints that lie on each other: keep the bone, as short as may be.
+  // A tail at its own start means that joints coincide: keep the bone, as short as possible.
   return start + direction * (tail ? kShortestBone : length);
 }
 
@@ -126,7 +126,7 @@ bool only_marks_an_end(const HairMesh& hair, std::uint32_t node, const Eigen::Ve
 
 namespace {
 
-/// The bone that is this node and not only carries its vertices; kNone: there is none.
+/// The bone of this node itself, if it does not only carry its vertices; kNone: there is none.
 std::uint32_t own_bone(const importer::SourceModel& source, const Skeleton& skeleton, std::uint32_t node) {
   if (node >= skeleton.bone_of_node.size()) return kNone;
   const std::uint32_t bone = skeleton.bone_of_node[node];

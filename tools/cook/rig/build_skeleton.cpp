@@ -35,7 +35,7 @@ std::vector<bool> only_place_meshes(const importer::SourceModel& source) {
   return only;
 }
 
-/// Children of each node that carry hair, themselves or below.
+/// For each node the children that carry hair, themselves or below.
 Children hair_children(const importer::SourceModel& source, const NodeWeights& below) {
   std::vector<bool> carriers = find_carriers(source);
   const std::vector<bool> only_meshes = only_place_meshes(source);
@@ -57,7 +57,7 @@ std::vector<bool> turned_by_springs(const importer::SourceModel& source) {
   return turned;
 }
 
-/// The head bone; no other node has a bone yet.
+/// A skeleton of the head bone alone; other nodes have no bone yet.
 Skeleton only_head(const importer::SourceModel& source, const HeadBone& head) {
   Skeleton skeleton;
   SkeletonBone bone;
@@ -91,7 +91,7 @@ class SkeletonBuilder {
   Skeleton finish() && { return std::move(skeleton_); }
 
  private:
-  /// Where the recipe heeds spring bones: artists let hair swing from its first joint.
+  /// If the recipe uses spring bones, hair swings from its first joint, as artists expect.
   [[nodiscard]] bool swings(std::uint32_t node) const {
     return recipe_.dynamics_source != DynamicsSource::kCurves && is_spring_[node];
   }
@@ -101,7 +101,7 @@ class SkeletonBuilder {
     return recipe_.scalp == ScalpRule::kThesis && parent_bone == 0 && !children_[node].empty() && !swings(node);
   }
 
-  /// Scalp bones depth first; remembers where chains start, since all rigid bones come before them.
+  /// Collects scalp bones depth first, and the starts of chains, since all rigid bones come before them.
   void collect_rigid(std::uint32_t node, std::uint32_t bone) {
     for (std::uint32_t child : children_[node]) {
       if (too_many()) return;
@@ -153,7 +153,8 @@ class SkeletonBuilder {
   /// Refused by the caller; until then a hostile hierarchy must not deepen the recursion further.
   [[nodiscard]] bool too_many() const { return skeleton_.bones.size() > kMaxBones; }
 
-  /// Place of each tail along its chain: its distance from the root by length, over that of the farthest tip.
+  /// Sets the place of each tail along its chain: its distance from the root by length, divided by that of the farthest
+  /// tip.
   void set_places(std::uint32_t first, std::uint32_t count) {
     double farthest = 0;
     for (std::uint32_t i = first; i < first + count; ++i) {

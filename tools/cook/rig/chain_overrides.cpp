@@ -10,9 +10,9 @@
 namespace coif::cook {
 namespace {
 
-constexpr double kMostly = 0.5;  ///< Of what a chain carries, or of a patch.
+constexpr double kMostly = 0.5;  ///< Share of what a chain carries, or of a patch.
 
-/// Square metres of each patch, by its number, that each chain carries.
+/// Area of each patch, by its number, that each chain carries, square metres.
 using Carried = std::map<std::pair<std::uint32_t, std::uint32_t>, double>;  // chain, patch
 
 Carried carried_hair(const HairStrips& hair, const HairRig& rig) {

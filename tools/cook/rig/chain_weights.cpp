@@ -6,7 +6,7 @@
 namespace coif::cook {
 namespace {
 
-constexpr std::size_t kMostLocks = 4;  ///< That can meet in one cell.
+constexpr std::size_t kMostLocks = 4;  ///< Most locks that can meet in one cell.
 
 struct LockShare {
   std::uint32_t lock = 0;
@@ -22,7 +22,7 @@ struct Front {
   auto operator<=>(const Front&) const = default;
 };
 
-/// The nearest locks of each cell over connected hair, nearest first, those within `blend` of the nearest.
+/// The nearest locks of each cell over connected hair, nearest first: those within `blend` of the nearest.
 class NearLocks {
  public:
   NearLocks(const HairCells& cells, std::span<const HairLock> locks, double blend)
@@ -87,8 +87,8 @@ std::vector<LockShares> lock_shares(const HairCells& cells, std::span<const Hair
   return shares;
 }
 
-/// Two locks of two bones each fill a vertex. What the third has is taken from all: the weights stay continuous where
-/// the second and the third change places.
+/// Two locks with two bones each fill a vertex. The third one's share is subtracted from all: so weights stay
+/// continuous where the second and the third change places.
 void keep_two(LockShares& shares) {
   std::ranges::stable_sort(shares, std::greater<>{}, &LockShare::share);
   if (shares.size() <= 2) return;
@@ -99,8 +99,8 @@ void keep_two(LockShares& shares) {
   }
 }
 
-/// Each bone has all weight at its middle, and its neighbour takes over towards the next one's middle; the head, at the
-/// scalp.
+/// Each bone has the full weight at its middle, and its neighbour takes over towards the next one's middle; at the
+/// scalp, the head does.
 void add_lock(const HairLock& lock, double depth, double share, std::vector<BoneWeight>& weights) {
   const std::size_t count = lock.joint_depth.empty() ? 0 : lock.joint_depth.size() - 1;
   double middle_before = 0;

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 constexpr double kSmallestShare = 0.5;  ///< A head that has to shrink further was not the head.
 constexpr double kTouching = 1.0e-5;    ///< Metres: a fitted head ends where the first particle is.
-constexpr double kStretch = 0.02;       ///< The default solver's is none; this is for rounding and blended poses.
+constexpr double kStretch = 0.02;  ///< The default solver does not stretch; this is for rounding and blended poses.
 
 /// Smallest share of the head's size at which some particle would be on its surface; 1 or more: none is inside.
 double share_at_first_particle(const FittedHead& head, const Skeleton& skeleton) {
@@ -52,7 +52,7 @@ HeadCollider ellipsoid(const Vector3d& center, const Vector3d& radii) {
   return shape;
 }
 
-/// As high as the ellipsoid and inside of its width and depth; a sphere where it is no higher than that.
+/// As high as the ellipsoid and inside its width and depth; a sphere where it is not higher than that.
 HeadCollider upright_capsule(const Vector3d& center, const Vector3d& radii) {
   const double radius = std::min({radii.x(), radii.y(), radii.z()});
   const double half = radii.y() - radius;
@@ -66,7 +66,7 @@ HeadCollider upright_capsule(const Vector3d& center, const Vector3d& radii) {
 }
 
 bool in_reach(const HeadCollider& shape, const Vector3d& root, double reach) {
-  // Whoever is kept inside may touch the shell from anywhere.
+  // Hair that is kept inside may touch the shell from anywhere.
   return shape.keeps_inside || distance_at_least(shape, root) <= reach;
 }
 
@@ -177,7 +177,7 @@ Colliders find_colliders(const importer::SourceModel& source, const HeadBone& he
   drop_colliders_out_of_reach(skeleton, colliders);
   const std::size_t known = told.warnings.size();
   report_rest_penetration(skeleton, colliders, "collider", "set \"head.shape\" in the recipe", told);
-  if (known > 0) told.warnings.resize(known);  // that the head pushes the hair is said already
+  if (known > 0) told.warnings.resize(known);  // The warning about the head's collider has been given already.
   findings.append(told);
   // Hair that nothing moves keeps its head: pictures show it.
   if (skeleton.simulated_count() > 0) leave_out_colliders(colliders, findings);

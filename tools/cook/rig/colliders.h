@@ -14,13 +14,13 @@ namespace coif::cook {
 
 struct RigRecipe;
 
-/// A body that moves with a rigid bone. Model space, metres; the meaning of each field is ColliderRecord's.
+/// A shape that moves with a rigid bone. Model space, metres; each field means the same as in ColliderRecord.
 struct HeadCollider : ColliderSize {
   std::uint32_t bone = 0;
   bool keeps_inside = false;
 };
 
-/// What hair collides with, and which bones can.
+/// The colliders, and which bones may touch them.
 struct Colliders {
   std::vector<HeadCollider> shapes;    ///< At most kMaxColliders.
   std::vector<std::uint32_t> of_bone;  ///< Per bone of the skeleton, bit i: its particle may touch shape i.
@@ -31,11 +31,11 @@ struct Colliders {
 /// since it would push the modelled pose about; a declared one is left alone. Warns of either.
 [[nodiscard]] Colliders head_colliders(const FittedHead& head, const Skeleton& skeleton, Findings& findings);
 
-/// The shapes on the head that the springs of the skeleton's bones collide with, each bone with its own spring's set
-/// and its joint's hit radius; empty sets and no shapes where no spring of the hair collides with anything there.
-/// Shapes that are not on the head bone or below it are the body's (body_colliders.h); the others move with the nearest
-/// rigid bone, since a shape that swings with the hair has no counterpart. `head_node` may be kNoIndex: nothing is on
-/// it. A shape whose radius is 0 is left out: only its surface could be hit.
+/// The shapes on the head that the springs of the skeleton's bones collide with. Each bone has its own spring's set and
+/// its joint's hit radius; all is empty where no spring of the hair collides with anything there. Shapes that are not
+/// on or below the head bone belong to the body (body_colliders.h). The others move with the nearest rigid bone, since
+/// a shape that swings with the hair has no counterpart. `head_node` may be kNoIndex: nothing is on it. A shape with
+/// radius 0 is left out: only its surface could be hit.
 [[nodiscard]] Colliders spring_colliders(const importer::SourceModel& source, std::uint32_t head_node,
                                          const Skeleton& skeleton, Findings& findings);
 
@@ -43,37 +43,36 @@ struct Colliders {
 [[nodiscard]] bool is_on_head(const importer::SourceModel& source, std::uint32_t head_node,
                               const importer::SourceCollider& collider);
 
-/// True for what can be hit and stored: a plane, or a shape with a radius.
+/// True for a shape that can be hit and stored: a plane, or one with a radius.
 [[nodiscard]] bool has_size(const importer::SourceCollider& collider);
 
-/// The shape as it is in the source, on bone 0.
+/// The source's shape, on bone 0.
 [[nodiscard]] HeadCollider shape_of(const importer::SourceCollider& collider);
 
-/// How far from where its chain begins a bone's particle can ever be, metres.
+/// The range of a bone's particle around the start of its chain, metres.
 struct BoneReach {
-  Eigen::Vector3d root = Eigen::Vector3d::Zero();  ///< Where the chain's first bone starts, model space.
-  double length = 0;                               ///< Of all bones from there on; 0 for rigid bones.
+  Eigen::Vector3d root = Eigen::Vector3d::Zero();  ///< Start of the chain's first bone, model space.
+  double length = 0;                               ///< Sum of the bones from there on; 0 for rigid bones.
 };
 [[nodiscard]] std::vector<BoneReach> reach_of_bones(const Skeleton& skeleton);
 
-/// How deep a particle with this hit radius is in the shape, or out of one that keeps hair in, metres; negative or zero
-/// where it may be.
+/// Depth of a particle with this hit radius in the shape, or outside of one that keeps hair in, metres; zero or
+/// negative where it may be.
 [[nodiscard]] double depth_of(const HeadCollider& shape, const Eigen::Vector3d& particle, double radius);
 
-/// Takes out of each bone's set what it cannot touch: a particle is never farther from its chain's first joint than the
-/// bones between are long, and stretch of kStretch on top of that.
+/// Removes from each bone's set the colliders that it cannot touch: a particle's distance from its chain's first joint
+/// is at most the length of the bones between, plus kStretch.
 void drop_colliders_out_of_reach(const Skeleton& skeleton, Colliders& colliders);
 
-/// Says how many bones can collide at all, and warns of those that are inside a shape at rest with their hit radius,
-/// with the greatest depth: they will be pushed out of the modelled pose. `what` they collide with and the `cure` are
-/// for the words.
+/// Reports how many bones can collide at all, and warns of those that are inside a shape at rest with their hit radius,
+/// with the greatest depth: they will be pushed out of the modelled pose. `what` and `cure` are words for the messages.
 void report_rest_penetration(const Skeleton& skeleton, const Colliders& colliders, const char* what, const char* cure,
                              Findings& findings);
 
 /// Leaves colliders out that are in no bone's set; the sets count afresh.
 void leave_out_colliders(Colliders& colliders, Findings& findings);
 
-/// All of the above: the file's own colliders where its springs use any that the head carries, else the head as fitted.
+/// All of the above: the file's own colliders if its springs use any on the head, else the fitted head.
 [[nodiscard]] Colliders find_colliders(const importer::SourceModel& source, const HeadBone& head_bone,
                                        const FittedHead& head, const Skeleton& skeleton, const RigRecipe& recipe,
                                        Findings& findings);

@@ -14,10 +14,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kCellSize = 0.06;  ///< Of the head's radius: hair nearer than this moves together.
+constexpr double kCellSize = 0.06;  ///< Share of the head's radius: hair nearer than this moves together.
 constexpr double kTop = 0.85;       ///< Height of a direction from the head's centre that is neither side nor end.
 constexpr double kDiagonal = 0.41;  ///< Tangent of 22.5 degrees: eight directions around the head.
-constexpr double kBlend = 0.3;      ///< Of the head's radius: width over which one lock's weights become the next's.
+/// Share of the head's radius: the width over which one lock's weights blend into the next's.
+constexpr double kBlend = 0.3;
 
 /// Triangles of meshes, materials and patches that the recipe gives chains.
 std::vector<bool> movable_triangles(const importer::SourceModel& source, const HairStrips& strips,
@@ -61,7 +62,7 @@ std::vector<std::uint32_t> held_cells(const HairCells& cells, const std::vector<
   return held;
 }
 
-/// Where on the head a chain starts, as the model itself would say it.
+/// Where on the head a chain starts, in words from the model's point of view.
 std::string side_of(const Vector3d& start, const FittedHead& head) {
   Vector3d from = (start - head.center).normalized();
   if (head.faces_backwards) from = {-from.x(), from.y(), -from.z()};

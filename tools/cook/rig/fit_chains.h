@@ -19,27 +19,27 @@ struct HairLock {
   double length = 0;                 ///< Largest depth, metres.
   bool moves = false;                ///< False: too short for a chain of its own.
 
-  // Its chain in the skeleton, once there is one.
+  // Its chain in the skeleton, once it exists.
   std::uint32_t first_bone = 0;
   std::vector<double> joint_depth;  ///< Bones + 1, or empty: the lock follows the head.
 };
 
 /// Groups the hanging hair into at most recipe.chain_max_count locks that move, and short ones that do not. Each tip (a
-/// local maximum of depth) has a strand, its way to the scalp. Strands are one lock where they run together: near each
-/// other on the average of their common length, and nearer where the hair between them has gaps. Then the nearest and
-/// shortest are merged until the budget holds. `head_radius` in metres sets the scale.
+/// local maximum of depth) has a strand, its way to the scalp. Strands form one lock where they run together: near each
+/// other on average over their common length, and nearer where the hair between them has gaps. Then the nearest and
+/// shortest are merged until the budget holds. `head_radius`, metres, sets the scale.
 [[nodiscard]] std::vector<HairLock> group_locks(const HangingHair& hair, double head_radius, const RigRecipe& recipe,
                                                 const std::stop_token& stop);
 
 /// The bones of one lock as a line of joints: bone i goes from joint i to joint i + 1.
 struct LockCurve {
   std::vector<Eigen::Vector3d> joints;  ///< Model space, metres, from the scalp to the tip; empty: too short.
-  std::vector<double> depth;            ///< Of each joint, ascending from 0: hair of this depth is level with it.
+  std::vector<double> depth;  ///< One per joint, ascending from 0: hair of this depth is level with the joint.
 };
 
-/// The middle of the lock from where it leaves the scalp to its tip, or to where only a few wisps go on, cut into
-/// `recipe.chain_bone_length` or, where that would be more than `most_bones`, into longer equal bones. Joints are
-/// outside of the head, so that its collider does not push the modelled pose.
+/// The middle of the lock from the scalp to its tip, or to where only a few wisps go on. It is divided into bones of
+/// `recipe.chain_bone_length`, or into longer equal ones where that would be more than `most_bones`. Joints are outside
+/// the head, so that its collider does not push the modelled pose.
 [[nodiscard]] LockCurve fit_lock_curve(const HangingHair& hair, const HairLock& lock, const FittedHead& head,
                                        const RigRecipe& recipe, std::size_t most_bones);
 
@@ -50,9 +50,9 @@ struct LockCurve {
                                               std::span<const HairLock> locks, const std::vector<bool>& rigid,
                                               double blend);
 
-/// Bones for hair that has none: groups what hangs free into locks, fits a chain to each from where it leaves the scalp
-/// to its tip, and blends skin weights along and between chains. `rigid` has the head bone, the file's map from nodes
-/// to it, and nothing that moves. Notes what was fitted where.
+/// Makes bones for hair without bones: groups the hanging hair into locks, fits a chain to each from the scalp to its
+/// tip, and blends skin weights along and between chains. `rigid` has the head bone, the file's map from nodes to it,
+/// and no moving bones. Notes the fitted chains and their places.
 [[nodiscard]] HairRig fit_chains(const importer::SourceModel& source, const HairStrips& hair, const FittedHead& head,
                                  const Skeleton& rigid, const RigRecipe& recipe, Findings& findings,
                                  const std::stop_token& stop = {});

@@ -14,21 +14,24 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kMostTips = 400;  ///< Pairs of strands are compared, so that there must not be many.
-constexpr double kTipsApart = 0.25;     ///< Of the head's radius: nearer ripples of one edge are one tip.
-constexpr double kLockWidth = 0.8;  ///< Of the head's radius: mean distance of strands up to which they are one lock,
-constexpr double kSlenderness = 0.25;  ///< or of their common length, where that is more: long hair is thicker.
-constexpr double kRootShare = 0.5;     ///< Of a distance that counts at the root: a pony tail fans out and stays one.
-constexpr double kGap = 1.5;           ///< Extra distance of strands with a gap between them all the way, as a share.
-constexpr std::size_t kLevels = 24;    ///< Steps of depth at which strands are compared.
+constexpr double kTipsApart = 0.25;     ///< Share of the head's radius: nearer ripples of one edge count as one tip.
+/// Share of the head's radius: strands up to this mean distance form one lock.
+constexpr double kLockWidth = 0.8;
+/// The same as a share of their common length, if that is more: long hair is thicker.
+constexpr double kSlenderness = 0.25;
+/// Weight of distances at the root: a pony tail fans out but stays one lock.
+constexpr double kRootShare = 0.5;
+constexpr double kGap = 1.5;         ///< Extra distance of strands with a gap between them all the way, as a share.
+constexpr std::size_t kLevels = 24;  ///< Steps of depth at which strands are compared.
 
 /// The way of one tip to the scalp, at equal steps of depth.
 struct Strand {
   std::array<Vector3d, kLevels> at;
-  std::array<std::uint32_t, kLevels> piece;  ///< Of the hair at this level, which is cut in pieces by gaps.
+  std::array<std::uint32_t, kLevels> piece;  ///< The piece of the hair at each level; gaps cut hair into pieces.
   std::size_t levels = 0;                    ///< Filled of the two above, at least one.
 };
 
-/// For each cell the connected piece of hair within its level of depth.
+/// For each cell, the connected piece of hair within its level of depth.
 std::vector<std::uint32_t> pieces_of_levels(const HangingHair& hair, double step) {
   const auto level = [&](std::uint32_t c) { return std::size_t(hair.depth[c] / step); };
   DisjointSets sets(hair.cells.count());
@@ -63,7 +66,7 @@ Strand strand_of(const HangingHair& hair, const std::vector<std::uint32_t>& piec
   return strand;
 }
 
-/// At most 1 for strands of one lock. `step`: metres of depth from level to level.
+/// Distance of two strands, at most 1 within a lock. `step`: metres of depth between levels.
 double distance_of(const Strand& a, const Strand& b, double head_radius, double step) {
   const std::size_t levels = std::min(a.levels, b.levels);
   double sum = 0, together = 0;
@@ -77,7 +80,7 @@ double distance_of(const Strand& a, const Strand& b, double head_radius, double 
   return distance / std::max(kLockWidth * head_radius, kSlenderness * double(levels) * step);
 }
 
-/// Complete linkage: the distance of two groups is that of their two farthest strands, so that groups stay narrow.
+/// Complete linkage: the distance of two groups is that of their two farthest strands, so groups stay narrow.
 class StrandGroups {
  public:
   template <typename Distance>
@@ -94,7 +97,7 @@ class StrandGroups {
     while (merge_best(distance, limit, 0)) platform::throw_if_stopped(stop_);
   }
 
-  /// Merges what is near and short first until at most `most` groups are longer than `shortest`.
+  /// Merges near and short groups first, until at most `most` groups are longer than `shortest`.
   void merge_down_to(std::size_t most, double shortest) {
     const auto loss = [&](std::size_t i, std::size_t j) { return at(i, j) * std::min(length_[i], length_[j]); };
     while (count_longer(shortest) > most && merge_best(loss, std::numeric_limits<double>::max(), shortest))
@@ -113,7 +116,7 @@ class StrandGroups {
     return count;
   }
 
-  /// Merges the pair of groups from `shortest` on with the least cost, if that is at most `limit`.
+  /// Merges the cheapest pair of groups that are longer than `shortest`, if its cost is at most `limit`.
   template <typename Cost>
   bool merge_best(const Cost& cost, double limit, double shortest) {
     std::size_t best_i = 0, best_j = 0;
@@ -143,7 +146,7 @@ class StrandGroups {
 
   const std::stop_token& stop_;
   std::vector<double> length_;
-  std::vector<std::size_t> group_;  ///< Of each strand, the group's first strand.
+  std::vector<std::size_t> group_;  ///< For each strand, its group's first strand.
   std::vector<double> distance_;
 };
 

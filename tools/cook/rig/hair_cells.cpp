@@ -16,11 +16,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kMostCells = 40000;     ///< More would not move differently, only take longer.
-constexpr double kMostSteps = 1.0e6;     ///< Samples along the longest edges: a mesh of needles has them without area.
-constexpr double kSampleStep = 0.75;     ///< Of a cell: no cube between two samples is left out.
-constexpr double kVertexShare = 0.01;    ///< Of its triangle's area: its cell exists even where no sample is.
-constexpr double kSmallestArea = 1e-14;  ///< So that triangles without area have a middle too.
+constexpr double kMostCells = 40000;  ///< More would not move differently, only take longer.
+constexpr double kMostSteps = 1.0e6;  ///< Samples along the longest edges: a mesh of needles has them without area.
+constexpr double kSampleStep = 0.75;  ///< Share of a cell: no cube between two samples is missed.
+/// Share of its triangle's area: a vertex's cell exists even where no sample is.
+constexpr double kVertexShare = 0.01;
+constexpr double kSmallestArea = 1e-14;  ///< Gives triangles without area a middle, too.
 
 struct IndexHash {
   std::size_t operator()(const HairCells::Index& index) const {

@@ -14,20 +14,20 @@ struct CellLink {
   double length = 0;  ///< Metres between the middles.
 };
 
-/// The hair's surface on a lattice of cubes: what is near in space is near here, whichever patch it belongs to and
-/// however finely it is triangulated. Numbered by first appearance in the triangles.
+/// The hair's surface on a lattice of cubes: hair that is near in space is near here, whatever its patch and its
+/// triangles. Numbered by first appearance in the triangles.
 struct HairCells {
   using Index = std::array<std::int64_t, 3>;
 
   double size = 0;                        ///< Edge of a cube, metres.
   Eigen::Vector3d origin;                 ///< Middle of cube (0, 0, 0).
-  std::vector<Index> index;               ///< Of each cell that has hair.
-  std::vector<Eigen::Vector3d> middle;    ///< Of the hair in it, model space.
+  std::vector<Index> index;               ///< The place of each cell that has hair.
+  std::vector<Eigen::Vector3d> middle;    ///< Middle of the hair in each cell, model space.
   std::vector<Eigen::Vector3d> strand;    ///< Mean root-to-tip direction; shorter where strands disagree.
   std::vector<double> place;              ///< Mean place along the strands, 0..1.
   std::vector<double> area;               ///< Square metres of hair, > 0.
   std::vector<std::uint32_t> link_begin;  ///< count() + 1 entries into `links`.
-  std::vector<CellLink> links;            ///< To all of the 26 cubes around that have hair.
+  std::vector<CellLink> links;            ///< To those of the 26 cubes around that have hair.
   std::vector<std::uint32_t> of_vertex;   ///< kNoIndex for a vertex of no movable triangle.
 
   [[nodiscard]] std::size_t count() const { return middle.size(); }
@@ -39,18 +39,18 @@ struct HairCells {
   [[nodiscard]] double share_at(std::uint32_t cell, const Eigen::Vector3d& point) const;
 };
 
-/// Cells of about `size` metres for the triangles with `movable`; larger where there would be too many of them.
+/// Makes cells of about `size` metres for the triangles with `movable`; larger ones if there would be too many.
 [[nodiscard]] HairCells make_hair_cells(const HairStrips& hair, const std::vector<bool>& movable,
                                         const Eigen::Vector3d& origin, double size, const std::stop_token& stop);
 
 /// The connected piece that each cell belongs to: the piece's first cell in the order of a disjoint set.
 [[nodiscard]] std::vector<std::uint32_t> connected_pieces(const HairCells& cells);
 
-/// Links the roots (`is_root`, per cell) of each piece with the nearest hair of another one within `reach` metres: the
-/// end of a tail hangs from the tail above, though a ribbon that is not hair is between them.
+/// Links the roots (`is_root`, per cell) of each piece with the nearest hair of another piece within `reach` metres:
+/// the end of a tail hangs from the tail above, even with a ribbon between them.
 void bridge_pieces(HairCells& cells, const std::vector<bool>& is_root, double reach);
 
-/// How far down the hair each cell is from where the hair leaves the scalp.
+/// The depth of each cell: its distance along the hair from where the hair leaves the scalp.
 struct HangingHair {
   HairCells cells;
   std::vector<double> depth;        ///< Per cell, metres, mostly along the strands; 0: lies on the scalp.
@@ -63,14 +63,14 @@ struct HangingHair {
 [[nodiscard]] HangingHair find_hanging_hair(HairCells cells, const FittedHead& head,
                                             const std::vector<std::uint32_t>& held);
 
-/// Where the hair ends, and which hair belongs to which end.
+/// The ends of the hair, and the hair that belongs to each.
 struct StrandTips {
-  std::vector<std::uint32_t> cell;     ///< Of each tip; the longest hair first.
+  std::vector<std::uint32_t> cell;     ///< The cell of each tip; the longest hair first.
   std::vector<std::uint32_t> of_cell;  ///< Per cell, the tip that it runs to; kNoIndex on the scalp.
 };
 
-/// Local maxima of depth. Each cell runs to where depth grows fastest. Of two tips closer than `apart` metres that are
-/// only ripples of one edge the shorter is none, and of more than `most` only those with most hair are.
+/// Local maxima of depth. Each cell leads to where depth grows fastest. If two tips closer than `apart` metres are only
+/// ripples of one edge, the shorter one does not count. If there are more than `most`, only those with most hair count.
 [[nodiscard]] StrandTips find_strand_tips(const HangingHair& hair, double apart, std::size_t most);
 
 }  // namespace coif::cook

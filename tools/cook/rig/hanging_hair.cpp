@@ -9,14 +9,20 @@
 namespace coif::cook {
 namespace {
 
-constexpr double kOnScalp = 0.25;      ///< Of the head's radius: hair this close to it does not swing.
-constexpr double kThickestHair = 0.5;  ///< Of the radius: what stands off further is no longer a layer on the skull.
-constexpr double kUpperPart = 0.3;     ///< Of the radius above the centre: there hair lies on the skull, if anywhere.
-constexpr double kAcross = 1.0;        ///< Extra length of a way across the strands, as a share of it.
-constexpr double kRootPart = 0.25;     ///< Of a strand: the part that may be the root of loose hair.
-constexpr double kRootEnd = 0.05;      ///< Of a strand: its very end, held with the others of its piece
-constexpr double kRootSpread = 0.5;    ///< that are at most this share of the radius farther from the head.
-constexpr double kBridge = 0.35;       ///< Of the radius: loose hair hangs from other hair at most this far away.
+constexpr double kOnScalp = 0.25;  ///< Share of the head's radius: hair this close to it does not swing.
+/// Share of the radius: hair that stands off further is not a layer on the skull.
+constexpr double kThickestHair = 0.5;
+/// Share of the radius above the centre: hair above that height lies on the skull.
+constexpr double kUpperPart = 0.3;
+/// Extra length of a way across the strands, as a share of it.
+constexpr double kAcross = 1.0;
+constexpr double kRootPart = 0.25;  ///< Share of a strand that may be the root of loose hair.
+/// Share of a strand: its very end, which is held together with other ends of its piece.
+constexpr double kRootEnd = 0.05;
+/// Share of the radius by which these other ends may be farther from the head.
+constexpr double kRootSpread = 0.5;
+/// Share of the radius: loose hair hangs from other hair at most this far away.
+constexpr double kBridge = 0.35;
 
 /// Thickness of the layer that lies on the skull: how far off half of the hair is on top of the head.
 double layer_thickness(const HairCells& cells, const FittedHead& head) {
@@ -38,12 +44,13 @@ double layer_thickness(const HairCells& cells, const FittedHead& head) {
   return std::clamp(median + 0.5 * kOnScalp * radius, kOnScalp * radius, kThickestHair * radius);
 }
 
-/// How unlikely a cell is the root of its piece: its distance from the head, and farther towards the tips of strands.
+/// How unlikely a cell is as the root of its piece: its distance from the head, plus more towards the tips of strands.
 double distance_as_root(const HairCells& cells, const FittedHead& head, std::uint32_t cell) {
   return head.distance(cells.middle[cell]) + (cells.place[cell] > kRootPart ? 1.0e3 * head.radii.mean() : 0.0);
 }
 
-/// Of each piece of hair without any seed the roots of its strands that are about as near to the head as the nearest.
+/// For each piece of hair without a seed: the roots of its strands that are about as near to the head as the nearest
+/// one.
 std::vector<std::uint32_t> roots_of_loose_pieces(const HairCells& cells, const FittedHead& head,
                                                  const std::vector<std::uint32_t>& seeds) {
   const std::vector<std::uint32_t> piece = connected_pieces(cells);
@@ -63,7 +70,7 @@ std::vector<std::uint32_t> roots_of_loose_pieces(const HairCells& cells, const F
   return roots;
 }
 
-/// Loose pieces hang from the hair next to their roots, if there is any, and else from their roots.
+/// Lets loose pieces hang from the hair next to their roots, or else from their roots.
 void tie_loose_pieces(HairCells& cells, const FittedHead& head, std::vector<std::uint32_t>& seeds) {
   std::vector<bool> is_root(cells.count(), false);
   for (std::uint32_t c : roots_of_loose_pieces(cells, head, seeds)) is_root[c] = true;
@@ -72,7 +79,7 @@ void tie_loose_pieces(HairCells& cells, const FittedHead& head, std::vector<std:
   seeds.insert(seeds.end(), roots.begin(), roots.end());
 }
 
-/// Ways across the strands count for more: a strand hangs from its own root, not from its neighbour's.
+/// Ways across the strands count as longer: a strand hangs from its own root, not from its neighbour's.
 double way(const HairCells& cells, std::uint32_t from, const CellLink& link) {
   const Eigen::Vector3d mean = cells.strand[from] + cells.strand[link.to];
   const Eigen::Vector3d step = cells.middle[link.to] - cells.middle[from];
@@ -125,7 +132,7 @@ HangingHair find_hanging_hair(HairCells cells, const FittedHead& head, const std
 namespace {
 
 constexpr int kWayBack = 3;      ///< Cells: a way's direction at its end.
-constexpr double kGoesOn = 0.4;  ///< Of a cell: hair this far beyond a tip is more than the tip's own width.
+constexpr double kGoesOn = 0.4;  ///< Share of a cell: hair this far beyond a tip is more than the tip's own width.
 constexpr double kRipple = 3;    ///< Cells: a tip that stands out less from its surroundings may be noise.
 
 /// Hanging cells, deepest first.
@@ -152,7 +159,7 @@ std::uint32_t next_towards_tip(const HangingHair& hair, std::uint32_t cell) {
 }
 
 /// Whether the hair ends at a local maximum of depth. Where strands part and are tied together again, ways around both
-/// sides meet in a maximum in the middle of a strand: there the hair goes on.
+/// sides meet in a maximum in the middle of a strand; the hair goes on there.
 bool is_end(const HangingHair& hair, std::uint32_t cell) {
   std::uint32_t back = cell;
   for (int i = 0; i < kWayBack && hair.from[back] != importer::kNoIndex; ++i) back = hair.from[back];
@@ -162,7 +169,7 @@ bool is_end(const HangingHair& hair, std::uint32_t cell) {
   });
 }
 
-/// Sets of cells, one per tip. A set's tip is its deepest cell; cells where hair ends go before others.
+/// Sets of cells, one per tip. A set's tip is its deepest cell; cells where hair ends take precedence.
 class Basins {
  public:
   Basins(const HangingHair& hair, double apart)
@@ -192,7 +199,7 @@ class Basins {
     tip_[sets_.find(a)] = ends_[tip_a] != ends_[tip_b] ? (ends_[tip_b] ? tip_b : tip_a) : b_is_deeper ? tip_b : tip_a;
   }
 
-  /// `cell` is where both sets meet, so it says how far each tip stands out.
+  /// Both sets meet at `cell`, so its depth shows how far each tip stands out.
   void merge_ripples(std::uint32_t cell, std::uint32_t neighbour) {
     const std::uint32_t a = tip_of(cell), b = tip_of(neighbour);
     if (a == b) return;
@@ -209,7 +216,7 @@ class Basins {
   std::vector<bool> ends_;          ///< Per tip: the hair ends there.
 };
 
-/// The tips with most hair below them, longest first.
+/// The tips with the most hair, longest first.
 std::vector<std::uint32_t> chosen_tips(const HangingHair& hair, const std::vector<std::uint32_t>& tip_of_cell,
                                        std::size_t most) {
   std::vector<double> area(hair.cells.count(), 0);

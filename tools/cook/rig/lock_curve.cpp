@@ -11,10 +11,12 @@ using Eigen::Vector3d;
 
 constexpr double kSlice = 1.5;  ///< Cells: each slice has hair, and levels of depth stay apart.
 constexpr std::size_t kMostSlices = 512;
-constexpr double kThinSlice = 0.2;    ///< Of the middle slice's area: less hair at the tip is a few wisps.
-constexpr double kWayShare = 1.0e-3;  ///< Hair that another lock moves counts only where the lock has none of its own.
-constexpr int kSmoothing = 3;         ///< Times that each point moves halfway to its neighbours.
-constexpr double kClearance = 1.01;   ///< Of the head's size: where joints inside of it go.
+/// Share of the middle slice's area: a slice with less hair at the tip is a few wisps.
+constexpr double kThinSlice = 0.2;
+/// Weight of hair that another lock moves; it matters only where the lock has none of its own.
+constexpr double kWayShare = 1.0e-3;
+constexpr int kSmoothing = 3;        ///< Times that each point moves halfway to its neighbours.
+constexpr double kClearance = 1.01;  ///< Factor on the head's size: joints inside it are moved out to there.
 constexpr double kShortestLockBone = 1.0e-3;
 
 struct CurvePoint3 {
@@ -64,8 +66,8 @@ void smooth(Curve& curve) {
   }
 }
 
-/// Slices are at their mean depth; the curve goes on to the scalp, and half a slice to the tip, along its end
-/// directions.
+/// Slices are at their mean depth. Extends the curve along its end directions, up to the scalp and by half a slice to
+/// the tip.
 void extend(Curve& curve) {
   const CurvePoint3 first = curve[0], second = curve[1];
   const CurvePoint3 last = curve[curve.size() - 1], before = curve[curve.size() - 2];
@@ -118,7 +120,7 @@ LockCurve fit_lock_curve(const HangingHair& hair, const HairLock& lock, const Fi
   const auto bones = std::size_t(std::clamp(wanted, 1.0, double(most_bones)));
   for (std::size_t j = 0; j <= bones; ++j) {
     CurvePoint3 joint = point_at(curve, arc, length * double(j) / double(bones));
-    // On a chord between two points outside of it a joint may be inside the head again.
+    // On a chord between two outer points a joint may be inside the head again.
     Curve alone{joint};
     keep_out_of_head(head, alone);
     const bool too_near = j > 0 && (alone.front().at - result.joints.back()).norm() < kShortestLockBone;

@@ -24,9 +24,10 @@ struct SkeletonBone {
   std::uint32_t parent = kNone;
   BoneKind kind = BoneKind::kScalp;
   std::uint32_t chain = kNone;
-  Eigen::Vector3d start = Eigen::Vector3d::Zero();  ///< Model space, metres; of a bone below a simulated one: its tail.
-  Eigen::Vector3d tail = Eigen::Vector3d::Zero();   ///< The particle at rest; of a rigid bone its start.
-  double place = 0;  ///< Of the tail along its chain, 0 root .. 1 farthest tip, by length.
+  /// Model space, metres; for a bone below a simulated one, that one's tail.
+  Eigen::Vector3d start = Eigen::Vector3d::Zero();
+  Eigen::Vector3d tail = Eigen::Vector3d::Zero();  ///< The particle at rest; for a rigid bone its start.
+  double place = 0;  ///< Place of the tail along its chain, 0 root .. 1 farthest tip, by length.
 
   [[nodiscard]] double length() const { return (tail - start).norm(); }
 };
@@ -35,7 +36,7 @@ struct SkeletonBone {
 struct Skeleton {
   std::vector<SkeletonBone> bones;
   std::vector<ChainRecord> chains;
-  std::vector<std::uint32_t> bone_of_node;  ///< For each source node the bone that carries its vertices.
+  std::vector<std::uint32_t> bone_of_node;  ///< For each source node, the bone that carries its vertices.
   Eigen::Quaterniond head_rotation = Eigen::Quaterniond::Identity();  ///< Model from the head bone's own axes.
 
   [[nodiscard]] std::size_t simulated_count() const {
@@ -45,27 +46,27 @@ struct Skeleton {
   }
 };
 
-/// Splits the file's bones as the thesis does (5.2): the head bone is moved by the host; bones with the head as parent
-/// are scalp bones, rigid; bones below are simulated. Simulated too are a bone alone below the head, which as a scalp
-/// bone would only make the hair stiff, and one that the file's spring bones turn, unless the recipe wants curves.
-/// Nodes that carry no hair are left out, but a last joint below a hair bone says where that bone ends. Warns of hair
+/// Divides the file's bones as the thesis does (5.2): the host moves the head bone; bones whose parent is the head are
+/// scalp bones, which are rigid; bones below are simulated. Two more are simulated unless the recipe wants curves: a
+/// single bone below the head, which as a scalp bone would make the hair stiff, and a bone that the file's spring bones
+/// turn. Nodes that carry no hair are left out, but a last joint below a hair bone marks that bone's end. Warns of hair
 /// that follows the head rigidly. Errors: kBadInput for patterns without a match, kUnsupported above kMaxBones bones.
 tl::expected<Skeleton, ToolError> build_skeleton(const importer::SourceModel& source, const HairMesh& hair,
                                                  const HeadBone& head, const RigRecipe& recipe, Findings& findings);
 
-/// The head bone, everything rigid to it: what chains are fitted to.
+/// The head bone with everything rigid to it, to which chains are fitted.
 [[nodiscard]] Skeleton head_alone(const importer::SourceModel& source, const HeadBone& head);
 
-/// Where the bone of `node` ends, model space: at its heaviest hair child; without one at the last joint below it;
-/// without that, or where it lies far before them, where the vertices end that it carries; without those as far again
+/// The end of the bone of `node`, model space: at its heaviest hair child; without one at the last joint below it;
+/// without that, or if it lies far before them, at the end of the vertices that it carries; without those as far again
 /// as its parent. At least 1 mm from `start`. `is_spring`: the file's spring bones turn it, and its marker holds.
 [[nodiscard]] Eigen::Vector3d find_bone_tail(const importer::SourceModel& source, const HairMesh& hair,
                                              std::uint32_t node, std::span<const std::uint32_t> hair_children,
                                              const Eigen::Vector3d& start, const SkeletonBone& parent,
                                              bool is_spring = false);
 
-/// True for a last joint that only says where the bone above it, which lies along `above`, ends, though smoothing has
-/// given it a little of the skin: no vertex is mostly its own, and what it shares lies behind it, along that bone.
+/// True for a last joint that only marks the end of the bone above it, which lies along `above`, even if smoothing has
+/// given it a little of the skin: no vertex is mostly its own, and its vertices lie behind it, along that bone.
 [[nodiscard]] bool only_marks_an_end(const HairMesh& hair, std::uint32_t node, const Eigen::Vector3d& start,
                                      const Eigen::Vector3d& above);
 
@@ -74,10 +75,10 @@ struct BoneWeight {
   double weight = 0;  ///< > 0.
 };
 
-/// Adds to what a bone has already; nothing where there is no weight.
+/// Adds to the weight that a bone already has; does nothing for a weight of 0.
 void add_weight(std::vector<BoneWeight>& weights, std::uint32_t bone, double weight);
 
-/// What carries each vertex: bones of the asset, however many. A vertex without any follows the head.
+/// The weights of each vertex, for any number of the asset's bones. A vertex without weights follows the head.
 using SkinWeights = std::vector<std::vector<BoneWeight>>;
 
 /// Bones and the hair that they carry.
@@ -93,26 +94,26 @@ struct HairRig {
 /// Vertices without influences follow the head.
 [[nodiscard]] std::vector<SkinRecord> quantize_skin(const SkinWeights& weights);
 
-/// Puts simulated bones into the order that suits solvers, which run chains of one shape side by side: chains of equal
-/// shape (as many bones, with the same parents among them) next to each other, by their number of bones, and each chain
-/// depth first, of a bone's children the one with most bones below it last. So at most log2 of its bones wait for their
-/// children, and no skeleton of an asset's size exceeds kMaxOpenBones. What is equal keeps its order; rigid bones stay.
-/// Returns where each bone went; `bone_of_node` has followed.
+/// Sorts simulated bones for solvers, which run chains of one shape side by side. Chains of equal shape (the same
+/// number of bones and the same parents) lie next to each other, by their number of bones. Each chain is depth first;
+/// among a bone's children the one with most bones below it comes last. So at most log2 of its bones wait for their
+/// children, and no skeleton of an asset's size exceeds kMaxOpenBones. Equal chains keep their order; rigid bones stay.
+/// Returns each bone's new index; `bone_of_node` is updated.
 [[nodiscard]] std::vector<std::uint32_t> order_bones(Skeleton& skeleton);
 
 /// True where the recipe wants chains that the file does not have.
 [[nodiscard]] bool wants_fitted_chains(const RigRecipe& recipe, const Skeleton& of_file);
 
-/// Which patches the recipe holds to the head, one value for each.
+/// The patches that the recipe holds to the head, one value for each.
 [[nodiscard]] std::vector<bool> held_patches(const HairStrips& hair);
 
-/// The file's bones with the artist's weights, but for patches that are held; the head alone where the recipe wants no
-/// chains, or fitted ones. Errors and warnings are build_skeleton()'s.
+/// The file's bones with the artist's weights, except for patches that are held; the head alone where the recipe wants
+/// no chains or fitted ones. Errors and warnings: those of build_skeleton().
 tl::expected<HairRig, ToolError> rig_of_file(const importer::SourceModel& source, const HairStrips& hair,
                                              const HeadBone& head, const RigRecipe& recipe, Findings& findings);
 
-/// For each chain what the recipe says of the motion of patches that are more than half of the hair that it carries, by
-/// weight and area; empty where nothing is said. Warns of what is said in vain.
+/// For each chain, the recipe's motion for patches that make up more than half of its hair, by weight and area; empty
+/// where there is none. Warns of values without effect.
 [[nodiscard]] std::vector<PatchOverride> chain_overrides(const HairStrips& hair, const HairRig& rig,
                                                          Findings& findings);
 
@@ -124,7 +125,7 @@ tl::expected<HairRig, ToolError> rig_of_file(const importer::SourceModel& source
 /// order_bones().
 void settle_rig(const RigRecipe& recipe, HairRig& rig, Findings& findings);
 
-/// What swings a bone in a file with spring bones.
+/// The spring joint that moves a bone.
 struct BoneJoint {
   const importer::SourceSpring* spring = nullptr;  ///< Null: the file has no spring for this bone.
   const importer::SourceSpringJoint* joint = nullptr;
@@ -133,15 +134,15 @@ struct BoneJoint {
 };
 
 /// One per bone of the skeleton, pointing into `source`. VRM turns a joint's own node so that the node's tail, the next
-/// joint, swings; the particle of the bone that the node became is that tail. So a joint's settings, hit radius
-/// included, belong to its own node's bone. Rigid bones and fitted chains, which are not the file's nodes, have none;
-/// neither has the last joint of a spring, which in VRM 1.0 turns nothing.
+/// joint, swings. The node's bone has its particle at that tail, so a joint's settings, hit radius included, belong to
+/// its own node's bone. Rigid bones and fitted chains, which are not the file's nodes, have none; neither has the last
+/// joint of a spring, which in VRM 1.0 turns nothing.
 [[nodiscard]] std::vector<BoneJoint> joints_of_bones(const importer::SourceModel& source, const Skeleton& skeleton);
 
-/// Which bones still move on their own where hair shorter than `still_length` (metres) may hang rigidly: those from
-/// whose start it is farther than that to some tip below. So chains lose bones from their tips upwards, short ones all
-/// of them, and what moves at one length moves at every smaller one, as the format asks. All of them at length 0. One
-/// value per bone.
+/// The bones that are still simulated where hair shorter than `still_length` (metres) may be rigid: those whose start
+/// is farther than that from some tip below. So chains lose bones from their tips upwards, and short ones all of them;
+/// a bone that moves at one length moves at every smaller one, as the format demands. With length 0 all move. One value
+/// per bone.
 [[nodiscard]] std::vector<bool> moving_bones(const Skeleton& skeleton, double still_length);
 
 }  // namespace coif::cook

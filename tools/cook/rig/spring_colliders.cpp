@@ -6,7 +6,7 @@ namespace coif::cook {
 namespace {
 
 constexpr double kShortestCapsule = 1.0e-5;  ///< Metres between its ends; shorter ones are spheres.
-constexpr double kSmallestSize = 1.0e-5;     ///< Metres; an asset has none below a tenth of it.
+constexpr double kSmallestSize = 1.0e-5;     ///< Metres. Assets have none below a tenth of it.
 
 bool is_below(const importer::SourceModel& source, std::uint32_t node, std::uint32_t ancestor) {
   while (node != importer::kNoIndex && node != ancestor) node = source.nodes[node].parent;

@@ -13,24 +13,24 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A sphere has the roundness 1, heads have 0.3 to 0.9, busts 0.3; strips and sheets of hair are open, tubes and shells
-// of hair below 0.1. The longest edge of an open sheet is 2 and more of the root of its area, that of a head without a
-// neck 1.
+// A sphere has the roundness 1, heads have 0.3 to 0.9, busts 0.3. Strips and sheets of hair are open; tubes and shells
+// of hair have less than 0.1. The rim of an open sheet is at least 2 times the root of its area, that of a head without
+// a neck once.
 constexpr double kLeastRound = 0.2;
 constexpr double kMostOpen = 1.6;
-constexpr double kNearlyWhole = 0.8;     // of the model's surface
-constexpr double kMostOpenFigure = 0.3;  // as kMostOpen, for figures
+constexpr double kNearlyWhole = 0.8;     // Share of the model's surface.
+constexpr double kMostOpenFigure = 0.3;  // As kMostOpen, for figures.
 constexpr double kLeastFigure = 1.2;     // metres, of a figure
-constexpr double kOnGround = 0.05;       // of its height
+constexpr double kOnGround = 0.05;       // Share of its height.
 
 /// One connected piece of a mesh, by its form.
 struct PieceForm {
-  double area = 0, volume = 0, rim = 0;  // of edges that one triangle has alone
+  double area = 0, volume = 0, rim = 0;  // `rim`: length of the edges that only one triangle has.
   Vector3d first = Vector3d::Zero();
   Eigen::AlignedBox3d box;
 
   [[nodiscard]] double open() const { return area > 0 ? rim / std::sqrt(area) : 0; }
-  /// How much of the volume it has that a sphere of the same surface would have, squared.
+  /// The squared ratio of its volume to that of a sphere with the same surface.
   [[nodiscard]] double round() const {
     return area > 0 ? 36 * std::numbers::pi * volume * volume / (area * area * area) : 0;
   }
@@ -43,7 +43,7 @@ void add_triangle(const importer::SourceMesh& mesh, std::size_t t, PieceForm& pi
     corner[k] = mesh.positions[mesh.triangles[3 * t + k]].cast<double>();
     piece.box.extend(corner[k]);
   }
-  // From a point of the piece itself, so that those that are a little open have about the volume that they show.
+  // Volumes are computed from a point of the piece itself, so that slightly open pieces have about the right volume.
   if (piece.area == 0) piece.first = corner[0];
   piece.area += 0.5 * (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm();
   piece.volume += (corner[0] - piece.first).dot((corner[1] - piece.first).cross(corner[2] - piece.first)) / 6;

@@ -20,8 +20,8 @@ using importer::SourceMesh, importer::SourceModel;
 
 using Names = std::vector<std::string>;
 
-constexpr double kMovedByHairBones = 0.03;  ///< Share of a piece's weight: a fringe follows the head for the most part.
-constexpr double kSurelyMoved = 0.4;        ///< At some vertex; faces under a fringe have a touch of its bones only.
+constexpr double kMovedByHairBones = 0.03;  ///< Share of a piece's weight: a fringe mostly follows the head.
+constexpr double kSurelyMoved = 0.4;        ///< At some vertex; faces under a fringe have only a touch of its bones.
 
 const importer::SourceMaterial* material_of(const SourceModel& source, const SourceMesh& mesh) {
   return mesh.material < source.materials.size() ? &source.materials[mesh.material] : nullptr;
@@ -41,7 +41,7 @@ tl::unexpected<ToolError> bad_input(const SourceModel& source, const std::string
   return tl::unexpected(ToolError{ToolError::Kind::kBadInput, fmt::format("{}: {}", source.path, what)});
 }
 
-/// An error that names the first pattern without a match and what there is to match.
+/// An error with the first pattern without a match and the names that exist.
 tl::expected<void, ToolError> check_patterns(const SourceModel& source, const char* key, const Names& patterns,
                                              const std::set<std::string>& names) {
   for (const std::string& pattern : patterns) {
@@ -144,14 +144,14 @@ void choose_by_recipe(const SourceModel& source, const HairRecipe& recipe, Choos
   }
 }
 
-/// Another part of the same mesh has a material called hair: then this part is what is worn in it.
+/// Another part of the same mesh has a material with a hair name: then this part is worn in the hair.
 bool has_hair_beside(const SourceModel& source, const SourceMesh& mesh) {
   return std::ranges::any_of(source.meshes, [&](const SourceMesh& other) {
     return other.node == mesh.node && is_called_hair(material_name(source, other));
   });
 }
 
-/// Why a mesh is hair by what it is called; empty where nothing says so.
+/// The reason why a mesh's names make it hair; empty where they do not.
 std::string named_hair(const SourceModel& source, const SourceMesh& mesh) {
   const std::string material = material_name(source, mesh), texture = texture_name(source, mesh);
   if (is_called_hair(material)) return fmt::format("its material is called '{}'", material);
@@ -220,7 +220,7 @@ void take_cores(const SourceModel& source, std::uint32_t head, Chooser& chooser)
   }
 }
 
-/// A character without anything that says what is hair on it: a body is never cooked.
+/// The error for a character on which nothing shows what hair is: a body is never cooked.
 tl::unexpected<ToolError> no_hair_on(const SourceModel& source) {
   std::vector<std::string> meshes;
   for (const SourceMesh& mesh : source.meshes) {
@@ -237,7 +237,7 @@ bool is_file_called_hair(const SourceModel& source) {
   return is_called_hair(std::filesystem::path(source.path).stem().string());
 }
 
-/// A model whose form is that of a body. What exporters most often leave out of such a file are curves and particles.
+/// The error for a model with the form of a body. Exporters most often leave curves and particles out of such a file.
 tl::unexpected<ToolError> no_hair_in_body(const SourceModel& source) {
   std::vector<std::string> meshes;
   for (const SourceMesh& mesh : source.meshes) {

@@ -11,10 +11,11 @@ namespace coif::cook {
 namespace {
 
 // Lengths are shares of the head's width.
-constexpr double kWrapsWithin = 0.13;  ///< So far from hair may lie
-constexpr double kWrapped = 0.8;       ///< all but a few of a core's corners, whose strips leave gaps.
-constexpr double kThickest = 0.65;     ///< The second largest size of a core's box.
-constexpr double kLeastReach = 0.3;    ///< So far its end is from everything else.
+constexpr double kWrapsWithin = 0.13;  ///< Largest distance of hair from a core's corner.
+/// Share of a core's corners with hair that near; strips leave gaps.
+constexpr double kWrapped = 0.8;
+constexpr double kThickest = 0.65;   ///< The second largest size of a core's box.
+constexpr double kLeastReach = 0.3;  ///< Smallest distance of its end from everything else.
 
 /// One island of a mesh that gave no hair.
 struct Island {
@@ -63,7 +64,7 @@ double median_of(Eigen::Vector3f sizes) {
   return double(sizes[1]);
 }
 
-/// Of the corners of its triangles, how many `fit`; stops where there are `most`.
+/// Counts the corners of its triangles that `fit`; stops at `most`.
 template <typename Fits>
 std::size_t count_corners(const importer::SourceMesh& mesh, const Island& island, std::size_t most, const Fits& fits) {
   std::size_t count = 0;
@@ -101,7 +102,7 @@ std::vector<std::vector<std::size_t>> groups_of(std::span<const Island> islands,
   return result;
 }
 
-/// All triangles but those of hair and of wrapped islands.
+/// All triangles except those of hair and of wrapped islands.
 TriangleSoup rest_of(const importer::SourceModel& source, std::span<const Island> islands,
                      const Eigen::AlignedBox3f& around) {
   TriangleSoup rest;

@@ -47,7 +47,7 @@ std::vector<bool> nodes_of_meshes(const importer::SourceModel& source) {
   return carries_mesh;
 }
 
-/// Which nodes are what.
+/// The kinds of nodes.
 struct NodeKinds {
   const std::vector<bool>& hair_bones;
   std::vector<bool> of_eyes, of_head;
@@ -93,7 +93,7 @@ bool is_called_transparent(std::string_view name) {
 }
 
 bool moves_limbs(const importer::SourceModel& source) {
-  constexpr double kGoodPart = 0.02;  // Of all vertices: feet have few.
+  constexpr double kGoodPart = 0.02;  // share of all vertices: feet have few
   static const Names limbs{"*foot*", "*toe*",  "*hand*",  "*finger*",  "*thumb*",    "*thigh*", "*calf*",
                            "*shin*", "*knee*", "*elbow*", "*forearm*", "*upperarm*", "*upleg*", "*lowerleg*"};
   std::vector<bool> is_limb;
@@ -120,7 +120,7 @@ std::uint32_t guess_head_node(const importer::SourceModel& source) {
   }
   const std::vector<bool> carries_mesh = nodes_of_meshes(source);
   std::uint32_t head = importer::kNoIndex;
-  // A mesh called head is none of the bones, unless the skeleton goes on below it.
+  // A mesh called head is not a bone, unless the skeleton goes on below it.
   for (const bool meshes_too : {false, true}) {
     for (std::uint32_t n = 0; n < source.nodes.size() && (head == importer::kNoIndex || !meshes_too); ++n) {
       const bool is_bone = !carries_mesh[n] || (meshes_too && below[n] > 1);

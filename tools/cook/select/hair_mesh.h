@@ -1,6 +1,6 @@
 #pragma once
 
-// The hair alone, cut out of its source: what the passes of the cooker hand on.
+// The hair alone, cut out of its source: the data that the passes of a cook hand on.
 
 #include "import/source_model.h"
 
@@ -12,7 +12,7 @@
 
 namespace coif::cook {
 
-/// One triangle mesh, model space, metres. Per-vertex arrays have the size of `positions`, or are empty.
+/// A triangle mesh, model space, metres. Per-vertex arrays have the size of `positions`, or are empty.
 struct HairMesh {
   std::vector<Eigen::Vector3f> positions;
   std::vector<Eigen::Vector3f> normals;
@@ -21,9 +21,9 @@ struct HairMesh {
   std::vector<std::uint32_t> influence_begin;         ///< positions.size() + 1 entries.
   std::vector<importer::SourceInfluence> influences;  ///< Nodes of the source; each vertex's weights add up to one.
   std::vector<std::uint32_t> triangles;               ///< Three vertices each.
-  std::vector<std::uint32_t> mesh_of_triangle;        ///< Source mesh that each triangle comes from.
+  std::vector<std::uint32_t> mesh_of_triangle;        ///< The source mesh that each triangle comes from.
   bool double_sided = false;                          ///< Both sides of every triangle are hair.
-  std::vector<std::uint32_t> source_meshes;           ///< Those that gave triangles.
+  std::vector<std::uint32_t> source_meshes;           ///< The meshes that gave triangles.
   std::uint32_t material = importer::kNoIndex;        ///< The source's material with most triangles.
 
   [[nodiscard]] std::size_t triangle_count() const { return triangles.size() / 3; }
@@ -55,16 +55,16 @@ struct HairMesh {
   }
 };
 
-/// Which triangles belong together. `patch_of[t]` for each triangle, numbered by first appearance.
+/// The patches of the triangles: `patch_of[t]` for each triangle, numbered by first appearance.
 struct PatchSet {
   std::vector<std::uint32_t> patch_of;
   std::uint32_t count = 0;
-  std::vector<std::uint32_t> first_number{};  ///< Per patch, see number_of(); empty: each has its own index.
-  /// The last patches are those that only coarser levels of detail draw: for each of them which of the finest it is
-  /// drawn in the place of.
+  std::vector<std::uint32_t> first_number{};  ///< Per patch, see number_of(); empty: numbers are indices.
+  /// The last patches are drawn only by coarser levels of detail: for each, the patch of the finest level that it
+  /// replaces.
   std::vector<std::uint32_t> stands_for{};
 
-  /// What a patch is known by to people: its index before any was left out or cut.
+  /// A patch's number for people: its index before patches were left out or cut.
   [[nodiscard]] std::uint32_t number_of(std::uint32_t patch) const {
     return first_number.empty() ? patch : first_number[patch];
   }
@@ -76,8 +76,9 @@ struct PatchSet {
     first_number.push_back(std::uint32_t(first_number[patch]));
     return count++;
   }
-  /// Cuts patches: `part_of` names for each triangle the part that it goes to, below their number, no part in two
-  /// patches; kNoIndex: its patch stays whole. The first part of each patch keeps its index, the others get new ones.
+  /// Cuts patches. `part_of` has for each triangle its part, a number below the count of triangles, and no part spans
+  /// two patches; kNoIndex: its patch stays whole. The first part of each patch keeps its index, the others get new
+  /// ones.
   void cut(std::span<const std::uint32_t> part_of) {
     std::vector<std::uint32_t> index(patch_of.size(), importer::kNoIndex);
     std::vector<bool> kept(count, false);

@@ -12,7 +12,7 @@
 namespace coif::cook {
 namespace {
 
-/// The node with most weight below it; of equals the one nearest to the root.
+/// The node with most weight below it; among equals the one nearest to the root.
 std::uint32_t heaviest(const importer::SourceModel& source, const NodeWeights& below, auto is_candidate) {
   std::uint32_t best = importer::kNoIndex;
   for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
@@ -32,8 +32,8 @@ std::uint32_t lowest_common_node(const importer::SourceModel& source, const Node
   return lowest;
 }
 
-/// The node of a rigid mesh, away from the hair: a file without bones has its origin on the floor, not in the head.
-/// Where whole numbers are undone by it, it stands in a corner or the middle of the hair, wherever the artist had it.
+/// The node of a rigid mesh, away from the hair. A file without bones has its origin on the floor, not in the head. If
+/// exporters quantised positions, such a node stands in a corner or the middle of the hair, wherever the artist had it.
 bool is_far_mesh_node(const importer::SourceModel& source, const HairMesh& hair, std::uint32_t node) {
   if (node == importer::kNoIndex) return false;
   const bool carries_mesh = std::ranges::any_of(source.meshes, [&](const importer::SourceMesh& mesh) {
@@ -43,7 +43,7 @@ bool is_far_mesh_node(const importer::SourceModel& source, const HairMesh& hair,
                           !hair.box().contains(source.nodes[node].model_from_node.translation()));
 }
 
-/// Without a node of its own the head sits in the middle of the hair.
+/// Without a node of its own the head is in the middle of the hair.
 HeadBone head_bone_at(const importer::SourceModel& source, const HairMesh& hair, std::uint32_t node) {
   HeadBone head;
   if (node == importer::kNoIndex) {
@@ -57,11 +57,13 @@ HeadBone head_bone_at(const importer::SourceModel& source, const HairMesh& hair,
   return head;
 }
 
-// Of the head's half sizes: where a face would be, from the chin to the brow, and what hangs before it at most.
+// Shares of the head's half sizes: the face's range from the chin to the brow, and the largest distance of hair before
+// it.
 constexpr double kChin = -0.7, kBrow = 0.3, kBefore = 1.8;
-constexpr double kStraight = 0.7;   ///< Cosine of 45 degrees: towards the front or the back, and not the sides.
-constexpr double kClearly = 3;      ///< Times as much hair on one side as on the other: that is the back of the head.
-constexpr double kLeastHair = 0.3;  ///< Of the square of the head's radius; with less the head is bald all round.
+constexpr double kStraight = 0.7;  ///< Cosine of 45 degrees: towards the front or the back, and not the sides.
+constexpr double kClearly = 3;     ///< Times as much hair on one side as on the other: that is the back of the head.
+/// Share of the squared radius of the head; with less hair the head is bald all round.
+constexpr double kLeastHair = 0.3;
 
 }  // namespace
 

@@ -18,7 +18,7 @@ namespace coif::cook {
 struct HairRecipe;
 enum class HeadShape;
 
-/// Where the head bone is in the rest pose, model space.
+/// The head bone in the rest pose, model space.
 struct HeadBone {
   std::uint32_t node = importer::kNoIndex;  ///< The source's node; kNoIndex where the hair follows none.
   std::string name = "head";
@@ -26,7 +26,7 @@ struct HeadBone {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< Model from the bone's own axes.
 };
 
-/// "Head", "mixamorig:Head", "J_Bip_C_Head", "Bip01 Head"; not its end marker or what is worn on it.
+/// "Head", "mixamorig:Head", "J_Bip_C_Head", "Bip01 Head"; not its end marker or things worn on it.
 [[nodiscard]] bool is_called_head(const std::string& name);
 
 /// Total skin weight of the hair on each node of the source.
@@ -34,22 +34,22 @@ using NodeWeights = std::vector<double>;
 
 [[nodiscard]] NodeWeights hair_weights(const importer::SourceModel& source, const HairMesh& hair);
 
-/// The head bone: the node called `pattern`; without one the head that the file itself declares; without that the node
-/// called head that carries, with all nodes below it, most of the hair's weight; failing that the lowest node above all
-/// of the hair, unless it only is the node of a mesh far from it. Without any its joint is the middle of the hair.
-/// Error (kBadInput): nothing is called `pattern`.
+/// The head bone: the node called `pattern`; without one the head that the file declares; else the node called head
+/// that carries, with all nodes below it, most of the hair's weight; else the lowest node above all of the hair, unless
+/// it is only the node of a mesh far from it. Without any its joint is the middle of the hair. Error (kBadInput):
+/// nothing is called `pattern`.
 tl::expected<HeadBone, ToolError> find_head_bone(const importer::SourceModel& source, const HairMesh& hair,
                                                  const std::string& pattern);
 
 /// Weight on a node and everything below it.
 [[nodiscard]] NodeWeights weights_below(const importer::SourceModel& source, const NodeWeights& weights);
 
-/// The head as the cooker sees it: an ellipsoid. Roots are near it, patches are sorted by the distance from its centre,
-/// and unless there are better colliders hair stays out of it.
+/// The head as an ellipsoid. Roots are near it, patches are sorted by the distance from its centre, and hair keeps out
+/// of it unless there are better colliders.
 struct FittedHead : HeadEllipsoid {
-  HeadShape shape{};             ///< What the recipe wants hair to stay out of.
-  std::string origin;            ///< Where it comes from, for the report.
-  bool declared = false;         ///< By the recipe: not to be shrunk.
+  HeadShape shape{};             ///< The recipe's shape that hair keeps out of.
+  std::string origin;            ///< How it was found, for the report.
+  bool declared = false;         ///< Declared by the recipe: must not be shrunk.
   bool faces_backwards = false;  ///< Looks along -Z instead of +Z.
 };
 
@@ -57,7 +57,7 @@ struct FittedHead : HeadEllipsoid {
 /// face and hardly any on the other.
 [[nodiscard]] bool faces_backwards(const importer::SourceModel& source, const HairMesh& hair, const FittedHead& head);
 
-/// What shows a head before the hair around it is looked at.
+/// How the head was estimated before the hair around it was looked at.
 struct HeadSign {
   HeadEllipsoid shape;
   bool is_mesh = false;  ///< Vertices that follow the head bone; else only the hair's top.
@@ -70,10 +70,10 @@ struct HeadSign {
 /// are.
 [[nodiscard]] HeadEllipsoid ellipsoid_under_top(const HairMesh& hair);
 
-/// As the recipe declares it; else what the vertices outside of the hair's meshes that follow the head bone (not if a
-/// quarter of the hair is deep inside of them, as in a hood), or without such ones the hair's upper part, say of it,
-/// moved and resized until the hair agrees (fit_head_room()) and then shrunk until hardly any hair is inside. Notes
-/// where it is and how much hair is inside; warns where that is much.
+/// The recipe's head, if declared. Else it is estimated from vertices outside the hair's meshes that follow the head
+/// bone (not if a quarter of the hair is deep inside them, as in a hood), or without those from the hair's upper part;
+/// then it is moved and resized until the hair agrees (fit_head_room()), and shrunk until hardly any hair is inside.
+/// Notes its place and how much hair is inside; warns if that is much.
 [[nodiscard]] FittedHead fit_head(const importer::SourceModel& source, const HairMesh& hair, const HeadBone& head_bone,
                                   const HairRecipe& recipe, Findings& findings, const std::stop_token& stop = {});
 

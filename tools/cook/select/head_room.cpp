@@ -16,19 +16,20 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kSamples = 20'000;  ///< Of the hair's surface.
-constexpr std::size_t kSide = 24;         ///< Of the map of directions.
-constexpr std::size_t kInnermost = 5;  ///< One of so many samples in a direction is further in than "innermost": roots.
-constexpr double kNear = 1.5;          ///< Hair beyond, in radii, hides nothing of the head.
+constexpr std::size_t kSamples = 20'000;  ///< Samples of the hair's surface.
+constexpr std::size_t kSide = 24;         ///< Side of the map of directions.
+/// One of this many samples in a direction is further in than "innermost": roots.
+constexpr std::size_t kInnermost = 5;
+constexpr double kNear = 1.5;  ///< Hair beyond, in radii, hides nothing of the head.
 
-// Of the sum that is made small.
+// Terms of the sum that is minimised.
 constexpr double kSunk = 0.12;       ///< Quantile of innermost hair that may be inside the head.
-constexpr double kFar = 0.3;         ///< Hair that hovers higher, in mean radii, says no more.
-constexpr double kPoke = 3;          ///< Weight of a head that comes out through the hair,
-constexpr double kGuess = 0.004;     ///< of a guess that is wrong by one deviation,
-constexpr double kLeastSide = 0.25;  ///< and of hair below the head, which hangs, against 1 above.
+constexpr double kFar = 0.3;         ///< Mean radii: hair that hovers higher adds no more.
+constexpr double kPoke = 3;          ///< Weight where the head comes out through the hair.
+constexpr double kGuess = 0.004;     ///< Weight of a guess that is wrong by one deviation.
+constexpr double kLeastSide = 0.25;  ///< Weight of hair below the head, which hangs, against 1 above.
 
-constexpr int kRounds = 6;  ///< What is innermost depends on the head's middle.
+constexpr int kRounds = 6;  ///< The innermost hair depends on the head's middle, so it is found again.
 constexpr int kMostSweeps = 100;
 constexpr double kFirstStep = 0.2, kLaterStep = 0.05, kLastStep = 0.004;
 
@@ -53,8 +54,8 @@ std::vector<Vector3d> sample_surface(const HairMesh& hair) {
   return samples;
 }
 
-/// Which part of the sphere a direction (not zero) is in: an octahedron's sides laid flat (Cigolle et al. 2014, "A
-/// Survey of Efficient Representations for Independent Unit Vectors").
+/// The cell of the sphere that a direction (not zero) is in: the faces of an octahedron, unfolded (Cigolle et al. 2014,
+/// "A Survey of Efficient Representations for Independent Unit Vectors").
 std::size_t part_of_sphere(Vector3d direction) {
   direction /= direction.cwiseAbs().sum();
   double x = direction.x(), z = direction.z();
@@ -66,7 +67,7 @@ std::size_t part_of_sphere(Vector3d direction) {
   return cell(x) * kSide + cell(z);
 }
 
-/// In one direction from a head's middle.
+/// The hair in one direction from a head's middle.
 struct Seen {
   Vector3d innermost, outermost;
 };
@@ -88,7 +89,7 @@ std::vector<Seen> look_around(std::span<const Vector3d> samples, const Vector3d&
 
 double squared(double value) { return value * value; }
 
-/// How far a head is from what was guessed.
+/// How much a head differs from the guess.
 double surprise(const HeadEllipsoid& head, const HeadGuess& guess) {
   const Eigen::Array3d grown = (head.radii.array() / guess.shape.radii.array()).log();
   const Eigen::Array3d moved = (head.center - guess.shape.center).array() / guess.shape.radii.mean();
@@ -96,8 +97,8 @@ double surprise(const HeadEllipsoid& head, const HeadGuess& guess) {
          ((grown - grown.mean()) / guess.shape_spread).square().sum() + squared(grown.mean() / guess.size_spread);
 }
 
-/// Of the hair that is seen: sunk and hovering hair at the ratio of a quantile (Koenker and Bassett 1978, "Regression
-/// Quantiles"), in mean radii.
+/// The misfit of the visible hair: sunk and hovering hair weighted for a quantile (Koenker and Bassett 1978,
+/// "Regression Quantiles"), in mean radii.
 double misfit(const HeadEllipsoid& head, std::span<const Seen> seen) {
   const double size = head.radii.mean();
   double sum = 0, weights = 0;
@@ -112,7 +113,7 @@ double misfit(const HeadEllipsoid& head, std::span<const Seen> seen) {
   return weights > 0 ? sum / weights : 0;
 }
 
-/// Nudged by `step` mean radii: its middle along an axis, one radius, or all of them.
+/// The head changed by `step` mean radii: its middle along an axis, one radius, or all of them.
 HeadEllipsoid nudged(HeadEllipsoid head, int what, double step) {
   if (what < 3) {
     head.center[what] += step * head.radii.mean();
@@ -124,7 +125,7 @@ HeadEllipsoid nudged(HeadEllipsoid head, int what, double step) {
   return head;
 }
 
-/// Search along the coordinates, whose sum has kinks but few valleys.
+/// Coordinate search: the sum has kinks but few valleys.
 HeadEllipsoid descend(HeadEllipsoid head, std::span<const Seen> seen, const HeadGuess& guess, double step) {
   const auto cost = [&](const HeadEllipsoid& h) { return misfit(h, seen) + kGuess * surprise(h, guess); };
   double best = cost(head);

@@ -8,7 +8,7 @@
 
 namespace coif::cook {
 
-/// An ellipsoid whose semi-axes lie along the model's axes; metres, model space.
+/// An ellipsoid with semi-axes along the model's axes; metres, model space.
 struct HeadEllipsoid {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   Eigen::Vector3d radii = Eigen::Vector3d::Ones();  ///< > 0.
@@ -24,21 +24,21 @@ struct HeadEllipsoid {
   }
 };
 
-/// What a head is taken for before its hair is looked at, and how far that may be wrong: standard deviations.
+/// The estimate of a head before its hair is looked at, and its uncertainty: standard deviations.
 struct HeadGuess {
   HeadEllipsoid shape;
-  Eigen::Vector3d center_spread;  ///< Of the centre, in mean radii.
-  double shape_spread = 0;        ///< Of the logarithm of each radius beside their common size.
-  double size_spread = 0;         ///< Of the logarithm of that size.
+  Eigen::Vector3d center_spread;  ///< The centre's, in mean radii.
+  double shape_spread = 0;        ///< For the logarithm of each radius relative to their common size.
+  double size_spread = 0;         ///< For the logarithm of that size.
 };
 
-/// The head that a guess and the hair agree on best. Seen from the head's middle, the innermost hair lies close to the
-/// head all around; a little of it is sunk in, as roots are, which counts for far more than that some of it hovers; and
-/// nowhere does the head come out through the outermost. Deterministic; bounded work, whatever the mesh.
+/// The head on which a guess and the hair agree best. Seen from the head's middle, the innermost hair lies close to the
+/// head all around. A little of it is sunk in, as roots are, which costs far more than hovering hair does; and nowhere
+/// does the head come out through the outermost hair. Deterministic; bounded work for every mesh.
 [[nodiscard]] HeadEllipsoid fit_head_room(const HairMesh& hair, const HeadGuess& guess,
                                           const std::stop_token& stop = {});
 
-/// How much of the hair a head has inside it, shares 0..1.
+/// How much of the hair is inside a head, shares 0..1.
 struct HairInside {
   double area = 0;      ///< Share of the hair's surface.
   double vertices = 0;  ///< Share of its vertices.
@@ -47,7 +47,7 @@ struct HairInside {
 
 [[nodiscard]] HairInside hair_inside(const HairMesh& hair, const HeadEllipsoid& head);
 
-/// The largest share, at most 1, of a head's size that keeps within `most` in each way.
+/// The largest factor, at most 1, on a head's size with which every share is within `most`.
 [[nodiscard]] double share_with_room(const HairMesh& hair, const HeadEllipsoid& head, const HairInside& most);
 
 }  // namespace coif::cook

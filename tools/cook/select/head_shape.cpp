@@ -19,18 +19,23 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kFewestVertices = 50;  ///< A head's mesh has more; fewer are teeth or a pin.
 constexpr double kInsideBox = 0.97;          ///< A skull is a little smaller than the box that nose and ears widen.
-constexpr double kDeepInside = 0.85;         ///< Hair deeper than this in a head says that it is not the head's shape,
-constexpr double kMuchHair = 0.25;           ///< where it is more than this share of all hair; roots may be inside.
-constexpr double kReachOut = 0.05;           ///< Ears may reach this share of the hair's width out of it.
-constexpr double kLongestHead = 2.5;         ///< Longest over shortest semi-axis.
-constexpr double kSmallestHead = 0.4;        ///< Of the hair's smaller horizontal size.
-constexpr double kSmallestRadius = 0.001;    ///< Metres: flat hair encloses nothing.
-constexpr double kAtJoint = 0.1;  ///< Of a head's height: its mesh reaches so near to the joint that it turns about.
+/// Share of the head's size: if hair is deeper inside, this is not the head's shape.
+constexpr double kDeepInside = 0.85;
+/// Share of all hair that must be that deep; roots may be inside.
+constexpr double kMuchHair = 0.25;
+/// Share of the hair's width by which ears may stick out of it.
+constexpr double kReachOut = 0.05;
+constexpr double kLongestHead = 2.5;       ///< Longest over shortest semi-axis.
+constexpr double kSmallestHead = 0.4;      ///< Share of the hair's smaller horizontal size.
+constexpr double kSmallestRadius = 0.001;  ///< Metres: flat hair encloses nothing.
+/// Share of a head's height: its mesh reaches this near to the joint that it turns about.
+constexpr double kAtJoint = 0.1;
 
-/// Hair that a head may hold at rest: sunk roots, and no more of the picture than a few of them.
+/// The hair that a head may hold at rest: sunk roots, and only a few pixels of the picture.
 constexpr HairInside kMostInside{0.03, 0.03, 0.005};
 constexpr double kLeastOfMesh = 0.7;  ///< A head's mesh that has to shrink further was none.
-constexpr double kLeastOfHair = 0.4;  ///< What hair alone tells may be further off: strips on one side tell little.
+/// Lower bound with hair alone, which is less certain: strips on one side show little.
+constexpr double kLeastOfHair = 0.4;
 
 /// Share of a vertex's weight on the head bone; one for a mesh that hangs from it.
 float weight_on_head(const importer::SourceModel& source, const importer::SourceMesh& mesh, std::uint32_t v,
@@ -45,14 +50,14 @@ float weight_on_head(const importer::SourceModel& source, const importer::Source
 
 using Box = Eigen::AlignedBox3d;
 
-/// A head is under its hair; what reaches out sideways or above (a hat, a halo) only follows the same bone.
+/// A head is under its hair; parts that stick out sideways or above (a hat, a halo) only follow the same bone.
 bool is_under(const Box& part, const Box& hair) {
   const double slack = kReachOut * hair.sizes().x();
   return part.min().x() > hair.min().x() - slack && part.max().x() < hair.max().x() + slack &&
          part.max().y() < hair.max().y() + slack;
 }
 
-/// A head begins where the neck ends, at the joint that it turns about; what is worn on it does not.
+/// A head begins where the neck ends, at the joint that it turns about; things worn on it do not.
 bool is_on_joint(const Box& part, const Vector3d& joint) {
   const double slack = kAtJoint * part.sizes().y();
   return joint.y() > part.min().y() - slack && part.exteriorDistance(joint) < 2 * slack;
@@ -65,7 +70,7 @@ std::set<std::array<float, 3>> places_of(const HairMesh& hair) {
   return places;
 }
 
-/// Vertices of other meshes, or of what else a mesh has that gave hair, that follow the head bone and nothing else.
+/// Vertices that follow only the head bone: of other meshes, or of the rest of a mesh that gave hair.
 std::vector<Vector3d> head_vertices(const importer::SourceModel& source, const HairMesh& hair,
                                     const HeadBone& head_bone) {
   std::vector<Vector3d> vertices;
@@ -104,7 +109,7 @@ bool holds_hair(const HeadEllipsoid& head, const HairMesh& hair) {
   return double(inside) > kMuchHair * double(hair.positions.size());
 }
 
-/// A head is about as wide as deep and high, and not small beside its hair.
+/// A head is about as wide as deep and high, and not small compared with its hair.
 bool is_head_shaped(const HeadEllipsoid& head, const HairMesh& hair) {
   const Vector3d hair_size = hair.box().sizes();
   return head.radii.maxCoeff() < kLongestHead * head.radii.minCoeff() &&
@@ -135,7 +140,7 @@ HeadEllipsoid ellipsoid_under_top(const HairMesh& hair) {
   const double width = std::min(box.sizes().x(), box.sizes().z());
   std::vector<Vector3d> cap;
   for (const Eigen::Vector3f& p : hair.positions) {
-    // At least the topmost vertex, even where flat hair has no width.
+    // Take at least the topmost vertex, even if flat hair has no width.
     if (double(p.y()) >= box.max().y() - 0.5 * width) cap.push_back(p.cast<double>());
   }
   auto [center, radius] = fit_sphere(cap);
@@ -151,7 +156,7 @@ namespace {
 
 struct FirstGuess {
   HeadGuess like;
-  bool is_mesh = false;  ///< It is what a mesh shows.
+  bool is_mesh = false;  ///< It comes from a mesh.
   std::string origin;    ///< FittedHead's.
 };
 

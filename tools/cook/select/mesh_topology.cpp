@@ -25,8 +25,8 @@ Cell cell_of(const Eigen::Vector3d& position, double size) {
   return {index(position.x()), index(position.y()), index(position.z())};
 }
 
-/// What lies in which cell: a linked list for each, in a table with open addressing. A cook welds every vertex several
-/// times, and most cells hold one.
+/// The vertices of each cell: a linked list for each, in a table with open addressing. A cook welds every vertex
+/// several times, and most cells hold one.
 class CellTable {
  public:
   explicit CellTable(std::size_t vertices)
@@ -66,7 +66,7 @@ class CellTable {
   std::size_t mask_;
 };
 
-constexpr double kWeldShare = 2.0e-5;  ///< Far above single precision, far below what an artist models.
+constexpr double kWeldShare = 2.0e-5;  ///< Far above single precision, far below what artists model.
 
 double diagonal_of(std::span<const Eigen::Vector3f> positions) {
   Eigen::AlignedBox3f box;
@@ -104,7 +104,7 @@ std::vector<std::uint32_t> weld_places(std::span<const Eigen::Vector3f> position
   const double diagonal = diagonal_of(positions);
   const double reach = std::max(distance > 0 ? distance : kWeldShare * diagonal, 1.0e-7);
   const auto limit = float(reach * reach);
-  // Cells wide enough that what is within reach mostly lies in one, and too small to hold many vertices of a surface.
+  // Cells wide enough that neighbours mostly lie in one, and too small to hold many vertices of a surface.
   const double spacing = diagonal / std::sqrt(double(positions.size()) + 1);
   const double side = std::max(reach, std::min(8 * reach, spacing / 4));
   const Eigen::Vector3d margin = Eigen::Vector3d::Constant(1.0001 * reach);  // more than the distance's rounding

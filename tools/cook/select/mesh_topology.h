@@ -49,8 +49,8 @@ struct EdgeUse {
   std::uint32_t side = 0;      ///< From corner `side` to the next, 0..2.
 };
 
-/// All sides of all triangles, those of one edge together, in the order of the triangles. `id_of` maps vertices to what
-/// counts as the same: themselves, or places. Sides whose ends are the same are left out.
+/// All sides of all triangles; those of one edge lie together, in the order of the triangles. `id_of` maps vertices to
+/// ids: themselves, or places. Sides whose ends have one id are left out.
 [[nodiscard]] inline std::vector<EdgeUse> sorted_edges(std::span<const std::uint32_t> triangles,
                                                        std::span<const std::uint32_t> id_of) {
   std::vector<EdgeUse> uses;
@@ -82,16 +82,16 @@ struct MeshPieces {
 
 [[nodiscard]] MeshPieces find_pieces(const importer::SourceMesh& mesh, double weld_distance);
 
-/// The same, of triangles that share places with their texture coordinates too, as far as the mesh has any.
+/// Pieces of triangles that share places and, if the mesh has them, texture coordinates.
 [[nodiscard]] MeshPieces find_islands(const importer::SourceMesh& mesh, double weld_distance);
 
 /// For each vertex the smallest vertex at its place: closer than `distance` metres along a chain of neighbours. 0: a
-/// 50,000th of the diagonal of all positions, so that a model's size does not decide what is joined. Linear time for
-/// meshes whose vertices are not all in one spot of that size.
+/// 50,000th of the diagonal of all positions, so that a model's size does not decide what is joined. Linear time,
+/// unless all vertices are within one spot of that size.
 [[nodiscard]] std::vector<std::uint32_t> weld_places(std::span<const Eigen::Vector3f> positions, double distance);
 
 /// Makes vertices that agree in every attribute one, in order of first use, and drops unused ones. Importers write
-/// three vertices per triangle; only after this do indices say what the artist joined.
+/// three vertices per triangle; only after this do indices show what the artist joined.
 void weld_vertices(HairMesh& mesh);
 
 struct MergedFaces {
@@ -99,12 +99,12 @@ struct MergedFaces {
   std::size_t copies = 0;      ///< Triangles that were there twice.
 };
 
-/// Keeps one of the triangles between the same three places, `place` of each vertex: modellers without two-sided
-/// materials copy every strip and turn the copy round, which costs twice the triangles and sorts against itself. Where
-/// any was merged the mesh is marked double-sided.
+/// Keeps one of the triangles between the same three places; `place` is per vertex. Modellers without two-sided
+/// materials copy every strip and turn the copy round, which doubles the triangles and cannot be sorted. If any were
+/// merged, the mesh is marked double-sided.
 MergedFaces merge_back_faces(HairMesh& mesh, std::span<const std::uint32_t> place);
 
-/// True where nearly all triangles are part of closed surfaces, whose back faces nobody sees.
+/// True where nearly all triangles belong to closed surfaces, whose back faces nobody sees.
 [[nodiscard]] bool is_closed(const HairMesh& mesh, std::span<const std::uint32_t> place);
 
 }  // namespace coif::cook

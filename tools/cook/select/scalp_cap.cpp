@@ -5,10 +5,10 @@
 namespace coif::cook {
 namespace {
 
-constexpr double kClose = 0.1;         ///< Of the hair's width: so far from hair a cap may lie,
-constexpr double kMostOfIt = 0.9;      ///< with this share of its vertices.
-constexpr double kLeastWidth = 0.4;    ///< Of the hair's smaller horizontal size, which a cap covers across
-constexpr double kLeastHeight = 0.25;  ///< and in height.
+constexpr double kClose = 0.1;         ///< Share of the hair's width: largest distance of a cap from hair.
+constexpr double kMostOfIt = 0.9;      ///< Share of a cap's vertices that must be that near.
+constexpr double kLeastWidth = 0.4;    ///< Share of the hair's smaller horizontal size that a cap covers at least.
+constexpr double kLeastHeight = 0.25;  ///< Share of its height that a cap covers at least.
 constexpr std::size_t kLooked = 2000;  ///< Vertices of a mesh that are looked at.
 
 bool is_cap(const importer::SourceMesh& mesh, const TriangleSoup& hair, const TriangleGrid& grid, double reach) {

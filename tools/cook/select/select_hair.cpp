@@ -10,7 +10,7 @@
 namespace coif::cook {
 namespace {
 
-constexpr std::size_t kTriangleBytes = 3 * sizeof(std::uint32_t);  ///< Of an asset's indices.
+constexpr std::size_t kTriangleBytes = 3 * sizeof(std::uint32_t);  ///< Bytes in an asset's indices.
 
 bool is_degenerate(const importer::SourceMesh& mesh, std::size_t t) {
   const Eigen::Vector3f a = mesh.positions[mesh.triangles[t]];
@@ -19,7 +19,7 @@ bool is_degenerate(const importer::SourceMesh& mesh, std::size_t t) {
   return edge1.cross(edge2).squaredNorm() <= 1.0e-20f;
 }
 
-/// Which attributes any of the meshes has.
+/// The attributes that at least one of the meshes has.
 struct WantedAttributes {
   bool normals = false, uvs = false, colors = false;
 };
@@ -74,7 +74,7 @@ TakenTriangles append_triangles(const importer::SourceModel& source, std::uint32
   return result;
 }
 
-/// The material with most of the triangles taken.
+/// The material of most of the triangles taken.
 std::uint32_t main_material(const importer::SourceModel& source, std::span<const std::size_t> taken) {
   std::vector<std::size_t> triangles(source.materials.size(), 0);
   for (std::size_t m = 0; m < taken.size(); ++m) {
@@ -84,7 +84,7 @@ std::uint32_t main_material(const importer::SourceModel& source, std::span<const
   return most == triangles.end() || *most == 0 ? importer::kNoIndex : std::uint32_t(most - triangles.begin());
 }
 
-/// The file's pose becomes the hair's shape at rest, which is not what a pose is for.
+/// The file's pose becomes the hair's shape at rest, though a pose is not meant for that.
 void warn_of_pose(const importer::SourceModel& source, std::span<const std::size_t> taken, Findings& findings) {
   const importer::SourceMesh* farthest = nullptr;
   for (std::size_t m = 0; m < taken.size(); ++m) {

@@ -15,7 +15,7 @@ namespace coif::cook {
 
 struct HairRecipe;
 
-/// Which triangles of a source are hair: per mesh and triangle; empty for a mesh without hair.
+/// The triangles of a source that are hair: per mesh and triangle; empty for a mesh without hair.
 struct HairChoice {
   std::vector<std::vector<bool>> taken;
 
@@ -24,22 +24,22 @@ struct HairChoice {
   }
 };
 
-/// By the recipe's mesh, material and bone names where it has any. Else by the first evidence that finds something:
-/// meshes, materials or textures called hair; connected pieces that hair bones or springs below the head move; pieces
-/// of a transparent material on the head that no lid or brow moves; the whole model, if it is none of a body with
-/// limbs. Caps under that hair and cores inside it are hair as well. Notes why for each mesh that gave hair, and what
-/// of the others was left out. Errors (kBadInput): a pattern that matches nothing, or a character of which nothing is
-/// known to be hair, with the names there are.
+/// Chooses by the recipe's mesh, material and bone names, if any. Else by the first kind of evidence that finds
+/// something: meshes, materials or textures with a hair name; connected pieces that hair bones or springs below the
+/// head move; pieces of a transparent material on the head that no lid or brow moves; the whole model, if it is not a
+/// body with limbs. Caps under that hair and cores inside it are hair as well. Notes the reason for each mesh that gave
+/// hair, and what was left out of the others. Errors (kBadInput): a pattern that matches nothing, or a character
+/// without any sign of hair; with the names that exist.
 tl::expected<HairChoice, ToolError> choose_hair(const importer::SourceModel& source, const HairRecipe& recipe,
                                                 Findings& findings);
 
 /// Cuts the hair that choose_hair() finds out of the model and joins it: welded, without degenerate triangles. Errors
-/// (kBadInput): those of choose_hair(); nothing left.
+/// (kBadInput): those of choose_hair(); no triangle is left.
 tl::expected<HairMesh, ToolError> select_hair(const importer::SourceModel& source, const HairRecipe& recipe,
                                               Findings& findings);
 
-/// Warns (C115) of two meshes of the hair that lie on each other, one of them with clearly fewer triangles, as levels
-/// of detail of one thing do whatever they are called. `hair`: numbers of the meshes that are hair.
+/// Warns (C115) of two hair meshes that lie on each other, one with clearly fewer triangles: probably levels of detail
+/// of one thing. `hair`: numbers of the meshes that are hair.
 void warn_of_stacked_meshes(const importer::SourceModel& source, std::span<const std::uint32_t> hair,
                             Findings& findings);
 

@@ -13,7 +13,7 @@
 namespace coif::cook {
 namespace {
 
-constexpr float kLeastOverlap = 0.85f;      ///< Along each axis, share of what both take up.
+constexpr float kLeastOverlap = 0.85f;      ///< Along each axis, share of the range that both cover.
 constexpr double kMostOfFinerMesh = 0.8;    ///< Triangles; two layers of locks have about as many.
 constexpr double kLeastOfFinerMesh = 0.02;  ///< Below that it is a ribbon, or a plane that was forgotten.
 constexpr double kOnSurface = 0.01;         ///< Share of the size: how far a simplified surface moves.

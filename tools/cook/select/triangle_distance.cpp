@@ -25,7 +25,7 @@ double squared_distance(const Vector3d& p, const Vector3d& a, const Vector3d& b,
   if (!(area2 > 0)) {
     return std::min({squared_distance(p, a, b), squared_distance(p, b, c), squared_distance(p, c, a)});
   }
-  // The nearest point is on an edge that has the point on its outer side, or there is none and it is inside.
+  // The nearest point is on an edge that has the point on its outer side; if there is none, the point is inside.
   const bool outside[3] = {(b - a).cross(p - a).dot(normal) < 0, (c - b).cross(p - b).dot(normal) < 0,
                            (a - c).cross(p - c).dot(normal) < 0};
   double nearest = std::numeric_limits<double>::infinity();
@@ -39,9 +39,9 @@ double squared_distance(const Vector3d& p, const Vector3d& a, const Vector3d& b,
 
 namespace {
 
-/// A triangle that is larger than this many reaches makes the cubes larger: it must not be in millions of them.
+/// A triangle larger than this many reaches makes the cubes larger, so that it is not in millions of them.
 constexpr double kLargestInReaches = 8;
-constexpr int kHome = 13;  ///< Of the 27 cubes around a point, the one it is in.
+constexpr int kHome = 13;  ///< Index of the middle one of the 27 cubes around a point.
 
 }  // namespace
 
@@ -103,7 +103,7 @@ double TriangleGrid::nearest(const Eigen::Vector3f& point, double enough, const 
       const std::size_t first = 3 * std::size_t(t);
       const std::array<Eigen::Vector3f, 3> corner = {positions_[triangles_[first]], positions_[triangles_[first + 1]],
                                                      positions_[triangles_[first + 2]]};
-      // For most triangles of the cubes around a point their boxes tell that another one is nearer.
+      // For most triangles around a point their boxes show that another one is nearer.
       if (!is_farther(point, corner, least)) {
         least = std::min(least, squared_distance(point.cast<double>(), corner[0].cast<double>(),
                                                  corner[1].cast<double>(), corner[2].cast<double>()));

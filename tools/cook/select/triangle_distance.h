@@ -19,20 +19,19 @@ namespace coif::cook {
 /// Triangles by the cubes of one size that their boxes touch, to find how far a point is from them.
 class TriangleGrid {
  public:
-  /// `triangles`: three indices of `positions` each; `group_of` gives each one's group. The spans must outlive the
-  /// grid. Distances up to `reach` (metres, > 0) are told apart.
+  /// `triangles`: three indices of `positions` each; `group_of` gives each triangle's group. The spans must outlive the
+  /// grid. Distances above `reach` (metres, > 0) are not distinguished.
   TriangleGrid(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> triangles,
                std::span<const std::uint32_t> group_of, double reach);
-  /// All triangles count.
+  /// A grid without groups.
   TriangleGrid(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> triangles, double reach)
       : TriangleGrid(positions, triangles, {}, reach) {}
 
-  /// Metres to the nearest triangle of a group that counts; `reach` where none is nearer. Where that is below `enough`
-  /// any distance below it may be returned: in dense hair the first triangles tell that, and all of them would take
-  /// long.
+  /// Metres to the nearest triangle of the groups that count; `reach` if none is nearer. Below `enough` any distance
+  /// may be returned: in dense hair the first triangles are enough to know that, and all of them would take long.
   [[nodiscard]] double distance(const Eigen::Vector3f& point, const std::vector<bool>& group_counts,
                                 double enough) const;
-  /// To the nearest triangle of all.
+  /// Metres to the nearest triangle of any group.
   [[nodiscard]] double distance(const Eigen::Vector3f& point, double enough) const;
 
  private:

@@ -23,7 +23,7 @@ struct TriangleSoup {
   }
 };
 
-/// What a choice takes.
+/// The triangles of a choice.
 [[nodiscard]] inline TriangleSoup chosen_hair(const importer::SourceModel& source, const HairChoice& choice) {
   TriangleSoup hair;
   for (std::size_t m = 0; m < source.meshes.size(); ++m) {
@@ -34,19 +34,19 @@ struct TriangleSoup {
   return hair;
 }
 
-/// Triangles that hair which is chosen already is wrapped around: the core of a ponytail, braid or bun, which artists
-/// model as a part of the head's mesh and texture by itself. Strips that move would tear off it. Such a part is one of
-/// the texture's islands, or several that touch; hair lies close around nearly all of it; it is slimmer than the head;
-/// and its end is far from what else there is, where ears, lids and lips lie close to the face and a scalp is as wide
-/// as the head. A mesh of nothing else is worn in the hair. Per mesh and triangle, as HairChoice has them; empty for
-/// meshes without, and for those that gave hair.
+/// Triangles that the chosen hair is wrapped around: the core of a ponytail, braid or bun, which artists model as part
+/// of the head's mesh with a texture of its own. Moving strips would tear off it. Such a core is one of the texture's
+/// islands, or several that touch. Hair lies close around nearly all of it; it is slimmer than the head; and its end is
+/// far from everything else, whereas ears, lids and lips lie close to the face and a scalp is as wide as the head. A
+/// mesh with nothing else is worn in the hair. Per mesh and triangle, as in HairChoice; empty for meshes without a
+/// core, and for those that gave hair.
 [[nodiscard]] HairChoice find_hair_cores(const importer::SourceModel& source, const HairChoice& choice,
                                          std::uint32_t head_node);
 
-/// Meshes that lie close under the hair that is chosen already, within a tenth of its width, on a good part of the
-/// head, and nowhere else: the caps that artists paint between strips so that no skin shows. A head comes out of its
-/// hair at the face, lashes and teeth are small beside it, a body reaches beyond it. Per mesh of the source; false for
-/// those that gave hair.
+/// Meshes that lie close under the chosen hair, within a tenth of its width, on a good part of the head, and nowhere
+/// else: the caps that artists paint between strips so that no skin shows. Other meshes differ: a head comes out of its
+/// hair at the face, lashes and teeth are small, a body reaches beyond it. Per mesh of the source; false for those that
+/// gave hair.
 [[nodiscard]] std::vector<bool> find_scalp_caps(const importer::SourceModel& source, const HairChoice& choice);
 
 }  // namespace coif::cook

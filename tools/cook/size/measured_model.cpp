@@ -46,7 +46,7 @@ bool is_called_face_hair(const std::string& name) {
   return matches_any(name, face);
 }
 
-/// By all its meshes' names or materials, or, where they say nothing, by the file's.
+/// By the names or materials of all its meshes, or, if these say nothing, by the file's name.
 bool is_on_face(const importer::SourceModel& model, const HairMesh& hair) {
   const auto says_so = [&](std::uint32_t m) {
     const importer::SourceMesh& mesh = model.meshes[m];

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a model has that people know the size and the attitude of.
+// The parts of a model whose size and attitude people know.
 
 #include "cook/recipe/findings.h"
 #include "cook/select/hair_mesh.h"
@@ -16,29 +16,29 @@ namespace coif::cook {
 
 struct HairRecipe;
 
-/// What select_hair() gave and said.
+/// The result and the messages of select_hair().
 struct SelectedHair {
   HairMesh mesh;
   Findings findings;
 };
 
-/// A model with its hair found, as far as that can be.
+/// A model with its hair, as far as it can be found.
 struct KnownModel {
-  importer::SourceModel
-      model;             ///< Without images, and of some metres where it was not: only `scale` says how large it is.
-  double scale = 1;      ///< What its lengths were multiplied with.
+  /// Without images, and scaled to some metres if it was far from that; `scale` has the factor.
+  importer::SourceModel model;
+  double scale = 1;      ///< The factor that its lengths were multiplied with.
   HairMesh hair;         ///< Empty where nothing was found.
-  Findings found;        ///< What there is to be said of it.
+  Findings found;        ///< Messages about it.
   bool on_face = false;  ///< The hair is called brows, lashes or beard.
 };
 
 [[nodiscard]] KnownModel know_model(const importer::SourceModel& source, const HairRecipe& recipe);
 
-/// Turns nodes, meshes, springs and colliders, and multiplies their lengths: what an import with another unit and axis
-/// would have given.
+/// Turns nodes, meshes, springs and colliders, and multiplies their lengths: the result of an import with another unit
+/// and axis.
 void transform_model(importer::SourceModel& model, double factor, const Eigen::Matrix3d& rotation);
 
-/// The same for hair.
+/// transform_model() for hair, without a factor.
 void turn_hair(HairMesh& hair, const Eigen::Matrix3d& rotation);
 
 // Joints that a body's size and attitude are read from.

@@ -14,11 +14,11 @@
 namespace coif::cook {
 namespace {
 
-// Of sums of logarithms of likelihoods.
-constexpr double kFits = -2;        ///< Another unit or axis has to suit the model so well,
-constexpr double kSaysLittle = -1;  ///< and the file's so badly, that anything is said.
+// In sums of logarithms of likelihoods.
+constexpr double kFits = -2;        ///< Another unit or axis has to fit the model at least this well.
+constexpr double kSaysLittle = -1;  ///< The file's own must fit at most this well, or nothing is reported.
 constexpr double kNarrow = 1.7;     ///< A lead below this is worth a warning.
-constexpr double kAbsurd = 4;       ///< By so much a caller's word has to be the worse one.
+constexpr double kAbsurd = 4;       ///< The caller's unit or axis must be worse by this much.
 
 struct Vote {
   double factor = 1;
@@ -32,7 +32,7 @@ std::string length_text(double metres) {
   return metres < 1 ? fmt::format("{:.3g} cm", 100 * metres) : fmt::format("{:.3g} m", metres);
 }
 
-/// "the head's radius 0.94 m instead of 7.5 cm to 17 cm", those that speak most.
+/// "the head's radius 0.94 m instead of 7.5 cm to 17 cm", the strongest evidence first.
 std::string lengths_text(std::vector<SizeEvidence> evidence, double factor) {
   const auto likelihood = [&](const SizeEvidence& item) { return size_likelihood(std::span(&item, 1), factor); };
   std::ranges::stable_sort(evidence, {}, likelihood);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Files lie about their unit and about where up is, and most do not know that they do. What is found here is decided by
-// all that a model shows, of which the file's own word is one vote.
+// Files are often wrong about their unit and about which axis is up, without their authors' knowledge. All signs in a
+// model decide here; the file's own statement is one vote.
 
 #include "cook/recipe/findings.h"
 #include "cook/size/measured_model.h"
@@ -17,46 +17,46 @@ namespace coif::cook {
 
 struct HairRecipe;
 
-/// What an artist should look at, one sentence each.
+/// Something that an artist should look at, one sentence.
 struct SizeDoubt {
   enum class Of {
     kOtherUnit,     ///< The file's unit lost.
-    kDoubtfulUnit,  ///< It holds, or the caller's does, against much.
+    kDoubtfulUnit,  ///< The file's or the caller's unit is kept against much evidence.
     kOtherUp,       ///< The file's up axis lost.
-    kDoubtfulUp,    ///< It holds, or the caller's does, against much.
+    kDoubtfulUp,    ///< The file's or the caller's axis is kept against much evidence.
   } of;
   std::string text;
 };
 
-/// In the table of issues.
+/// The code in the table of issues.
 [[nodiscard]] const char* code_of(SizeDoubt::Of of);
 
 /// A model's own size and attitude.
 struct JudgedSize {
-  double factor = 1;                                       ///< For its lengths.
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< For its directions.
+  double factor = 1;                                       ///< For the model's lengths.
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< For the model's directions.
   std::vector<SizeDoubt> doubts = {};
-  std::vector<std::string> notes = {};    ///< What spoke for and against.
-  std::optional<SelectedHair> hair = {};  ///< Of the model as it was, where it was looked at like that.
+  std::vector<std::string> notes = {};    ///< The evidence for and against.
+  std::optional<SelectedHair> hair = {};  ///< The hair of the original model, if it was looked for in that form.
 
   [[nodiscard]] bool changes() const { return factor != 1 || !rotation.isIdentity(); }
 };
 
-/// Compares what the file says (SourceModel::space) with head, body, named joints, hair and strips. The file's word
-/// holds unless what the model shows is clearly against it and clearly for another common unit or axis; what the caller
-/// gave holds always. Without anything known to be hair the body alone is looked at.
+/// Compares the file's statement (SourceModel::space) with head, body, named joints, hair and strips. It holds unless
+/// the model's evidence is clearly against it and clearly for another common unit or axis; values from the caller
+/// always hold. Without anything known to be hair only the body is looked at.
 [[nodiscard]] JudgedSize judge_size(const importer::SourceModel& source, const HairRecipe& recipe);
 
 /// The model with that applied.
 [[nodiscard]] importer::SourceModel settled(importer::SourceModel source, const JudgedSize& size);
 
 struct SettledSource {
-  std::optional<importer::SourceModel> model;  ///< As it is cooked; none where it is right as it is.
-  std::optional<SelectedHair> hair =
-      {};  ///< What select_hair() finds in a model that is right, as far as that is known already.
+  std::optional<importer::SourceModel> model;  ///< The corrected model; none if the source is right.
+  /// The result of select_hair() on a model that is right, if it is known already.
+  std::optional<SelectedHair> hair = {};
 };
 
-/// Judges a model and applies what comes out. Appends what is to be said.
+/// Judges a model and applies the result. Appends messages.
 [[nodiscard]] SettledSource settle_size(const importer::SourceModel& source, const HairRecipe& recipe,
                                         Findings& findings);
 

@@ -13,14 +13,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-// How fast it gets unlikely: deviations of a length's logarithm. Dolls are less rare than giants.
+// How fast a length becomes unlikely: deviations of its logarithm. Dolls are less rare than giants.
 constexpr double kSmaller = 0.72, kLarger = 0.55;
 constexpr double kFloor = -9;  ///< Nothing is less likely: an outlier is one.
 
-constexpr double kFlatHair = 0.3;                      ///< Depth over width: below, hair has no head inside.
-constexpr double kLeastOfHead = 1.4, kMostOfHead = 8;  ///< Of a head's radius, hair's width; else it is not the head's.
-constexpr double kRibbon = 4;                          ///< A strip's length over its width, at least.
-constexpr double kMostlyRibbons = 0.3;                 ///< Share of the hair's surface that strips have to be.
+constexpr double kFlatHair = 0.3;  ///< Depth over width: below, hair has no head inside.
+/// Range of the hair's width in radii of the head; outside it the head is not the hair's.
+constexpr double kLeastOfHead = 1.4, kMostOfHead = 8;
+constexpr double kRibbon = 4;           ///< A strip's length over its width, at least.
+constexpr double kMostlyRibbons = 0.3;  ///< Share of the hair's surface that strips have to be.
 
 double square(double value) { return value * value; }
 
@@ -32,7 +33,7 @@ double likelihood_of(const SizeEvidence& item, double factor) {
   return std::max(-0.5 * square(deviations), kFloor);
 }
 
-/// Lengths are those of the model as it was imported; nothing without extent says anything.
+/// Lengths are in the imported model's units; a length of zero gives no evidence.
 class SizeMeasures {
  public:
   explicit SizeMeasures(double scale) : scale_(scale) {}
@@ -60,8 +61,8 @@ void measure_head(const KnownModel& known, const HairRecipe& recipe, SizeMeasure
                 0.17, (sign.is_mesh ? 1.0 : 0.9) * (fits ? 1.0 : 0.5), true});
 }
 
-/// Grooms without a unit come in the units of whatever head they were grown on: their roots say more than what is usual
-/// of units.
+/// Grooms without a unit are in the units of the head that they were grown on: their roots say more than the usual
+/// units.
 void measure_scalp(const KnownModel& known, SizeMeasures& measures) {
   constexpr double kSure = 0.5;
   measures.add({"the radius of the scalp that roots lie on", known.model.scalp_radius, 0.075, 0.12, 1, true, kSure});
@@ -93,7 +94,7 @@ void measure_body(const KnownModel& known, SizeMeasures& measures) {
   }
 }
 
-/// Width of the strips of which most of the surface that is strips is wider; 0 where hardly anything is.
+/// The width of strips that more than half of the strips' surface exceeds; 0 where there are hardly any strips.
 double width_of_strips(const HairMesh& hair) {
   struct Piece {
     double area = 0;
@@ -111,7 +112,7 @@ double width_of_strips(const HairMesh& hair) {
     piece.area += area;
     all += area;
   }
-  std::vector<std::pair<double, double>> widths;  // and areas
+  std::vector<std::pair<double, double>> widths;  // Widths and areas.
   double ribbons = 0;
   for (const Piece& piece : pieces) {
     if (!(piece.area > 0)) continue;

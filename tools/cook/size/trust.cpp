@@ -10,19 +10,19 @@
 namespace coif::cook {
 namespace {
 
-// How much less likely another unit or axis than the file's is.
-constexpr double kHumanoid = 5.5;  ///< VRM: its exporters ask for a person of some height.
+// How much less likely than the file's another unit or axis is, by the kind of file.
+constexpr double kHumanoid = 5.5;  ///< VRM: its exporters demand a person of some height.
 constexpr double kByDefinition = 4;
 constexpr double kByChoice = 3.5;
 constexpr double kByHabit = 2.5;
 constexpr double kByConverter = 2.5;
-constexpr double kByRecipe = 4;  ///< More, where the recipe has lengths that somebody read off the model as it is.
+constexpr double kByRecipe = 4;  ///< Added where the recipe has lengths that somebody read off the present model.
 
 constexpr double kMetresPerInch = 0.0254, kMetresPerFoot = 0.3048;
 constexpr double kImperial = 1.5;      ///< Inches and feet are rarer than powers of ten.
 constexpr double kRarePower = 1;       ///< Beyond a factor of 100.
-constexpr double kOfItsOwn = 2.5;      ///< A unit that makes the scalp a usual one,
-constexpr double kUsualScalp = 0.095;  ///< of this radius, metres.
+constexpr double kOfItsOwn = 2.5;      ///< For a unit with which the scalp has the usual size.
+constexpr double kUsualScalp = 0.095;  ///< Radius of a usual scalp, metres.
 
 bool is_converter(const std::string& generator) {
   static const std::vector<std::string> names{"*assimp*", "*open asset import*", "*trimesh*", "*obj2gltf*", "*meshlab*",
@@ -40,7 +40,7 @@ double trust_in(importer::Statement statement) {
   return 0;
 }
 
-/// Of files without a unit: what modellers count in, and rarely one of their own.
+/// For files without a unit: the units that modellers use, and rarely one of their own.
 std::vector<UnitPrior> customs(double scalp_radius) {
   std::vector<UnitPrior> units{
       {1, 0},   {0.01, 0}, {0.1, -0.3}, {0.001, -0.5}, {kMetresPerInch, -2}, {kMetresPerFoot, -3},
@@ -75,7 +75,7 @@ std::array<double, kUps> up_priors(const importer::SourceModel& model) {
   double trust = space.up == importer::Statement::kUnsaid ? 1.5 : kByChoice;
   if (model.head_node != importer::kNoIndex) trust = kHumanoid;
   if (is_converter(space.generator) && space.up != importer::Statement::kUnsaid) trust = kByConverter;
-  // Y and Z are taken for each other. What was turned once already is turned back; else the file's own Z comes up.
+  // Y and Z may be exchanged. A model that was turned once is turned back; else the file's own Z becomes up.
   constexpr double kUnlikely = 2, kStrange = 3;
   const bool turned = space.up_axis != 'y';
   const double z = turned ? kUnlikely : 0, minus_z = turned ? 0 : kUnlikely;

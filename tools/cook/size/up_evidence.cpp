@@ -17,19 +17,19 @@ using Eigen::Vector3d;
 
 constexpr double kSkeleton = 7;      ///< Against a head that is beside the body instead of above it.
 constexpr double kHeadBone = 2.5;    ///< Against a head's bone that points sideways.
-constexpr double kHangs = 1.5;       ///< Against hair's joints that lead sideways instead of down,
-constexpr double kFalls = 4;         ///< against hair beyond the head that lies beside it instead of below,
-constexpr double kMostOfFall = 6;    ///< at most: hair may stand, too.
+constexpr double kHangs = 1.5;       ///< Against joints of hair that lead sideways instead of down.
+constexpr double kFalls = 4;         ///< Against hair beyond the head that lies beside it instead of below.
+constexpr double kMostOfFall = 6;    ///< Upper bound of that: hair may stand, too.
 constexpr double kBald = 2;          ///< Against a head without hair on top.
 constexpr double kSides = 3;         ///< Against an up axis across which the hair is mirrored.
-constexpr double kBeyond = 1.5;      ///< Of the head's radius: hair farther out hangs from the head.
-constexpr double kMuchBeyond = 0.2;  ///< Share of the surface that is so far out and says all that it can.
+constexpr double kBeyond = 1.5;      ///< Radii of the head: hair farther out hangs from the head.
+constexpr double kMuchBeyond = 0.2;  ///< Share of the surface that is farther out, from which on the evidence is full.
 constexpr double kCap = 0.7;         ///< Cosine from up: the top of a head.
 
 constexpr Eigen::Index kAxis[kUps] = {1, 2, 2, 0, 0, 1};
 constexpr double kSign[kUps] = {1, 1, -1, 1, -1, -1};
 
-/// Of a set of joints: its middle.
+/// The middle of a set of joints.
 Vector3d middle_of(const std::vector<Vector3d>& joints) {
   Vector3d sum = Vector3d::Zero();
   for (const Vector3d& joint : joints) sum += joint / double(joints.size());
@@ -59,7 +59,7 @@ void weigh_skeleton(const importer::SourceModel& model, std::vector<UpEvidence>&
   }
 }
 
-/// Which way the head's bone points: towards its end's marker, or, as Blender has bones, along its own Y.
+/// The direction of the head's bone: towards its end marker, or, as in Blender, along its own Y.
 void weigh_head_bone(const importer::SourceModel& model, std::vector<UpEvidence>& evidence) {
   static const std::vector<std::string> ends{"*head*end*", "*head*top*", "*head*nub*", "*head*tip*"};
   const std::uint32_t head = guess_head_node(model);
@@ -75,7 +75,7 @@ void weigh_head_bone(const importer::SourceModel& model, std::vector<UpEvidence>
   evidence.push_back(evidence_along("the head's bone points up", rotation_part(at).col(1), kHeadBone));
 }
 
-/// From each of hair's joints to those below it.
+/// Directions from each joint of hair to those below it.
 void weigh_joints(const importer::SourceModel& model, std::vector<UpEvidence>& evidence) {
   const std::vector<bool> hair = find_hair_bones(model);
   std::vector<bool> is_bone = hair;
@@ -129,13 +129,13 @@ RoomUnder room_under(const HairMesh& hair, std::size_t up) {
   return {y_up_from_direction(up).transpose() * head.center, head.radii.mean()};
 }
 
-/// Where hair goes that reaches beyond the head.
+/// Weighs the direction of hair that reaches beyond the head.
 double fall_along(const Surface& surface, const RoomUnder& room, std::size_t up) {
   double beyond = 0, upwards = 0, weights = 0;
   for (const auto& [at, area] : surface.parts) {
     const double distance = (at - room.center).norm();
     if (!(distance > kBeyond * room.radius)) continue;
-    const double weight = area * (distance - kBeyond * room.radius);  // tips hang most freely
+    const double weight = area * (distance - kBeyond * room.radius);  // Tips hang most freely.
     beyond += area;
     weights += weight;
     upwards += weight * up_direction(up).dot(at - room.center) / distance;
@@ -145,7 +145,7 @@ double fall_along(const Surface& surface, const RoomUnder& room, std::size_t up)
   return -certainty * std::min(kMostOfFall, kFalls * (1 + upwards / weights));
 }
 
-/// Share of the directions within a cap around `up` in which there is hair, seen from the head's middle.
+/// Share of the directions in a cap around `up` that have hair, seen from the head's middle.
 double covered_top(const Surface& surface, const RoomUnder& room, std::size_t up) {
   constexpr int kRings = 3, kSectors = 8;
   const Eigen::Matrix3d turn = y_up_from_direction(up);
@@ -196,7 +196,7 @@ double mirrored_along(const HairMesh& hair, const Surface& surface, Eigen::Index
 void weigh_sides(const HairMesh& hair, const Surface& surface, std::vector<UpEvidence>& evidence) {
   std::array<double, 3> mirrored{};
   for (Eigen::Index axis = 0; axis < 3; ++axis) mirrored[std::size_t(axis)] = mirrored_along(hair, surface, axis);
-  // What is alike across several axes, a ball, says nothing.
+  // Hair that looks alike across several axes, a ball, gives no evidence.
   UpEvidence sides{"hair is the same on both sides", {}};
   for (std::size_t up = 0; up < kUps; ++up) {
     const auto axis = std::size_t(kAxis[up]);

@@ -13,11 +13,11 @@
 namespace coif::cook {
 
 struct PassTime {
-  std::string name;  ///< Each once.
+  std::string name;  ///< Each name occurs once.
   double ms = 0;
 };
 
-/// What the passes found, and figures of what they made.
+/// The findings of the passes, and figures of their results.
 struct CookReport : Findings {
   std::vector<PassTime> passes;
   std::uint32_t triangles = 0;
@@ -31,13 +31,12 @@ struct CookReport : Findings {
   OrderFigures order;
 };
 
-/// The one place that all stages of a cook tell what they are at, how long it took and what they found.
+/// Receives the progress, the times and the findings of all stages of a cook.
 class CookLog {
  public:
   CookLog(const CookSettings& settings, CookReport& report) : settings_(settings), report_(report) {}
 
-  /// Calls `pass`, and returns what it does. Throws Stopped instead where settings.threads.stop
-  /// is requested.
+  /// Calls `pass` and returns its result. Throws Stopped instead where settings.threads.stop is requested.
   auto pass(const char* name, const auto& pass) {
     const Timer timer(*this, name);
     return pass();
@@ -47,7 +46,7 @@ class CookLog {
   [[nodiscard]] CookReport& report() { return report_; }
 
  private:
-  /// Tells when a pass begins, and when it has ended.
+  /// Reports the beginning and the end of a pass.
   class Timer {
    public:
     Timer(CookLog& log, const char* name) : log_(log), name_(name) {

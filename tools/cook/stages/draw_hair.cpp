@@ -24,7 +24,7 @@ class HairDrawer {
         drawn_{std::move(strips), std::move(rig.rig), std::move(rig.contents), {}, {}, {}, {}} {}
 
   tl::expected<Drawn, ToolError> draw(const SceneRecipe& scene) {
-    // Before textures, which keep what some triangle shows.
+    // Before textures, which keep only what some triangle shows.
     if (has_card_levels(source_, drawn_.strips.hair)) {
       log_.pass("card levels", [&] {
         drawn_.levels = card_levels(source_, drawn_.strips.hair, drawn_.rig, drawn_.strips.head, lods(), findings_);
@@ -43,7 +43,7 @@ class HairDrawer {
  private:
   [[nodiscard]] LodSettings lods() const { return lod_settings(recipe_, settings_.threads); }
 
-  /// How the strips are coloured and where they are transparent.
+  /// The strips' colours and their transparency.
   Done bake_looks() {
     if (!drawn_.strips.hair.mesh.colors.empty()) {
       log_.pass("vertex colors",
@@ -90,7 +90,7 @@ class HairDrawer {
     if (is_drawn) {
       log_.pass("occlusion", [&] { bake_occlusion(recipe_, settings_.threads, contents, findings_); });
     }
-    // With the threshold that the hair has before a search for orders, so that what is said does not depend on that.
+    // With the threshold from before a search for orders, so that the message does not depend on the search.
     log_.pass("coverage", [&] { judge_coverage(); });
     auto figures = log_.pass("draw order", [&]() -> tl::expected<OrderFigures, ToolError> {
       if (!is_drawn) return {};
@@ -101,7 +101,7 @@ class HairDrawer {
     return {};
   }
 
-  /// Says how mips would cover with the thresholds that the hair has now; leaves them as they are.
+  /// Reports the coverage of mips with the present thresholds; does not change them.
   void judge_coverage() {
     AssetContents& contents = drawn_.contents;
     const auto texels = contents.texels;

@@ -14,7 +14,7 @@ tl::expected<SourceHair, ToolError> find_hair(const importer::SourceModel& sourc
   SourceHair hair{std::move(settled.model), {}, {}};
   const importer::SourceModel& model = hair.model(source);
 
-  // What the size was judged by may be the hair already.
+  // The hair may have been found when the size was judged.
   auto mesh = log.pass("select", [&]() -> tl::expected<HairMesh, ToolError> {
     if (!settled.hair) return select_hair(model, recipe, findings);
     findings.append(settled.hair->findings);

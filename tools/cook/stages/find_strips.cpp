@@ -11,7 +11,7 @@ namespace {
 
 using Done = tl::expected<void, ToolError>;
 
-/// The patches, and what the recipe says of some of them alone.
+/// Finds the patches, and the recipe's values for some of them.
 Done find_all_patches(const importer::SourceModel& source, const HairRecipe& welding, const StripRecipe& recipe,
                       bool lists_patches, Strips& strips, CookLog& log) {
   HairStrips& hair = strips.hair;
@@ -50,7 +50,7 @@ Done find_head(const importer::SourceModel& source, const HairRecipe& recipe, co
   return {};
 }
 
-/// Which way the strands run.
+/// Finds the direction of the strands.
 class StrandFinder {
  public:
   StrandFinder(const importer::SourceModel& source, const BaseColor& color, const StripRecipe& recipe,
@@ -69,7 +69,7 @@ class StrandFinder {
   }
 
  private:
-  /// What the recipe, the source or a map says of roots.
+  /// The roots that the recipe, the source or a map declares.
   [[nodiscard]] std::vector<std::string> said_roots(const HairStrips& hair) const {
     std::vector<std::string> roots = declared_roots(recipe_, source_, hair);
     if (color_.root_to_tip) read_root_to_tip(hair, *color_.root_to_tip, roots);

@@ -16,7 +16,7 @@ namespace {
 
 using Done = tl::expected<void, ToolError>;
 
-/// Puts what a pass made where it belongs.
+/// Stores the result of a pass.
 template <typename Part>
 Done keep(tl::expected<Part, ToolError> made, Part& part) {
   if (!made) return tl::unexpected(made.error());
@@ -68,7 +68,7 @@ class RigMaker {
     });
   }
 
-  /// What artist and file say of how bones move, what limits and links them.
+  /// The motion, limits and links of bones, from the recipe and the file.
   Done find_motion() {
     log_.pass("dynamics", [&] { bake(); });
     if (!source_.springs.empty() || !recipe_.limits.empty()) {

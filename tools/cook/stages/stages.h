@@ -30,11 +30,11 @@
 
 namespace coif::cook {
 
-/// What of a source is hair.
+/// The hair of a source.
 struct SourceHair {
-  std::optional<importer::SourceModel>
-      settled;    ///< The source in metres with Y up; none where it is like that as it was read.
-  HairMesh mesh;  ///< With one texture, whose coordinates it has.
+  /// The source in metres with Y up; none if it was read like that.
+  std::optional<importer::SourceModel> settled;
+  HairMesh mesh;  ///< With one texture and its coordinates.
   BaseColor color;
 
   /// The model that the hair is of.
@@ -43,8 +43,8 @@ struct SourceHair {
   }
 };
 
-/// The first stage of a cook. Textures are joined here, since that moves texture coordinates and splits vertices, which
-/// all that follows numbers. Errors: those of select_hair() and find_base_color().
+/// The first stage of a cook. Textures are joined here, since that moves texture coordinates and splits vertices, and
+/// all later stages number vertices. Errors: those of select_hair() and find_base_color().
 tl::expected<SourceHair, ToolError> find_hair(const importer::SourceModel& source, const HairRecipe& recipe,
                                               const DrawnRecipe& drawn, const CookSettings& settings, CookLog& log);
 
@@ -52,7 +52,7 @@ tl::expected<SourceHair, ToolError> find_hair(const importer::SourceModel& sourc
 struct Strips {
   HairStrips hair;
   ExtractedPatches extracted;
-  std::vector<PatchListing> listings;  ///< Empty unless somebody asks, or the recipe says something of patches alone.
+  std::vector<PatchListing> listings;  ///< Empty unless requested, or the recipe has values for some patches.
   HeadBone head_bone;
   FittedHead head;
 };
@@ -63,7 +63,7 @@ tl::expected<Strips, ToolError> find_strips(const importer::SourceModel& source,
                                             const HairRecipe& of_head, const StripRecipe& recipe,
                                             const CookSettings& settings, CookLog& log);
 
-/// What moves hair.
+/// The bones that move hair.
 struct CookedRig {
   HairRig rig;
   /// Bones, chains, colliders, dynamics, limits, links and tuning as the runtime has them. No tuning in a draft, and
@@ -71,32 +71,32 @@ struct CookedRig {
   AssetContents contents;
 };
 
-/// The third stage of a cook: bones of the file or fitted ones, what they must not enter, and how they move. Each
-/// chain's equation becomes one that has a solution, and then gets the cheapest way to solve it. Errors: the recipe's
-/// bones are not there, or no rate keeps its budget.
+/// The third stage of a cook: bones of the file or fitted ones, their colliders, and their motion. Chains get a
+/// well-defined motion, and then the cheapest way to simulate it. Errors: bones of the recipe do not exist, or no rate
+/// keeps its budget.
 tl::expected<CookedRig, ToolError> make_rig(const importer::SourceModel& source, const Strips& strips,
                                             const RigRecipe& recipe, const CookSettings& settings, CookLog& log);
 
-/// What hair looks like, near and far.
+/// The look of the hair, near and far.
 struct Drawn {
-  Strips strips;                    ///< Cards of coarser levels are patches of them. Without vertex colours.
-  HairRig rig;                      ///< With their weights.
+  Strips strips;                    ///< Include cards of coarser levels as patches; without vertex colours.
+  HairRig rig;                      ///< Includes the weights of these cards.
   AssetContents contents;           ///< The rig's, and all that is drawn.
   std::vector<DetailLevel> levels;  ///< Finest first.
   PatchOrder order;                 ///< By distance from the head.
-  BakedTextures textures;           ///< But for their texels, which are in `contents`.
+  BakedTextures textures;           ///< Without their texels, which are in `contents`.
   OrderFigures figures;
 };
 
-/// The fourth stage of a cook: textures, levels of detail, draw orders. Errors: a texture cannot be read, or what a
-/// recipe asks of it is not there.
+/// The fourth stage of a cook: textures, levels of detail, draw orders. Errors: a texture cannot be read, or something
+/// that the recipe names does not exist.
 tl::expected<Drawn, ToolError> draw_hair(const importer::SourceModel& source, BaseColor color, Strips strips,
                                          CookedRig rig, const DrawnRecipe& recipe, const SceneRecipe& scene,
                                          const CookSettings& settings, CookLog& log);
 
-/// The last stage of a cook: the bytes of an asset, and `contents` as they are in it, without the parts that the
-/// recipe's scene does without. Error (kBadInput), which names the source at `path`: the runtime would refuse it, and
-/// that must never reach a disk.
+/// The last stage of a cook: the bytes of an asset, and its `contents`, without the parts that the recipe's scene does
+/// not need. Error (kBadInput) with the source at `path`: the runtime would refuse the asset, which must never be
+/// written.
 tl::expected<std::vector<std::byte>, ToolError> write_hair(const std::string& path, const SceneRecipe& recipe,
                                                            AssetContents& contents, CookLog& log);
 

@@ -20,7 +20,7 @@ using Rectangle = Eigen::AlignedBox2f;
 constexpr float kSameIsland = 0.5f;         ///< Least share of two rectangles' common area, of the area of both.
 constexpr std::size_t kMostIslands = 4096;  ///< More are no atlas, and comparing all would take long.
 
-/// Which part of the texture each patch shows: that of the first patch that shows nearly the same.
+/// The part of the texture that each patch shows: the same as the first patch that shows nearly the same.
 std::vector<std::uint32_t> islands_of(const HairMesh& mesh, const std::vector<PatchView>& views) {
   std::vector<Rectangle> islands;
   std::vector<std::uint32_t> island_of;
@@ -158,7 +158,7 @@ tl::expected<void, ToolError> choose_patches(const importer::SourceModel& source
 void list_roots(const HairStrips& hair, std::vector<PatchListing>& listings) {
   if (hair.mesh.uvs.empty()) return;
   const std::vector<PatchView> views = hair.views();
-  // Of all that was cut out of one patch: how place changes with each coordinate.
+  // Over all pieces of one patch: the change of place with each coordinate.
   std::vector<Eigen::Vector2d> slopes(listings.size(), Eigen::Vector2d::Zero());
   for (std::uint32_t p = 0; p < views.size(); ++p) {
     Eigen::Vector2d mean = Eigen::Vector2d::Zero(), sum = Eigen::Vector2d::Zero(), spread = Eigen::Vector2d::Zero();

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 // Shares of the head's radii, each along its own axis; Z is forwards.
 constexpr double kWidestBrow = 0.95, kHighestBrow = 0.35;
 constexpr double kBrowLeastForwards = 0.6, kBrowMostAbove = 0.7, kBrowMostBelow = 0.25;
-constexpr double kCloseToFace = 0.35;  ///< Of its middle, outwards or inwards.
+constexpr double kCloseToFace = 0.35;  ///< Share of its middle's distance, outwards or inwards.
 constexpr double kMirrorSlack = 0.12;
 
 bool is_called_brow(const std::string& name) { return matches_any(name, std::vector<std::string>{"*brow*", "*lash*"}); }
@@ -28,14 +28,14 @@ bool is_called_beard(const std::string& name) {
                                                     "*sideburn*", "*facial*hair*"});
 }
 
-/// Names of the mesh and material that a patch comes from.
+/// Names of a patch's mesh and material.
 std::array<std::string, 2> names_of(const importer::SourceModel& source, const HairStrips& hair,
                                     const PatchView& patch) {
   const importer::SourceMesh& mesh = source.meshes[hair.mesh.mesh_of_triangle[patch.triangles.front() / 3]];
   return {mesh.name, importer::material_name(source, mesh)};
 }
 
-/// Of a patch, in shares of the head's radii from its centre, as the face looks.
+/// The box of a patch, in shares of the head's radii from its centre, in the face's directions.
 AlignedBox3d box_on_head(const HairStrips& hair, const PatchView& patch, const FittedHead& head) {
   AlignedBox3d box;
   for (const std::uint32_t v : patch.vertices) {

@@ -66,7 +66,7 @@ void HairStrips::drop(const std::vector<bool>& dropped) {
     if (!used[v]) continue;
     new_index[v] = kept.append_vertex(mesh, v);
     if (welded.empty()) continue;
-    std::uint32_t& first = place[welded[v]];  // of those that stay at this place
+    std::uint32_t& first = place[welded[v]];  // The first vertex that stays at this place.
     if (first == importer::kNoIndex) first = new_index[v];
     new_welded.push_back(first);
   }
@@ -122,7 +122,8 @@ std::size_t HairStrips::complete_normals() {
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
     for (std::size_t k = 0; k < 3; ++k) own[mesh.triangles[t + k]] += face_vector(mesh, t);
   }
-  // Each corner adds its face to every side of the place that looks the same way; a side is known by its first vertex.
+  // Each corner adds its face to every side of the place that has a similar normal; a side is named by its first
+  // vertex.
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
     if (own[v].dot(own[welded[v]]) >= 0) mean[welded[v]] += own[v];
   }

@@ -10,33 +10,33 @@
 
 namespace coif::cook {
 
-/// Where the strands run.
+/// The direction of the strands.
 struct StrandField {
   std::vector<Eigen::Vector3f> tangent;  ///< Per vertex, unit, root to tip, perpendicular to the normal.
   std::vector<float> place;              ///< Per vertex, 0 root .. 1 tip.
-  bool along_u = false;                  ///< In the texture most patches run along U, not V.
-  std::vector<std::uint32_t> unsure;     ///< Numbers of patches of which little tells which end is the root; ascending.
+  bool along_u = false;                  ///< Most patches run along U of the texture, not V.
+  std::vector<std::uint32_t> unsure;     ///< Numbers of patches with little evidence of their root; ascending.
 };
 
-/// What belongs to one patch.
+/// The vertices and triangles of one patch.
 struct PatchView {
-  std::vector<std::size_t> triangles;   ///< First index of each.
+  std::vector<std::size_t> triangles;   ///< First index of each triangle.
   std::vector<std::uint32_t> vertices;  ///< Ascending, each once.
 };
 
-/// What the recipe says of some patches alone.
+/// The recipe's values for some patches.
 struct PatchOverrides {
   std::vector<PatchOverride> said;
-  /// For each patch, by its number, which of them select it, ascending; empty: none was looked for.
+  /// For each patch, by its number, the overrides that select it, ascending; empty: not determined.
   std::vector<std::vector<std::uint32_t>> of_patch;
 };
 
-/// The hair as strips. What is known of its vertices and triangles keeps in step: once the patches are found, vertices
-/// are added and triangles regrouped by the functions below alone. What no pass has found yet is empty.
+/// The hair as strips. All its arrays stay consistent: once the patches are found, only the functions below add
+/// vertices and regroup triangles. Members of passes that have not run are empty.
 struct HairStrips {
   HairMesh mesh;
   std::vector<std::uint32_t> welded;  ///< For each vertex the one that stands for its place (weld_places()).
-  PatchSet patches;                   ///< Of the mesh's triangles.
+  PatchSet patches;                   ///< Patches of the mesh's triangles.
   StrandField strands;
   PatchOverrides overrides{};
   bool is_part = false;  ///< Patches were left out.
@@ -44,7 +44,7 @@ struct HairStrips {
   /// Every patch's triangles and vertices.
   [[nodiscard]] std::vector<PatchView> views() const;
 
-  /// What the recipe says of one patch alone, the last override that says it; null: nothing.
+  /// The recipe's value for one patch, from the last override that has it; null: none.
   template <typename Value>
   [[nodiscard]] const Value* said_of(std::uint32_t patch, std::optional<Value> PatchOverride::*what) const {
     if (overrides.of_patch.empty()) return nullptr;
@@ -55,15 +55,16 @@ struct HairStrips {
     return said;
   }
 
-  /// Leaves out patches (one value for each), and vertices that no other has. Before strands are known.
+  /// Leaves out patches (one value for each), and vertices that no other patch has. Call it before strands are known.
   void drop(const std::vector<bool>& dropped);
 
-  /// Gives each patch its own vertices: copies those that several share, with all that is known of them. Returns, for
-  /// each vertex appended, which it equals.
+  /// Gives each patch its own vertices: copies shared ones, with all their data. Returns the original of each vertex
+  /// appended.
   std::vector<std::uint32_t> separate_patches();
 
-  /// Fills in normals that are missing or not unit: the mean of the faces around a place, weighted by area, as far as
-  /// they look the same way as the vertex's own faces (a strip's two sides share places). Returns how many there were.
+  /// Replaces normals that are missing or not unit by the mean of the faces around a place, weighted by area. Only
+  /// faces in about the same direction as the vertex's own count, since a strip's two sides share places. Returns the
+  /// number replaced.
   std::size_t complete_normals();
 
  private:

@@ -12,8 +12,8 @@ namespace coif::cook {
 namespace {
 
 constexpr std::size_t kFragment = 8;        ///< Fewer triangles are an exporter's work, not an artist's strip.
-constexpr double kMostFragments = 0.25;     ///< Of all triangles.
-constexpr float kSameCoordinate = 1.0e-4f;  ///< Of the texture; a tenth of a texel of a large one.
+constexpr double kMostFragments = 0.25;     ///< Share of all triangles.
+constexpr float kSameCoordinate = 1.0e-4f;  ///< In texture coordinates; a tenth of a texel of a large texture.
 
 /// Numbers the sets by first appearance.
 PatchSet number_sets(DisjointSets& sets, std::size_t count) {

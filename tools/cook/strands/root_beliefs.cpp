@@ -10,11 +10,11 @@ namespace coif::cook {
 namespace {
 
 constexpr int kBeliefRounds = 16;
-constexpr float kNeighbourWeight = 1.0f;  ///< What it counts how the patches beside run.
-constexpr float kIslandWeight =
-    1.0f;  ///< What it counts where others have their roots in the same part of the texture.
-constexpr float kCommonWeight = 0.5f;  ///< What it counts where they have them anywhere in the texture.
-constexpr std::uint32_t kCells = 64;   ///< Of the texture, to each side.
+constexpr float kNeighbourWeight = 1.0f;  ///< Weight of the directions of neighbouring patches.
+/// Weight of the roots of other patches in the same part of the texture.
+constexpr float kIslandWeight = 1.0f;
+constexpr float kCommonWeight = 0.5f;  ///< Weight of the roots of other patches anywhere in the texture.
+constexpr std::uint32_t kCells = 64;   ///< Cells on each side of the texture.
 
 /// Row or column of a texture that repeats.
 std::uint32_t cell_at(float coordinate) {
@@ -22,7 +22,7 @@ std::uint32_t cell_at(float coordinate) {
   return std::min(std::uint32_t(fraction * float(kCells)), kCells - 1);
 }
 
-/// Who shows which part of the texture, and which side of it they take for the roots.
+/// The patches that show each part of the texture, and the side of it that they take for the roots.
 class TextureConsensus {
  public:
   TextureConsensus(const HairMesh& mesh, const std::vector<PatchView>& views, std::span<const RootVote> votes)
@@ -53,7 +53,7 @@ class TextureConsensus {
     }
   }
 
-  /// What the others say about a patch.
+  /// The evidence of the other patches about this one.
   [[nodiscard]] float about(std::size_t p, float own_belief) const {
     if (votes_[p].texture_axis < 0) return 0;
     const auto axis = std::size_t(votes_[p].texture_axis);
@@ -72,7 +72,7 @@ class TextureConsensus {
       belief += double(one) * double(its_area);
       area += double(its_area);
     }
-    /// Mean belief of the others; a few small ones beside a large one say less.
+    /// Mean belief of the others; a few small ones beside a large one count less.
     [[nodiscard]] float without(float one, float its_area) const {
       const double others = area - double(its_area);
       return others > 1e-6 * area ? float((belief - double(one) * double(its_area)) / std::max(others, 0.5 * area)) : 0;

@@ -12,9 +12,9 @@
 namespace coif::cook {
 namespace {
 
-constexpr float kAcrossAxis =
-    0.5f;  ///< Of what triangles at a fold reach along the axis: its edges are shorter along it.
-constexpr double kLeastPart = 0.03;  ///< Of the patch's area: less is no strip.
+/// Share of the reach of triangles at a fold along the axis: the fold's edges are shorter along it.
+constexpr float kAcrossAxis = 0.5f;
+constexpr double kLeastPart = 0.03;  ///< Share of the patch's area: a smaller part is no strip.
 
 /// Per patch the texture axis along which it is long, 0 or 1; -1: neither.
 std::vector<int> long_axes(const HairStrips& hair) {
@@ -26,7 +26,7 @@ std::vector<int> long_axes(const HairStrips& hair) {
   return axes;
 }
 
-/// Which way round a triangle lies in the texture: 1, -1, or 0 where it has no area there.
+/// The orientation of a triangle in the texture: 1, -1, or 0 where it has no area there.
 int turn_of(const HairMesh& mesh, std::uint32_t t) {
   const auto uv = [&](std::size_t k) -> const Eigen::Vector2f& {
     return mesh.uvs[mesh.triangles[3 * std::size_t(t) + k]];
@@ -36,8 +36,8 @@ int turn_of(const HairMesh& mesh, std::uint32_t t) {
   return area > 0 ? 1 : area < 0 ? -1 : 0;
 }
 
-/// Where two parts meet that lie the opposite way round: summed over the edges, how far apart along the strands' axis
-/// their ends are, and how far along it the triangles reach.
+/// The seam between two parts of opposite orientation: summed over its edges, the distance of their ends along the
+/// strands' axis, and the reach of the triangles along it.
 struct Seam {
   float ends_apart = 0, reach = 0;
 
@@ -51,8 +51,8 @@ struct Seam {
       reach += std::abs(at(use.side + 2) - (a + b) / 2);
     }
   }
-  /// It runs across the strands: both parts go on the same way from there. Along them it is a texture used twice side
-  /// by side.
+  /// It runs across the strands: both parts go on in the same direction from there. A seam along them is a texture used
+  /// twice side by side.
   [[nodiscard]] bool is_fold() const { return ends_apart < kAcrossAxis * reach; }
 };
 
@@ -61,12 +61,12 @@ struct Parts {
   std::vector<std::array<std::uint32_t, 2>> folds;  ///< The triangles at each edge of one.
 };
 
-/// Where the two triangles at an edge lie the opposite way round.
+/// Whether the two triangles at an edge have opposite orientations.
 bool turns_back(const HairMesh& mesh, std::span<const EdgeUse> uses) {
   return uses.size() == 2 && turn_of(mesh, uses[0].triangle) * turn_of(mesh, uses[1].triangle) < 0;
 }
 
-/// Of patches that are long along an axis of the texture: triangles stay together but across folds.
+/// Cuts patches that are long along an axis of the texture: triangles stay together except across folds.
 Parts cut_at_folds(const HairStrips& hair) {
   const HairMesh& mesh = hair.mesh;
   const std::vector<int> axes = long_axes(hair);
@@ -98,7 +98,7 @@ Parts cut_at_folds(const HairStrips& hair) {
   return parts;
 }
 
-/// Parts that are too small go with what lies across their fold.
+/// Joins parts that are too small with the part across their fold.
 void join_crumbs(const HairStrips& hair, Parts& parts) {
   std::vector<double> of_patch(hair.patches.count, 0), of_part(hair.mesh.triangle_count(), 0);
   for (std::uint32_t t = 0; t < hair.mesh.triangle_count(); ++t) {
@@ -125,7 +125,7 @@ std::uint32_t split_folds(HairStrips& hair, Findings& findings) {
   join_crumbs(hair, parts);
   PatchSet& patches = hair.patches;
   const std::uint32_t before = patches.count;
-  // Where the parts hang together elsewhere a patch stays as it was.
+  // A patch whose parts are also connected elsewhere stays whole.
   std::vector<bool> is_cut(before, false);
   for (const auto& [a, b] : parts.folds) {
     if (parts.sets.find(a) != parts.sets.find(b)) is_cut[patches.patch_of[a]] = true;

@@ -14,16 +14,21 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr float kPartEnd = 0.25f;    ///< Of the place along the strand, at each end.
-constexpr float kMiddle = 0.1f;      ///< To each side of the middle.
-constexpr double kMostUnlike = 0.3;  ///< Of the head's radius: ends that differ by more do not mirror each other.
+constexpr float kPartEnd = 0.25f;  ///< Share of the strand's length, at each end.
+constexpr float kMiddle = 0.1f;    ///< Share of the strand's length, to each side of the middle.
+/// Share of the head's radius: ends that differ by more are no mirror images.
+constexpr double kMostUnlike = 0.3;
 constexpr double kLeastRise = 0.25;  ///< The middle is so much higher than both ends
-constexpr double kLeastReach = 0.7;  ///< and each end so far from the head's middle plane.
+/// Share of the head's radius: least distance of each end from the head's middle plane.
+constexpr double kLeastReach = 0.7;
 
 constexpr std::size_t kStations = 16;  ///< Along a strip.
-constexpr double kLeastWay = 4.2;      ///< Radians about the vertical: two thirds of the way round the head,
-constexpr double kLeastDrop = 0.5;     ///< its lowest place so many of the head's radii below both ends,
-constexpr double kMostLift = 0.7;      ///< and all of it so many of them above the head.
+/// Radians about the vertical: least way round the head, two thirds of it.
+constexpr double kLeastWay = 4.2;
+/// Share of the head's radius by which its lowest place must be below both ends.
+constexpr double kLeastDrop = 0.5;
+/// Share of the head's radius by which all of it may be above the head.
+constexpr double kMostLift = 0.7;
 
 struct MeanPlace {
   Vector3d sum = Vector3d::Zero();
@@ -36,7 +41,8 @@ struct MeanPlace {
   [[nodiscard]] Vector3d value() const { return count > 0 ? Vector3d(sum / count) : Vector3d::Constant(NAN); }
 };
 
-/// From one side of the head over its top to the other: the X that parts its halves. None for other patches.
+/// For a patch from one side of the head over its top to the other: the X that separates its halves. None for other
+/// patches.
 std::optional<double> parting_of(const HairStrips& hair, const PatchView& patch, const FittedHead& head) {
   MeanPlace low, middle, high;
   for (const std::uint32_t v : patch.vertices) {
@@ -56,8 +62,8 @@ std::optional<double> parting_of(const HairStrips& hair, const PatchView& patch,
   return head.center.x() + (a.x() + b.x()) / 2;
 }
 
-/// Round the head from one side of a parting to the other, and lowest on the way: the place along the strand where it
-/// is. None for other patches, among them what hangs off the head.
+/// For a patch round the head from one side of a parting to the other, lowest on the way: the place along the strand of
+/// its lowest point. None for other patches, also for hair that hangs off the head.
 std::optional<float> meeting_of(const HairStrips& hair, const PatchView& patch, const FittedHead& head) {
   std::array<MeanPlace, kStations> stations;
   for (const std::uint32_t v : patch.vertices) {

@@ -17,11 +17,12 @@ namespace {
 using Eigen::AlignedBox3f;
 using Eigen::Vector3f;
 
-constexpr std::size_t kSections = 8;        ///< Root to tip.
-constexpr double kWidestPatch = 0.75;       ///< Of the head's radius: what hides its own back half is too wide.
+constexpr std::size_t kSections = 8;  ///< Root to tip.
+/// Share of the head's radius: a patch that hides its own back half is too wide.
+constexpr double kWidestPatch = 0.75;
 constexpr float kAlongStrand = 0.7071068f;  ///< Cosine: an edge at less than 45 degrees to the strand runs along it.
 
-/// How far a part of a patch reaches, section by section from root to tip.
+/// The extent of a part of a patch, section by section from root to tip.
 struct Extent {
   std::array<AlignedBox3f, kSections> boxes;
 
@@ -68,7 +69,7 @@ Vector3f across(const HairMesh& mesh, const Vector3f& direction, std::uint32_t t
   return from - direction * direction.dot(from);
 }
 
-/// Middle of each section, per patch: where offsets of that section are measured from.
+/// Middle of each section, per patch; offsets of that section are relative to it.
 using Origins = std::vector<std::array<Vector3f, kSections>>;
 
 Origins section_origins(const HairStrips& hair) {
@@ -89,7 +90,7 @@ Origins section_origins(const HairStrips& hair) {
   return origins;
 }
 
-/// Of each of the groups that the triangles are in; kNoIndex: in none.
+/// The extent of each group of triangles; kNoIndex: in no group.
 std::vector<Extent> extents_of(const HairStrips& hair, std::span<const std::uint32_t> group_of, std::size_t groups) {
   const Origins origins = section_origins(hair);
   const std::vector<Vector3f> directions = directions_of(hair);
@@ -106,7 +107,7 @@ float side_length(const HairMesh& mesh, std::uint32_t t, std::uint32_t side) {
   return (mesh.corner(t, (side + 1) % 3) - mesh.corner(t, side)).norm();
 }
 
-/// The longest side of both its triangles: the diagonal of what was a quad.
+/// The longest side of both its triangles: the diagonal of a former quad.
 bool is_diagonal(const HairMesh& mesh, std::span<const EdgeUse> uses) {
   return std::ranges::all_of(uses, [&](const EdgeUse& use) {
     const float length = side_length(mesh, use.triangle, use.side) * 1.0001f;
@@ -154,7 +155,7 @@ class RibbonMerger {
       platform::throw_if_stopped(stop);
       const Pair pair = queue_.top();
       queue_.pop();
-      // Whoever was joined since has a new proposal in the queue.
+      // A part that was joined since has a new proposal in the queue.
       if (version_[pair.a] != pair.version_a || version_[pair.b] != pair.version_b) continue;
       join(pair.a, pair.b);
     }

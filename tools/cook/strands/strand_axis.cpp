@@ -105,7 +105,7 @@ std::vector<Vector3f> centre_line(const HairMesh& mesh, const PatchView& patch, 
   return line;
 }
 
-/// Length along the line to the point on it nearest to `p`; beyond its ends the line goes straight on.
+/// Length along the line to its nearest point to `p`; beyond its ends the line continues straight.
 float length_along(std::span<const Vector3f> line, const Vector3f& p) {
   float best = std::numeric_limits<float>::infinity(), result = 0, before = 0;
   for (std::size_t k = 0; k + 1 < line.size(); ++k) {
@@ -124,8 +124,8 @@ float length_along(std::span<const Vector3f> line, const Vector3f& p) {
   return result;
 }
 
-/// Ways along sides follow the diagonals of quads. Measured along the line through the middle of what is equally far,
-/// the rows of a strip come out level.
+/// Ways along sides follow the diagonals of quads. Measured along the line through the middles of points at equal
+/// distance, the rows of a strip are level.
 void level_rows(const HairMesh& mesh, const PatchView& patch, std::vector<float>& coordinate) {
   constexpr std::size_t kFewest = 2, kMost = 16, kPerBin = 6;
   constexpr int kRounds = 4;
@@ -173,7 +173,7 @@ float texture_preference(const HairMesh& mesh, const PatchView& patch) {
     mapped += area;
   }
   if (mapped <= 0 || flat > kMostFlat * (mapped + flat)) return 0;
-  // Never quite zero: that would say that there are no coordinates.
+  // Never quite zero, which would mean that there are no coordinates.
   const float difference = (length[1] - length[0]) / (length[1] + length[0]);
   return difference >= 0 ? std::max(difference, 1.0e-6f) : difference;
 }

@@ -15,16 +15,17 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kSure = 0.5f;          ///< Of RootEvidence::sum(): half a radius nearer, or a bone.
-constexpr float kLongerWeight = 0.7f;  ///< What it counts that a patch is longer along an axis; a bowl cut is wide.
-constexpr float kLinesWeight = 2.0f;   ///< What it counts that lines in the images run along an axis.
-constexpr float kClearEnds = 3.0f;     ///< More evidence at the ends counts no more for the axis.
-constexpr float kCommonAxis = 0.3f;    ///< What it counts that the other patches have the same axis.
+constexpr float kSure = 0.5f;          ///< For RootEvidence::sum(): half a radius nearer, or a bone.
+constexpr float kLongerWeight = 0.7f;  ///< Weight of a patch's longer axis; a bowl cut is wide.
+constexpr float kLinesWeight = 2.0f;   ///< Weight of lines in the images along an axis.
+constexpr float kClearEnds = 3.0f;     ///< More evidence at the ends adds nothing for the axis.
+constexpr float kCommonAxis = 0.3f;    ///< Weight of the other patches' common axis.
 constexpr float kPainted = 0.1f;       ///< Ends whose colours differ by this much were painted as root and tip.
-constexpr float kHabit = 0.25f;        ///< What it counts where others have their roots where nothing is painted.
-constexpr double kBeside = 0.15;       ///< Patches nearer than this share of the head's radius are beside each other.
-constexpr float kUnsure = 0.2f;        ///< Of a belief: told in the report.
-constexpr double kBackwards = 0.5;     ///< Share of the mean strand along -Z.
+constexpr float kHabit = 0.25f;        ///< Weight of the others' roots where nothing is painted.
+/// Share of the head's radius: patches that are nearer than this are neighbours.
+constexpr double kBeside = 0.15;
+constexpr float kUnsure = 0.2f;     ///< Beliefs below this are reported.
+constexpr double kBackwards = 0.5;  ///< Share of the mean strand along -Z.
 
 struct PatchStrands {
   float preference = 0;  ///< texture_preference().
@@ -34,11 +35,11 @@ struct PatchStrands {
   RootEvidence evidence;
 };
 
-/// What a recipe says about a patch.
+/// The recipe's root of a patch.
 struct DeclaredRoot {
-  int texture_axis = -1;  ///< -1: nothing. Where there are no texture coordinates it says nothing either.
+  int texture_axis = -1;  ///< -1: not given. Has no effect without texture coordinates.
   bool at_high_end = false;
-  bool swapped = false;  ///< The other end than what is found.
+  bool swapped = false;  ///< The other end than the one found.
 };
 
 DeclaredRoot declared_root(const std::string& root) {
@@ -59,7 +60,7 @@ float total_area(const HairMesh& mesh, const PatchView& view) {
   return sum;
 }
 
-/// The texture axis of most of the area, by the patches that are clearly longer along one.
+/// The texture axis of most of the area, by patches that are clearly longer along one axis.
 int common_texture_axis(std::span<const PatchStrands> patches) {
   float sum = 0;
   for (const PatchStrands& patch : patches) {
@@ -68,9 +69,9 @@ int common_texture_axis(std::span<const PatchStrands> patches) {
   return sum >= 0 ? 1 : 0;
 }
 
-/// Along which texture axis the strands run: the one the patch is longer along, along which the images have lines,
-/// whose ends differ more as roots and tips do, and which the other patches have; -1 where texture coordinates say
-/// nothing. Fills axis and evidence.
+/// Finds the texture axis along which the strands run: the one along which the patch is longer, the images have lines,
+/// the ends differ like roots and tips, and other patches run; -1 where texture coordinates are of no use. Fills axis
+/// and evidence.
 void choose_axis(const HairStrips& hair, const PatchView& view, const Surroundings& around, int common,
                  PatchStrands& patch) {
   const bool textured = patch.preference != 0;
@@ -90,7 +91,7 @@ void choose_axis(const HairStrips& hair, const PatchView& view, const Surroundin
   }
 }
 
-/// Where the strands run on the whole: from the middle of its first half to that of its second.
+/// The overall direction of the strands: from the middle of the patch's first half to that of its second.
 Vector3f overall_direction(const HairMesh& mesh, const PatchView& view, std::span<const float> place) {
   Vector3f sum = Vector3f::Zero(), mean = Vector3f::Zero();
   for (std::uint32_t v : view.vertices) mean += mesh.positions[v] / float(view.vertices.size());
@@ -101,7 +102,7 @@ Vector3f overall_direction(const HairMesh& mesh, const PatchView& view, std::spa
 /// Tangents of one patch from StrandField::place.
 void write_tangents(const HairMesh& mesh, const PatchView& view, int texture_axis, StrandField& field) {
   for (std::size_t t : view.triangles) {
-    // Along the texture's own axis where there is one: painted strands are parallel to it even where it is sheared.
+    // Along the texture's own axis, if any: painted strands are parallel to it even where it is sheared.
     const Vector3f along =
         texture_axis >= 0 ? texture_axes(mesh, t)[std::size_t(texture_axis)] : gradient(mesh, t, field.place);
     if (!(along.norm() > 0)) continue;
@@ -118,7 +119,7 @@ void write_tangents(const HairMesh& mesh, const PatchView& view, int texture_axi
   }
 }
 
-/// As if every low end were the root.
+/// Writes a patch as if its low end were the root.
 void write_patch(const HairMesh& mesh, const PatchView& view, const StrandAxis& axis, StrandField& field) {
   for (std::size_t i = 0; i < view.vertices.size(); ++i) field.place[view.vertices[i]] = axis.coordinate[i];
   write_tangents(mesh, view, axis.texture_axis, field);
@@ -136,7 +137,7 @@ Eigen::Vector3d mean_tangent(const HairMesh& mesh, std::span<const Vector3f> tan
   return area > 0 ? Eigen::Vector3d(sum / area) : sum;
 }
 
-/// Hair hangs. Where nearly all of it runs straight backwards the file was more likely written with Z up.
+/// Hair hangs. If nearly all of it runs straight backwards, the file was probably written with Z up.
 void warn_of_up_axis(const HairMesh& mesh, const StrandField& field, Findings& findings) {
   const Eigen::Vector3d mean = mean_tangent(mesh, field.tangent);
   if (mean.z() > -kBackwards || mean.y() < -0.5 * kBackwards) return;
@@ -145,7 +146,7 @@ void warn_of_up_axis(const HairMesh& mesh, const StrandField& field, Findings& f
                 "\"source.up_axis\": \"z\" in the recipe");
 }
 
-/// What the patches bring to the question where their roots are.
+/// The votes of the patches about their roots.
 std::vector<RootVote> votes_of(std::span<const PatchStrands> patches) {
   std::vector<RootVote> votes;
   for (const PatchStrands& patch : patches) {

@@ -11,7 +11,7 @@ namespace coif::cook {
 namespace {
 
 constexpr std::size_t kSamples = 64;  ///< Vertices looked at per patch.
-constexpr std::size_t kPerCell = 16;  ///< Samples kept per cell: beyond, hair is so dense that more say the same.
+constexpr std::size_t kPerCell = 16;  ///< Samples kept per cell; in denser hair further ones add nothing.
 constexpr float kParallel = 0.6f;     ///< Cosine from which two tangents can be compared.
 
 using Cell = std::array<std::int64_t, 3>;
@@ -98,11 +98,13 @@ std::vector<std::vector<Neighbour>> find_neighbours(const HairMesh& mesh, const 
 
 namespace {
 
-constexpr double kMostHeight = 1.5;  ///< Of the head's radius: hanging farther says no more.
-constexpr double kAround = 0.45;     ///< Of the head's radius: side of the cells in which free hair is counted.
-constexpr double kFree = 0.5;        ///< Of the head's radius: hair this far off the head hangs free.
-constexpr double kTied = 3;          ///< A third more of the hair around free: no doubt.
-constexpr float kEnd = 0.25f;        ///< Share of the patch at each end that is looked at.
+constexpr double kMostHeight = 1.5;  ///< Share of the head's radius: hair that hangs farther adds nothing.
+/// Share of the head's radius: side of the cells in which free hair is counted.
+constexpr double kAround = 0.45;
+/// Share of the head's radius: hair this far off the head hangs free.
+constexpr double kFree = 0.5;
+constexpr double kTied = 3;    ///< A third more of the hair around free: no doubt.
+constexpr float kEnd = 0.25f;  ///< Share of the patch at each end that is looked at.
 
 struct End {
   double distance = 0, depth = 0, height = 0;
@@ -180,8 +182,8 @@ RootEvidence weigh_ends(const HairMesh& mesh, const PatchView& patch, const Stra
   high.finish();
   const double size = head.radii.mean();
   RootEvidence evidence;
-  // Half a radius apart there is no doubt. Where both ends lie on the skull the difference says more about the skull's
-  // shape, which is only roughly known, than about the hair.
+  // Half a radius leaves no doubt. Where both ends lie on the skull the difference depends more on the skull's shape,
+  // which is only roughly known, than on the hair.
   const double away = std::clamp(std::max(high.distance, low.distance) / (0.5 * size), 0.0, 1.0);
   evidence.distance = limited(away * (high.distance - low.distance) / (0.5 * size));
   evidence.bones = limited(high.depth - low.depth);

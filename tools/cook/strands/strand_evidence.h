@@ -30,43 +30,43 @@ struct StrandAxis {
 /// area is in one spot of the texture, as with palettes.
 [[nodiscard]] float texture_preference(const HairMesh& mesh, const PatchView& patch);
 
-/// Of texture_preference(): a patch twice as long along one texture axis has its strands along it.
+/// A value of texture_preference(): from a patch twice as long along one texture axis on, strands run along it.
 inline constexpr float kLonger = 0.33f;
 
 /// The coordinate along `texture_axis` (0 or 1), or for -1 the distance over the surface from one end of the patch, the
 /// one that is farthest from everything else.
 [[nodiscard]] StrandAxis strand_axis(const HairStrips& hair, const PatchView& patch, int texture_axis);
 
-/// What images show of the strands of one patch.
+/// The strands of one patch, as images show them.
 struct SeenStrands {
   float lines = 0;  ///< -1 where lines run along U .. 1 where they run along V; 0: nothing or neither is seen.
   std::array<float, 2> fade{0, 0};  ///< Along U and V: mean alpha at the low end less that at the high end, -1..1.
   std::array<float, 2> differ{kUnseen,
                               kUnseen};  ///< Along U and V: how far the mean colours of the two ends are apart, 0..1.
 
-  static constexpr float kUnseen = 0.05f;  ///< Without an image: perhaps there is one somewhere that was painted on.
+  static constexpr float kUnseen = 0.05f;  ///< Without an image; one may exist elsewhere.
 };
 
-/// How the strands of two patches that lie beside each other run.
+/// A neighbouring patch, and how its strands run relative to this one's.
 struct Neighbour {
   std::uint32_t patch = 0;
-  float agreement = 0;  ///< 1: the same way, -1: opposite; over a patch's neighbours at most 1 in all.
+  float agreement = 0;  ///< 1: same direction, -1: opposite; sums over a patch's neighbours to at most 1.
 };
 
-/// For each patch the ones whose vertices are within `reach` metres of its own and whose tangents are about parallel or
+/// For each patch those whose vertices are within `reach` metres of its own and whose tangents are about parallel or
 /// opposite there. Looks at a bounded number of vertices per patch: near-linear.
 [[nodiscard]] std::vector<std::vector<Neighbour>> find_neighbours(const HairMesh& mesh,
                                                                   const std::vector<PatchView>& views,
                                                                   std::span<const Eigen::Vector3f> tangents,
                                                                   double reach, const std::stop_token& stop);
 
-/// Where hair is off the head: strands that are combed over the skull to a tail or a bun end beside hair that hangs
-/// free, and those that grow from the skull's skin do not start there.
+/// Hair off the head. Strands that are combed over the skull to a tail or a bun end beside hair that hangs free;
+/// strands that grow from the scalp do not start there.
 class FreeHair {
  public:
   FreeHair(const HairMesh& mesh, const std::vector<PatchView>& views, const FittedHead& head);
 
-  /// Of the hair around a point, how free it is: 0 on the head .. 1 half a radius away from it; 0 where there is none.
+  /// How free the hair around a point is: 0 on the head .. 1 half a radius away from it; 0 where there is none.
   [[nodiscard]] double at(const Eigen::Vector3d& point) const;
 
  private:
@@ -77,23 +77,23 @@ class FreeHair {
   std::map<std::array<std::int64_t, 3>, Amount> cells_;
 };
 
-/// What the two ends of a patch say about which one is the root. Each from -1 (the high end of the coordinate is it) to
-/// 1 (the low end), 0 where it says nothing; height up to 1.5 either way.
+/// Evidence of the two ends of a patch for the root. Each from -1 (the high end of the coordinate) to 1 (the low end),
+/// 0 for none; height up to 1.5 either way.
 struct RootEvidence {
   float distance = 0;  ///< Roots are nearer to the head's surface.
   float bones = 0;     ///< Roots follow bones that are nearer to the head bone.
   float height = 0;    ///< Hair hangs.
   float taper = 0;     ///< Tips are narrower.
-  float tied = 0;      ///< Where hair hangs free beside an end that is on the head, that end is not the root.
+  float tied = 0;      ///< An end on the head with free hair beside it is not the root.
   float fade = 0;      ///< Tips are painted thinner.
 
-  /// What the patch says on its own: positive where the low end is the root.
+  /// The patch's own evidence: positive where the low end is the root.
   [[nodiscard]] float sum() const { return of_axis() + tied; }
-  /// Without what says nothing about whether the strands run from end to end at all: it differs from side to side too.
+  /// The evidence that strands run from end to end. Leaves out `tied`, which may differ from side to side, too.
   [[nodiscard]] float of_axis() const { return distance + 1.5f * bones + 0.35f * height + 0.25f * taper + fade; }
 };
 
-/// What the ends are compared by.
+/// The data by which the ends are compared.
 struct Surroundings {
   const FittedHead& head;
   const FreeHair& free_hair;
@@ -103,18 +103,18 @@ struct Surroundings {
 [[nodiscard]] RootEvidence weigh_ends(const HairMesh& mesh, const PatchView& patch, const StrandAxis& axis,
                                       const SeenStrands& seen, const Surroundings& around);
 
-/// What one patch brings to the question where its root is.
+/// One patch's vote about its root.
 struct RootVote {
   int texture_axis = -1;  ///< Along which its strands run; -1: none.
   float evidence = 0;     ///< RootEvidence::sum().
   float area = 0;
-  float painted = 1;  ///< How much it matters where others have their roots in the texture, 0..1.
+  float painted = 1;  ///< Weight of other patches' roots in the texture, 0..1.
 };
 
-/// For each patch the belief that its low end is the root, -1 (the high end) .. 1. Its own evidence counts, and what is
-/// believed of the patches beside it, since hair that is combed one way runs one way; of those that show the same part
-/// of the texture, since one picture of strands has one root; and of all, since one artist paints roots on one side.
-/// Mean-field iteration on that graph: few rounds carry a belief across a head.
+/// For each patch the belief that its low end is the root, -1 (the high end) .. 1. It combines the patch's own evidence
+/// with the beliefs about neighbouring patches, since hair that is combed one way runs one way; about patches that show
+/// the same part of the texture, since one picture of strands has one root; and about all patches, since one artist
+/// paints roots on one side. Mean-field iteration on that graph: few rounds carry a belief across a head.
 [[nodiscard]] std::vector<float> settle_beliefs(const HairMesh& mesh, const std::vector<PatchView>& views,
                                                 std::span<const RootVote> votes,
                                                 const std::vector<std::vector<Neighbour>>& neighbours,

@@ -10,9 +10,9 @@
 namespace coif::cook {
 namespace {
 
-constexpr double kRounding = 1.0e-3;  ///< Of 255.
-constexpr int kShares = 16;  ///< Of a sample: nine of its texel, three of two neighbours each, one of the third.
-constexpr int kSamples = 4;  ///< Of a texel.
+constexpr double kRounding = 1.0e-3;  ///< In steps of 255.
+constexpr int kShares = 16;  ///< Parts of a sample: nine of its texel, three of two neighbours each, one of the third.
+constexpr int kSamples = 4;  ///< Samples per texel.
 
 class Sums {
  public:
@@ -20,7 +20,7 @@ class Sums {
       : opaque_(std::int16_t(least_passing(thresholds.opaque))),
         discard_(std::int16_t(least_passing(thresholds.discard))) {}
 
-  /// In a plain loop of small numbers, which compilers make vector operations of; so is that of add_samples().
+  /// A plain loop over small numbers, which compilers vectorise; so is that of add_samples().
   void add_texels(const std::int16_t* row, std::span<const std::int16_t> weights) {
     std::int32_t weight = 0, opaque = 0;
     for (std::size_t x = 0; x < weights.size(); ++x) {
@@ -32,7 +32,7 @@ class Sums {
     opaque_texels_ += std::uint64_t(opaque);
   }
 
-  /// Samples a quarter of a texel off the texels' middles, towards the row beside and both sides.
+  /// Adds samples a quarter of a texel off the texels' middles, towards the next row and both sides.
   void add_samples(const std::int16_t* row, const std::int16_t* beside, std::span<const std::int16_t> weights) {
     add_samples(row, beside, weights, -1);
     add_samples(row, beside, weights, 1);
@@ -49,7 +49,7 @@ class Sums {
   void add_samples(const std::int16_t* row, const std::int16_t* beside, std::span<const std::int16_t> weights,
                    std::ptrdiff_t side) {
     const auto opaque = std::int16_t(opaque_ * kShares), discard = std::int16_t(discard_ * kShares);
-    constexpr std::size_t kBatch = 1024;  // sums of so many fit 32 bits
+    constexpr std::size_t kBatch = 1024;  // Sums of this many fit 32 bits.
     for (std::size_t begin = 0; begin < weights.size(); begin += kBatch) {
       const std::size_t end = std::min(begin + kBatch, weights.size());
       const std::int16_t *to_side = row + side, *beside_to_side = beside + side;

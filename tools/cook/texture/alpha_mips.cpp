@@ -12,10 +12,12 @@
 namespace coif::cook {
 namespace {
 
-constexpr double kLargestFactor = 4;     ///< Of that at which the faintest solid texel just passes.
-constexpr double kCloseEnough = 1.0e-3;  ///< Of the figure that is wanted.
-constexpr int kSearchSteps = 10;         ///< Of a factor: to a 1000th of its range, less than a step of alpha.
-constexpr int kSearchRounds = 2;         ///< Both factors act on both figures, one mostly on each.
+/// Multiple of the factor at which the faintest solid texel just passes.
+constexpr double kLargestFactor = 4;
+constexpr double kCloseEnough = 1.0e-3;  ///< Share of the wanted figure.
+/// Steps for a factor: to a 1000th of its range, less than a step of alpha.
+constexpr int kSearchSteps = 10;
+constexpr int kSearchRounds = 2;  ///< Both factors affect both figures, each mostly one of them.
 
 /// Twelve bits that no pattern of a texture follows.
 std::uint32_t chance(std::uint32_t x, std::uint32_t y) {
@@ -24,7 +26,7 @@ std::uint32_t chance(std::uint32_t x, std::uint32_t y) {
   return (h ^ h >> 13) >> 20;
 }
 
-/// Which texel is more opaque than which: by alpha, then by the alpha around it, then by chance.
+/// Ranks texels by opacity: by alpha, then by the alpha around, then at random.
 std::vector<std::uint32_t> ranks(const Image& mip) {
   const std::uint32_t width = mip.width, height = mip.height;
   std::vector<std::uint32_t> result;
@@ -68,7 +70,7 @@ std::uint32_t solid_from(const std::vector<std::uint32_t>& rank, const Image& us
   return from;
 }
 
-/// One mip on the way to its coverage.
+/// One mip during its adjustment.
 class MipAlpha {
  public:
   MipAlpha(Image& mip, const Image& used, const AlphaThresholds& thresholds, double solid_share)
@@ -84,8 +86,8 @@ class MipAlpha {
     largest_factor_ = std::max(kLargestFactor * least(), 255.0) / at_edge;
   }
 
-  /// Contrast of the solid texels decides how many samples between texels are solid, that of the others what is
-  /// hidden in all.
+  /// The contrast of the solid texels decides how many samples between texels are solid; that of the others decides the
+  /// total that is hidden.
   void approach(const AlphaCoverage& wanted) {
     for (int round = 0; round < kSearchRounds; ++round) {
       search(solid_factor_, wanted.seen_opaque, &AlphaCoverage::seen_opaque);
@@ -128,7 +130,7 @@ class MipAlpha {
   }
 
   Image& mip_;
-  AlphaPlane alpha_;  ///< Of the mip, as the factors make it.
+  AlphaPlane alpha_;  ///< The mip's alpha with the present factors.
   AlphaPlane used_;
   AlphaThresholds thresholds_;
   std::vector<std::uint32_t> rank_;
@@ -154,21 +156,21 @@ const TextureRecord* find_base_color(const AssetContents& contents) {
   return found == contents.textures.end() ? nullptr : &*found;
 }
 
-/// With fewer texels one more or less is too much of a step to ask for.
+/// With fewer texels a single one is too large a step.
 constexpr double kJudgedTexels = 64;
-constexpr double kMostOff = 0.05;  ///< Of what the largest mip covers.
+constexpr double kMostOff = 0.05;  ///< Share of the largest mip's coverage.
 
 double used_count(const Image& used) {
   return double(std::accumulate(used.texels.begin(), used.texels.end(), std::uint64_t{0})) / 255;
 }
 
-/// How far a mip is off: of the wanted figure, but nothing for what half a texel changes.
+/// The relative error of a mip; 0 for errors below half a texel.
 double share_off(double found, double wanted, double texels) {
   const double off = std::abs(found - wanted);
   return off <= 0.5 / texels ? 0 : off / std::max(wanted, 1 / texels);
 }
 
-/// Of the base texture's texels; nothing where the hair is opaque whatever they say.
+/// For the base texture's texels; none where the hair is opaque whatever their alpha.
 std::optional<AlphaThresholds> thresholds_in_use(const AssetContents& contents, const MaterialRecord& material) {
   if (find_base_color(contents) == nullptr) return {};
   const AlphaThresholds thresholds = thresholds_in_texture(material);

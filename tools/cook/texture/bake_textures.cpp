@@ -38,7 +38,7 @@ BaseMips bake_base(const BaseColor& color, const HairMesh& hair, const DrawnReci
   Image used = used_texels(hair, image.width, image.height);
   transparency = choose_transparency(color, &image, used, recipe, findings);
   if (transparency.ignores_alpha) {
-    // Before filtering: colours count everywhere, as if nothing had ever been in the alpha channel.
+    // Before filtering: every colour counts, as if the alpha channel had always been full.
     for (std::size_t i = 3; i < image.texels.size(); i += 4) image.texels[i] = 255;
   }
   image = reduce(std::move(image), max_size, TexelMeaning::kSrgbColorAlpha);
@@ -87,7 +87,7 @@ ShiftMask bake_shift_mask(const BaseColor& color, const RecipeImage& shift, cons
   return {make_mips(std::move(whole), texture_limit(recipe), TexelMeaning::kNumbers), constant};
 }
 
-/// One number for all of the hair is the material's: the texture would be read for every pixel to say it again.
+/// If the texture is constant, the material stores the number: otherwise every pixel would read the texture for it.
 void keep_constants(std::span<const Image> mips, TexelFormat format, BakedTextures& out, Findings& findings) {
   const Image& image = mips[0];
   out.constant_shift = image.texels[0] / 255.0;

@@ -19,12 +19,12 @@ struct RecipeImage {
   std::filesystem::path path;
 };
 
-/// Reads the image that the recipe's "textures.KEY" names, a path from the recipe's folder. Error (kBadInput): it
-/// cannot be read; the artist asked for it. As `chosen` says it: with the numbers of its channel in all of red, green
-/// and blue, where it names one.
+/// Reads the image that the recipe's "textures.KEY" names, with a path relative to the recipe's folder. If `chosen`
+/// names a channel, that is copied to red, green and blue. Error (kBadInput): it cannot be read, though the artist
+/// asked for it.
 tl::expected<RecipeImage, ToolError> read_recipe_image(const RecipeTexture& chosen, const char* key,
                                                        const CookSettings& settings);
-/// One that the recipe names by its path alone.
+/// Reads an image that the recipe names by its path alone.
 tl::expected<RecipeImage, ToolError> read_recipe_image(const std::string& name, const char* key,
                                                        const CookSettings& settings);
 
@@ -33,7 +33,7 @@ tl::expected<RecipeImage, ToolError> read_recipe_image(const std::string& name, 
 /// U.
 [[nodiscard]] Image generate_shift_mask(std::uint32_t seed, bool along_u);
 
-/// The same for strands that are known (SourceMaterial::strand_texture): each has its own shift, and its own sparkles.
+/// The same for known strands (SourceMaterial::strand_texture): each has its own shift and its own sparkles.
 [[nodiscard]] Image shift_mask_of(const Image& strands, std::uint32_t seed);
 
 /// Red of `shift` and red of `mask` in one image of the larger size. Either may be null: its channel is generated.
@@ -42,19 +42,19 @@ tl::expected<RecipeImage, ToolError> read_recipe_image(const std::string& name, 
 struct BakedTextures {
   StoredTextures stored;    ///< Base colour, shift and mask.
   StoredTextures relief;    ///< Normals and strands.
-  std::vector<Image> used;  ///< For each mip of the base colour which texels the hair shows, one channel.
+  std::vector<Image> used;  ///< For each mip of the base colour the texels that the hair shows, one channel.
   Transparency transparency;
   std::vector<std::filesystem::path> files;  ///< Image files of the recipe that were read here.
-  double constant_shift = 0.5;               ///< Of all strands, where no texture says it for each: 0.5 shifts nothing.
+  double constant_shift = 0.5;  ///< The shift of all strands where no texture has one for each: 0.5 shifts nothing.
   double constant_mask = 1;
 };
 
-/// Base colour with alpha, and shift with mask (the recipe's, else generated), each with all mips, in the formats
-/// that the recipe asks for. Alpha is averaged as it is: what it loses to the threshold is given back by
-/// keep_coverage(), once the threshold is known. In an atlas shift and mask follow each surface's own coordinates. An
-/// image that the recipe names and that cannot be read is an error. Shift and mask that are the same everywhere are
-/// numbers instead. Relief comes from the source's map of normals (bake_relief()). Without texture coordinates nothing
-/// is stored. `hair` has the coordinates that find_base_color left, and its strands.
+/// Bakes the base colour with alpha, and shift with mask (the recipe's, else generated), each with all mips, in the
+/// formats of the recipe. Alpha is plainly averaged; keep_coverage() compensates for the loss at the threshold, once
+/// that is known. In an atlas shift and mask follow each surface's own coordinates. An image of the recipe that cannot
+/// be read is an error. Constant shift and mask are stored as numbers instead. Relief comes from the source's normal
+/// map (bake_relief()). Without texture coordinates nothing is stored. `hair` has the coordinates from
+/// find_base_color(), and its strands.
 tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, const HairStrips& hair,
                                                      const DrawnRecipe& recipe, const CookSettings& settings,
                                                      Findings& findings);

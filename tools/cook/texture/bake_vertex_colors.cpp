@@ -15,14 +15,15 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 using Eigen::Vector4f;
 
-constexpr std::uint32_t kBandRows = 256;  ///< As many of the image at a time, which limits memory.
-constexpr float kReachTexels = 0.8f;      ///< Beyond its edges a triangle colours what filtering reads there.
-constexpr float kEdgeWeight = 1.0e-3f;    ///< Such texels count so much where another triangle has them inside.
+constexpr std::uint32_t kBandRows = 256;  ///< Rows of the image at a time, which limits memory.
+/// A triangle also colours texels this far beyond its edges, which filtering reads there.
+constexpr float kReachTexels = 0.8f;
+constexpr float kEdgeWeight = 1.0e-3f;    ///< Weight of such texels where another triangle contains them.
 constexpr float kSeenDifference = 0.06f;  ///< Square roots of linear numbers differ by so much.
-constexpr double kManyDiffering = 0.02;   ///< So many of the triangles differ.
+constexpr double kManyDiffering = 0.02;   ///< Share of the triangles that differ.
 constexpr double kMostTexelRows = 4;      ///< Repeats of the image that one triangle may span.
 
-/// One triangle in texels, with what interpolates in it.
+/// One triangle in texels, with the values to interpolate.
 struct TexelTriangle {
   std::array<Vector2f, 3> corner;
   std::array<const Vector4f*, 3> color;
@@ -93,7 +94,7 @@ class ColorBand {
     }
   }
 
-  /// Whether the middle of the triangle lies in these rows and got another colour than its own.
+  /// Whether the middle of the triangle lies in these rows and got another colour than the triangle's.
   [[nodiscard]] bool differs_from(const TexelTriangle& triangle) const {
     const Vector2f middle = (triangle.corner[0] + triangle.corner[1] + triangle.corner[2]) / 3;
     const std::uint32_t row = wrapped_texel(std::int64_t(std::floor(middle.y())), image_.height);

@@ -55,8 +55,8 @@ std::vector<ImageSize> sizes_at(std::span<const SurfaceLook> looks, double scale
   return sizes;
 }
 
-/// All images at the one scale at which their atlas fits `max_size`. Left to the mips, which only halve, a tile of full
-/// size would lose half of its detail to the gutter around it.
+/// Scales all images by one factor, so that their atlas fits `max_size`. Mips alone only halve, and a tile of full size
+/// would lose half of its detail to its gutter.
 tl::expected<AtlasLayout, std::string> lay_out(const SurfaceLooks& looks, const HairMesh& hair, std::uint32_t max_size,
                                                std::vector<ImageSize>& sizes) {
   double largest = max_size;
@@ -87,7 +87,7 @@ std::vector<const Image*> pointers_to(std::span<const Image> images) {
   return pointers;
 }
 
-/// The looks' normals in one atlas; those that have none are flat. None where nobody has any.
+/// The looks' normals in one atlas; looks without a map are flat. None where no look has one.
 std::optional<Image> joined_normals(std::span<const SurfaceLook> looks, const AtlasLayout& layout,
                                     std::span<const ImageSize> sizes, Findings& findings) {
   std::vector<Image> normals;
@@ -102,7 +102,7 @@ std::optional<Image> joined_normals(std::span<const SurfaceLook> looks, const At
   return draw_atlas(layout, pointers_to(normals));
 }
 
-/// The same of what is known of strands; elsewhere they are middling ones that nobody knows the way of.
+/// The same for known strands; elsewhere strands are average ones of unknown direction.
 std::optional<Image> joined_strands(std::span<const SurfaceLook> looks, const AtlasLayout& layout,
                                     std::span<const ImageSize> sizes) {
   std::vector<Image> strands;
@@ -114,7 +114,7 @@ std::optional<Image> joined_strands(std::span<const SurfaceLook> looks, const At
   return is_any ? std::optional(draw_atlas(layout, pointers_to(strands))) : std::nullopt;
 }
 
-/// A part of the hair whose texture is lost looks like the rest, not like paper.
+/// A part of the hair whose texture is lost gets the looks of the rest, not those of paper.
 void color_like_the_rest(SurfaceLooks& looks, Findings& findings) {
   const SurfaceLook* known = looks.looks[looks.main].image != nullptr ? &looks.looks[looks.main] : nullptr;
   for (const SurfaceLook& look : looks.looks) known = known == nullptr && look.image != nullptr ? &look : known;
@@ -158,7 +158,7 @@ std::optional<GreenAxis> green_of(const DrawnRecipe& recipe) {
   return recipe.normal_green == NormalGreen::kUp ? GreenAxis::kUp : GreenAxis::kDown;
 }
 
-/// What the materials say of the hair.
+/// The looks that the materials describe.
 SurfaceLooks looks_of_materials(const importer::SourceModel& source, SourceImages& images, const HairMesh& hair,
                                 const DrawnRecipe& recipe) {
   const bool are_replaced = !recipe.normal_texture.empty() || recipe.normal_strength <= 0;
@@ -181,7 +181,7 @@ SurfaceLooks looks_of_image(const importer::SourceModel& source, const HairMesh&
   return looks;
 }
 
-/// All looks in one image.
+/// Joins all looks in one image.
 BaseColor in_one_image(SurfaceLooks& looks, const DrawnRecipe& recipe, HairMesh& hair, Findings& findings) {
   const bool is_clamped =
       std::ranges::find(looks.looks[0].wrap, importer::TextureWrap::kClamp) != std::end(looks.looks[0].wrap);
@@ -204,7 +204,7 @@ BaseColor color_of(SurfaceLooks& looks, const DrawnRecipe& recipe, HairMesh& hai
   return in_one_image(looks, recipe, hair, findings);
 }
 
-/// White or grey without an image: what importers put where the exporter said nothing.
+/// White or grey without an image: the importers' values where the exporter wrote nothing.
 bool is_colourless(const BaseColor& color) {
   const Eigen::Vector3f rgb = color.factor.head<3>();
   return !color.image && rgb.maxCoeff() - rgb.minCoeff() < 0.05f * rgb.maxCoeff() && rgb.minCoeff() > 0.1f;
@@ -214,7 +214,7 @@ bool names_color(const DrawnRecipe& recipe) {
   return std::ranges::any_of(std::span(recipe.base_color).first<3>(), [](double c) { return c != 1; });
 }
 
-/// Hair that says nothing of its colour is shown as hair rather than as paper.
+/// Gives hair without a colour a hair colour, so that it does not look like paper.
 void dye(BaseColor& color, Findings& findings) {
   color.factor.head<3>() = Eigen::Vector3f(0.13f, 0.07f, 0.035f);  // linear, a middle brown
   findings.note(
@@ -271,7 +271,7 @@ tl::expected<BaseColor, ToolError> find_base_color(const importer::SourceModel& 
     color.questions = images.questions();
   }
   place_maps(std::move(*maps), color);
-  // Cards' texture is as large as it should be, unless the recipe says otherwise.
+  // Cards' texture has the right size, unless the recipe says otherwise.
   if (source.made_from_strands && !has_own && color.image && !recipe.texture_max_size) {
     color.max_size = std::max({texture_limit(recipe), color.image->width, color.image->height});
   }

@@ -18,15 +18,15 @@ using Eigen::Vector3f;
 // Places along a patch, 0 its first row .. 1 its last. At its very end a texture's border may be antialiased.
 constexpr std::array kBody = {0.05f, 0.15f, 0.25f, 0.35f, 0.45f, 0.55f, 0.65f, 0.75f, 0.85f};
 constexpr std::array kTip = {0.95f, 0.97f, 0.985f};
-constexpr float kRimFrom = 0.85f;      ///< The corners of a last row need not be equally far along.
-constexpr float kBlunt = 0.5f;         ///< Of the greatest width; what narrows further ends softly enough.
-constexpr float kRimAtLeast = 0.5f;    ///< Of the width at the tip that must be free: closed shapes have none.
-constexpr std::size_t kRimEdges = 16;  ///< Looked at, at most, per patch.
+constexpr float kRimFrom = 0.85f;  ///< The corners of a last row need not be equally far along.
+constexpr float kBlunt = 0.5f;     ///< Share of the greatest width; an end that narrows further is soft enough.
+/// Share of the width at the tip that must be a free edge: closed shapes have none.
+constexpr float kRimAtLeast = 0.5f;
+constexpr std::size_t kRimEdges = 16;  ///< Most edges that are looked at per patch.
 constexpr std::size_t kBlock = 64;     ///< Triangles that a ray misses together.
-constexpr int kRowSamples = 8;         ///< Of alpha, along the part of a row in one triangle.
-constexpr float kTiedWithin = 0.3f;    ///< Of the head's radius.
-/// Some ends that are tied into other hair look the same from here: hair that has no more blunt ends than those is
-/// fine.
+constexpr int kRowSamples = 8;         ///< Samples of alpha along the part of a row in one triangle.
+constexpr float kTiedWithin = 0.3f;    ///< Share of the head's radius.
+/// Some ends that are tied into other hair look like blunt ends to this test, so a smaller share is fine.
 constexpr float kWarnShare = 0.15f;
 
 struct RimEdge {
@@ -56,7 +56,7 @@ float opaque_share(const Corner& a, const Corner& b, const AlphaTest& opaque) {
   return float(passing) / float(kRowSamples);
 }
 
-/// Everything that is asked about all patches of one mesh.
+/// The data about all patches of one mesh.
 class TipEnds {
  public:
   TipEnds(const HairStrips& hair, const AlphaTest& opaque)
@@ -91,7 +91,7 @@ class TipEnds {
     float free = 0, looked_at = 0, shown = 0;
     for (const RimEdge& edge : rim) free += edge.across;
     if (!(free >= kRimAtLeast * width(patch, kTip.back(), false))) return false;
-    // A finely modelled end has no more to say than some of its edges.
+    // For a finely modelled end some edges are enough.
     const std::size_t step = (rim.size() + kRimEdges - 1) / kRimEdges;
     for (std::size_t i = 0; i < rim.size(); i += step) {
       looked_at += rim[i].across;
@@ -197,7 +197,7 @@ class TipEnds {
   const AlphaTest& opaque_;
   std::vector<PatchView> views_;
   std::vector<Block> blocks_;
-  std::vector<Eigen::AlignedBox1f> ranges_;  ///< Of places along the strands.
+  std::vector<Eigen::AlignedBox1f> ranges_;  ///< Ranges of places along the strands.
 };
 
 }  // namespace

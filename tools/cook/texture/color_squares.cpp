@@ -18,7 +18,7 @@ using Eigen::Vector4d;
 constexpr std::uint32_t kSquareSide = 32;  ///< Texels, of which the outermost two on each side repeat the edge.
 constexpr std::uint32_t kSquareMargin = 2;
 constexpr std::size_t kMostSquares = 64;
-constexpr double kFlat = 0.01;  ///< Root mean square of what a plane may leave, in linear numbers.
+constexpr double kFlat = 0.01;  ///< Largest root mean square distance from a plane, in linear numbers.
 
 /// Colours of some islands: their sums, from which the plane that lies nearest to all follows.
 struct ColorPlane {
@@ -45,7 +45,7 @@ struct ColorPlane {
   }
 };
 
-/// The planes of all islands, and which one each island's colours lie in.
+/// The planes of all islands, and the plane of each island's colours.
 struct ColorPlanes {
   std::vector<ColorPlane> planes;
   std::vector<std::uint32_t> of_island;

@@ -20,7 +20,7 @@ void* resize_block(void* block, std::size_t bytes) { return bytes <= kMaxBlock ?
 // The one home of this header.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
-#define STBI_MAX_DIMENSIONS (1 << 24)  // what is too large is said below, not taken for no image
+#define STBI_MAX_DIMENSIONS (1 << 24)  // Larger images get a message below; stb must not refuse them as no image.
 #define STBI_MALLOC(bytes) allocate_block(bytes)
 #define STBI_REALLOC(block, bytes) resize_block(block, bytes)
 #define STBI_FREE(block) std::free(block)

@@ -25,7 +25,7 @@ struct GapLayer {
   [[nodiscard]] std::size_t at(std::uint32_t x, std::uint32_t y) const { return std::size_t(y) * width + x; }
 };
 
-/// Half the size: means of what is known; two known texels make one that is fully known.
+/// Half the size: means of known texels; two known texels make one that is fully known.
 template <std::size_t kChannels>
 GapLayer<kChannels> pushed(const GapLayer<kChannels>& fine) {
   GapLayer<kChannels> coarse((fine.width + 1) / 2, (fine.height + 1) / 2);
@@ -45,7 +45,7 @@ GapLayer<kChannels> pushed(const GapLayer<kChannels>& fine) {
   return coarse;
 }
 
-/// Fills up what `fine` does not know from `coarse`, all of which is known.
+/// Fills the unknown texels of `fine` from `coarse`, which is completely known.
 template <std::size_t kChannels>
 void pull(const GapLayer<kChannels>& coarse, GapLayer<kChannels>& fine) {
   const auto beside = [](std::uint32_t place, std::uint32_t size) {
@@ -91,7 +91,7 @@ std::uint8_t srgb_of(float light) {
   return std::uint8_t(std::lround(std::clamp(encode_srgb(light), 0.0f, 1.0f) * 255));
 }
 
-/// Used, or beside a used one: what filtering in the largest mip can reach stays as it was painted.
+/// Used, or next to a used one: filtering in the largest mip reaches these, so they stay as painted.
 std::vector<bool> reachable(const Image& used) {
   std::vector<bool> result(used.texel_count(), false);
   const std::uint32_t width = used.width, height = used.height;

@@ -20,7 +20,7 @@
 namespace coif::cook {
 namespace {
 
-// An image, the decoder's own copy of it and what it decodes from; and what no honest image takes.
+// Memory for an image, the decoder's own copy of it and its input; and more than an honest image takes.
 constexpr platform::ChildLimits kDecoderLimits{
     .memory_bytes = std::uint64_t{2} << 30, .seconds = 60, .output_bytes = 4 * kMaxImageTexels + 64};
 
@@ -48,7 +48,7 @@ bool is_sentence(std::span<const std::uint8_t> bytes) {
          std::ranges::all_of(bytes, [](std::uint8_t byte) { return byte >= ' ' && byte <= '~'; });
 }
 
-/// The process may not be its own master any more: nothing it says is taken as it is.
+/// The child may have been taken over by the image, so nothing in its answer is trusted.
 tl::expected<Image, std::string> decode_answer(const platform::ChildResult& result) {
   AnswerHead head;
   switch (result.end) {

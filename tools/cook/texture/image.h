@@ -34,21 +34,21 @@ inline constexpr std::uint32_t kMaxImageSide = 16384;
 inline constexpr std::uint64_t kMaxImageTexels = std::uint64_t{1} << 26;  ///< 8192 x 8192.
 
 /// Decodes PNG, JPEG, TGA, BMP or WebP to RGBA. Bytes may be hostile: they are decoded in a process of their own under
-/// limits (decode_texels() says which hold inside). The error is a sentence without the file's name.
+/// limits (decode_texels() describes those inside). The error is a sentence without the file's name.
 tl::expected<Image, std::string> decode_image(std::span<const std::uint8_t> bytes);
 tl::expected<Image, std::string> read_image(const std::filesystem::path& path);
 
-/// How an image's numbers are to be averaged.
+/// How an image's numbers are averaged.
 enum class TexelMeaning {
   kSrgbColorAlpha,  ///< Four channels: colour is averaged as light, weighted by alpha.
-  kNumbers,         ///< Any channels, averaged as they are.
+  kNumbers,         ///< Any channels, averaged directly.
 };
 
 /// A smaller copy, box-filtered. The image repeats at its borders, as hair textures do.
 [[nodiscard]] Image shrink(const Image& image, std::uint32_t width, std::uint32_t height, TexelMeaning meaning);
 
-/// A larger copy, interpolated between texels; the image repeats at its borders. An image of that size comes back as it
-/// is.
+/// A larger copy, interpolated between texels; the image repeats at its borders. An image of that size is returned
+/// unchanged.
 [[nodiscard]] Image enlarge(Image image, std::uint32_t width, std::uint32_t height, TexelMeaning meaning);
 
 /// The image, halved until no side is longer than `max_size`.
@@ -57,7 +57,7 @@ enum class TexelMeaning {
 /// The image and all its halvings down to one texel. An image larger than `max_size` is reduced first.
 [[nodiscard]] std::vector<Image> make_mips(Image image, std::uint32_t max_size, TexelMeaning meaning);
 
-/// How far texels are from what they stand for, of 255: numbers, or colour times alpha and alpha.
+/// The error of texels, of 255: numbers, or colour times alpha and alpha.
 struct TexelError {
   double rms = 0, most = 0;
 };
@@ -67,25 +67,25 @@ struct DetailedImage {
   TexelError error;  ///< Against the whole image.
 };
 
-/// An image at the lowest resolution, its sides halved each for itself, at which it still says all: sampled
-/// between texels it is on average no more than a level of 255 from the whole image, and nowhere more than a few.
-/// `used` (one channel, the same size) says which texels count.
+/// An image at the lowest resolution that loses nothing; its sides are halved independently. Sampled between texels it
+/// differs from the whole image by at most one level of 255 on average, and by a few anywhere. `used` (one channel, the
+/// same size) marks the texels that count.
 [[nodiscard]] DetailedImage reduce_to_detail(Image image, const Image& used, TexelMeaning meaning);
 
-/// decode_image() in this process: what a hostile image breaks, it breaks here. Dimensions are read and checked first,
-/// and no single block of memory that decoding asks for is larger than an image within the limits of image.h needs.
+/// decode_image() in this process: a hostile image can only harm this process. Dimensions are read and checked first,
+/// and no block of memory is larger than an image within the limits of image.h needs.
 tl::expected<Image, std::string> decode_texels(std::span<const std::uint8_t> bytes);
 
-/// "a KTX2 image, which is not read; make a PNG of it: ...", with the command that does; empty where the bytes begin
-/// like no kind of image that artists have and that is not read.
+/// "a KTX2 image, which is not read; make a PNG of it: ...", with the command; empty where the bytes are not of a known
+/// kind that is not read.
 [[nodiscard]] std::string foreign_kind(std::span<const std::uint8_t> bytes);
 
 [[nodiscard]] bool is_webp(std::span<const std::uint8_t> bytes);
 
-/// In this process, as decode_texels(). Its size is checked before memory is asked for.
+/// Runs in this process, as decode_texels(). Checks the size before it allocates.
 tl::expected<Image, std::string> decode_webp(std::span<const std::uint8_t> bytes);
 
-/// What is wrong with an image's size, a sentence; empty: nothing.
+/// A sentence about a wrong size of an image; empty: none.
 [[nodiscard]] std::string size_fault(int width, int height);
 
 }  // namespace coif::cook

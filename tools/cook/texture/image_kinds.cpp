@@ -17,7 +17,7 @@ bool has_at(std::span<const std::uint8_t> bytes, std::size_t at, std::string_vie
          std::ranges::equal(bytes.subspan(at, mark.size()), mark, {}, {}, [](char c) { return std::uint8_t(c); });
 }
 
-/// How files of a kind begin, and what makes a PNG of them. ImageMagick reads all but the first two.
+/// How files of a kind begin, and a command that makes a PNG of them. ImageMagick reads all but the first two.
 struct ForeignKind {
   std::string_view mark;
   const char* name;
@@ -51,7 +51,7 @@ std::string foreign_kind(std::span<const std::uint8_t> bytes) {
     if (has_at(bytes, 0, kind.mark))
       return fmt::format("a {} image, which is not read; make a PNG of it: {}", kind.name, command_for(kind));
   }
-  // Of ISO media files the brand says which.
+  // For ISO media files the brand decides.
   if (has_at(bytes, 4, "ftypavif") || has_at(bytes, 4, "ftypheic")) {
     return fmt::format("a {0} image, which is not read; make a PNG of it: convert hair.{1} hair.png (ImageMagick)",
                        has_at(bytes, 8, "avif") ? "AVIF" : "HEIC", has_at(bytes, 8, "avif") ? "avif" : "heic");

@@ -11,15 +11,17 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kGrey = 3;               ///< Of 255: channels of a grey image differ by no more, after JPEG.
-constexpr double kNearlyAll = 0.98;    ///< Of the texels.
-constexpr double kUnitSlack = 0.25;    ///< Of a normal's length; resizing shortens them.
-constexpr double kMostUnlike = 0.3;    ///< Share of the texels whose normal may have another length, or lead inwards.
+constexpr int kGrey = 3;             ///< In steps of 255: after JPEG, channels of a grey image differ by no more.
+constexpr double kNearlyAll = 0.98;  ///< Share of the texels.
+constexpr double kUnitSlack = 0.25;  ///< Share of a normal's length; resizing shortens them.
+/// Share of the texels whose normal may have another length, or point inwards.
+constexpr double kMostUnlike = 0.3;
 constexpr double kHeightSlope = 0.3;   ///< RMS slope of a map of heights.
 constexpr double kSureOfGreen = 0.05;  ///< Correlation from which on a map shows which way green leads.
-constexpr double kLeastUp = 0.05;      ///< Of a unit normal: none lies in the surface.
+/// Smallest height of a unit normal over the surface.
+constexpr double kLeastUp = 0.05;
 
-/// Both of the middle bytes are meant as nought.
+/// Both middle bytes mean zero.
 double signed_of(std::uint8_t byte) { return byte == 127 || byte == 128 ? 0 : byte / 127.5 - 1; }
 
 const std::uint8_t* texel(const Image& image, std::size_t x, std::size_t y) {
@@ -164,7 +166,7 @@ Spread spread_in(const Image& normals, std::uint32_t left, std::uint32_t top, st
   return {xx - yy, 2 * xy, xx + yy};
 }
 
-/// What neighbouring blocks say together, those further away less.
+/// The sum over neighbouring blocks, those further away with less weight.
 Spread around(std::span<const Spread> blocks, std::uint32_t width, std::uint32_t height, std::uint32_t x,
               std::uint32_t y) {
   Spread sum;
@@ -180,7 +182,7 @@ Spread around(std::span<const Spread> blocks, std::uint32_t width, std::uint32_t
   return sum;
 }
 
-/// Cosine and sine of twice the angle, times how sure it is. The axis is at right angles to that of the largest spread.
+/// Cosine and sine of twice the angle, times the certainty. The axis is perpendicular to that of the largest spread.
 Vector2d axis_of(const Spread& spread) {
   const Vector2d across(spread.difference, spread.twice_joint);
   const double length = across.norm();

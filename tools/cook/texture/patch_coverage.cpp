@@ -16,13 +16,13 @@ namespace {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-constexpr int kPixels = 192;  ///< Of the longer side: about two millimetres of a head of hair each.
+constexpr int kPixels = 192;  ///< Pixels of the longer side: about two millimetres of a head of hair each.
 constexpr int kFewestPixels = 16;
-/// Pixels that the triangles of one view may be tried against: what limits time and memory where all triangles are as
-/// large as the hair. Of hair that artists made, the most that is known is a quarter of it.
+/// Largest number of pixel tests for the triangles of one view: bounds time and memory where all triangles are as large
+/// as the hair. Artists' hair is known to need at most a quarter of it.
 constexpr double kMostTries = 4.0e6;
 
-/// Of the longer side.
+/// Pixels of the longer side.
 int choose_pixels(const HairMesh& mesh) {
   Eigen::AlignedBox3f box;
   for (const std::uint32_t v : mesh.triangles) box.extend(mesh.positions[v]);
@@ -63,7 +63,7 @@ struct Projection {
 float cross(const Vector2f& a, const Vector2f& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Calls visit(pixel, weights) for the middle of the triangle and each pixel whose middle it covers; the weights of its
-/// corners add up to one. The triangle's own middle, so that none is too small to be found.
+/// corners add up to one. With the triangle's own middle no triangle is too small to be found.
 template <typename Visit>
 void for_each_pixel(const std::array<Vector3f, 3>& corners, int pixels, const Visit& visit) {
   const Vector2f a = corners[0].head<2>(), b = corners[1].head<2>(), c = corners[2].head<2>();

@@ -13,7 +13,7 @@ namespace coif::cook {
 
 struct DrawnRecipe;
 
-/// Which texels of the base colour count as something: alpha times `factor` from `threshold` on.
+/// The texels of the base colour that count: those with alpha times `factor` of at least `threshold`.
 struct AlphaTest {
   const Image* image = nullptr;  ///< RGBA; null: everything counts.
   double factor = 1;
@@ -23,21 +23,21 @@ struct AlphaTest {
   [[nodiscard]] bool passes(const Eigen::Vector2f& uv) const;
 };
 
-/// What counts in the hair: texels at least half opaque, or those that the opaque pass draws where it takes more. Keeps
-/// a pointer to the image of `color`.
+/// The test for the hair: texels that are at least half opaque, or those of the opaque pass if it draws more. Keeps a
+/// pointer to the image of `color`.
 [[nodiscard]] AlphaTest alpha_test(const BaseColor& color, const Transparency& transparency, const DrawnRecipe& recipe);
 
-/// Low pictures of the hair at rest from all around, to tell which patches matter in them: which are seen, and which
-/// have others behind or before them wherever they are.
+/// Pictures of the hair at rest in low resolution from all sides. They show which patches are seen, and which have
+/// others behind or before them everywhere.
 class PatchCoverage {
  public:
   PatchCoverage(const HairStrips& hair, const AlphaTest& alpha, const platform::Threads& threads);
 
-  /// Pixels of all views in which nothing lies before the patch.
+  /// Pixels of all views in which nothing is before the patch.
   [[nodiscard]] std::size_t seen(std::uint32_t patch) const { return seen_[patch]; }
-  /// Pixels of all views that any patch covers.
+  /// Pixels of all views that some patch covers.
   [[nodiscard]] std::size_t covered() const { return covered_; }
-  /// Pixels that the patch covers in all views, and those of them that no other patch covers, of those not dropped.
+  /// Pixels of all views that the patch covers and no other patch that was not dropped.
   [[nodiscard]] std::size_t pixels(std::uint32_t patch) const;
   [[nodiscard]] std::size_t alone(std::uint32_t patch) const;
   void drop(std::uint32_t patch);
@@ -57,13 +57,13 @@ class PatchCoverage {
   std::size_t covered_ = 0;
 };
 
-/// The patches that end as if cut with scissors, ascending: real hair thins out, and what stays opaque over its whole
-/// width up to the last edge shows that it is a polygon. Warns where that is more than a few.
+/// The patches that end as if cut with scissors, ascending. Real hair thins out; an end that stays opaque over its
+/// whole width up to the last edge shows the polygon. Warns where there are more than a few.
 ///
-/// A patch has a blunt end where it has a free edge at its tips, where it is opaque there over at least half of the
-/// width that it has at its widest, and where no other hair lies over that edge or takes up its strands. So what is
-/// modelled to a point, what fades in alpha, closed shapes and ends tied up in other hair do not count. `opaque` has
-/// the threshold from which on texels are drawn as opaque.
+/// A patch has a blunt end where it has a free edge at its tips, where it is opaque there over at least half of its
+/// greatest width, and where no other hair lies over that edge or continues its strands. So ends that are modelled to a
+/// point, that fade in alpha or are tied up in other hair, and closed shapes do not count. `opaque` has the threshold
+/// from which on texels are drawn as opaque.
 [[nodiscard]] std::vector<std::uint32_t> find_blunt_ends(const HairStrips& hair, const FittedHead& head,
                                                          const AlphaTest& opaque, const platform::Threads& threads,
                                                          Findings& findings);

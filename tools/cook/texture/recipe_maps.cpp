@@ -18,13 +18,13 @@ tl::expected<std::optional<Image>, ToolError> read_map(const RecipeTexture& chos
   return channel_of(*read->image, chosen.channel, chosen.is_inverted);
 }
 
-/// The map where the atlas has put each surface's part of it.
+/// The map, with each surface's part at its place in the atlas.
 Image in_atlas(Image map, const std::optional<AtlasLayout>& atlas) {
   if (!atlas) return map;
   return draw_atlas(*atlas, std::vector<const Image*>(atlas->tiles.size(), &map));
 }
 
-/// As shift_mask_of() reads it: the strand's number in red.
+/// In the form that shift_mask_of() reads: the strand's number in red.
 Image as_strand_texture(const Image& numbers) {
   Image image{numbers.width, numbers.height, 4, {}};
   image.texels.reserve(4 * numbers.texels.size());

@@ -10,8 +10,8 @@ namespace coif::cook {
 
 struct DrawnRecipe;
 
-/// The maps of one number that the recipe names beside the base colour, one channel each: opacity, and what packed
-/// atlases of hair cards know of strands.
+/// The recipe's maps of single numbers besides the base colour, one channel each: opacity, and the data about strands
+/// in packed atlases of hair cards.
 struct RecipeMaps {
   std::optional<Image> opacity, strand_id, root_to_tip;
   std::vector<std::filesystem::path> files;
@@ -26,17 +26,17 @@ void take_opacity(const RecipeMaps& maps, SurfaceLooks& looks, Findings& finding
 /// Hands the maps of strands on in the coordinates of the cooked image.
 void place_maps(RecipeMaps maps, BaseColor& color);
 
-/// kAuto decided for an RGBA image: alpha where any of it is not opaque, else the luminance.
+/// Resolves kAuto for an RGBA image: alpha if any of it is not opaque, else the luminance.
 [[nodiscard]] TextureChannel channel_in(const Image& image, TextureChannel channel);
 
-/// One channel of an RGBA image as an image of one channel; luminance by the weights of BT.709, of the numbers as they
-/// are.
+/// One channel of an RGBA image as an image of one channel; luminance with the weights of BT.709, applied to the
+/// encoded numbers.
 [[nodiscard]] Image channel_of(const Image& image, TextureChannel channel, bool is_inverted);
 
 /// `base` with the one-channel image as its alpha, at the larger of both sizes; white where `base` is null.
 [[nodiscard]] Image with_alpha(const Image* base, const Image& alpha);
 
-/// An image that the recipe names, as it says: grey of one channel where it names one, or turned over.
+/// The recipe's image with its options applied: the named channel in grey, or inverted.
 [[nodiscard]] Image as_chosen(Image image, const RecipeTexture& chosen);
 
 }  // namespace coif::cook

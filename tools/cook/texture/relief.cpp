@@ -8,7 +8,8 @@
 namespace coif::cook {
 namespace {
 
-constexpr double kLeastRms = 0.02;  ///< Of what two_sided() gives: flatter or less sure than this nobody sees.
+/// In numbers of two_sided(): nobody sees relief that is flatter or less certain than this.
+constexpr double kLeastRms = 0.02;
 
 /// Root mean square of both numbers where the hair shows them.
 double rms_of(const Image& image, const Image& used) {
@@ -24,7 +25,7 @@ double rms_of(const Image& image, const Image& used) {
   return count > 0 ? std::sqrt(squares / count) : 0;
 }
 
-/// Blue and alpha of what is known of strands.
+/// Blue and alpha of the map of known strands.
 Image known_axes(const Image& strands) {
   Image axes{strands.width, strands.height, 2, {}};
   axes.texels.reserve(2 * axes.texel_count());

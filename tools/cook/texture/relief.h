@@ -12,10 +12,10 @@
 
 namespace coif::cook {
 
-/// Where green of a normal map leads as it grows: up the image, as glTF and OpenGL have it, or down, as DirectX has.
+/// The direction of green in a normal map: up the image, as in glTF and OpenGL, or down, as in DirectX.
 enum class GreenAxis { kUp, kDown };
 
-/// What is known of a map before its texels are looked at.
+/// What is known about a map before its texels are read.
 struct NormalMapUse {
   std::optional<GreenAxis> green;  ///< None: found from the map.
   double strength = 1;             ///< Multiplies slopes; 0 or more.
@@ -23,23 +23,24 @@ struct NormalMapUse {
 
 struct NormalMap {
   Image normals;      ///< Two channels: TextureRole::kNormal.
-  std::string found;  ///< What kind of map it was taken for, for messages: "a normal map, green up (...)".
+  std::string found;  ///< The kind of map that was recognised, for messages: "a normal map, green up (...)".
 };
 
 /// Reads an RGBA image as a map of normals in the texture's own axes, or as one of heights, which is grey all over.
 /// Heights have no unit: their slopes are scaled to a common steepness.
 ///
-/// Which way green leads shows in the map itself where nobody says it. Normals are those of a surface of heights, so
-/// that the change of one slope along the other axis and of the other along the first are the same; with green turned
-/// round they are opposite.
+/// If nobody gives the direction of green, the map itself shows it. Normals belong to a surface of heights, so the
+/// change of one slope along the other axis equals that of the other slope along the first; with green reversed they
+/// have opposite signs.
 ///
-/// Error: a sentence that ends in what the image is instead (normals in the model's axes, or no unit vectors at all).
+/// Error: the end of a sentence that says what the image is instead (normals in the model's axes, or no unit vectors at
+/// all).
 tl::expected<NormalMap, std::string> read_normal_map(const Image& map, const NormalMapUse& use);
 
-/// How strands run where a map of normals (two channels) shows their ridges: TextureRole::kStrandAxis, with about a
-/// hundred texels along the longer side. Across a strand normals change, along it they do not: the axis of least spread
-/// of the normals in a block, of which the mean, the form of whole locks, is taken off. Sure is what spreads one way
-/// only (the coherence of the structure tensor, Foerstner and Guelch 1987).
+/// The strands' directions from a map of normals (two channels) that shows their ridges: TextureRole::kStrandAxis, with
+/// about a hundred texels along the longer side. Normals change across a strand and not along it: so it is the axis of
+/// least spread of the normals in a block, after subtraction of their mean, the form of whole locks. The certainty is
+/// the coherence of the structure tensor (Foerstner and Guelch 1987).
 [[nodiscard]] Image strand_axes(const Image& normals);
 
 /// Images with their mips in the form in which assets hold them.
@@ -62,13 +63,13 @@ struct StoredTextures {
 
 struct DrawnRecipe;
 
-/// Of textures with two channels, as the recipe wants them.
+/// The recipe's format for textures with two channels.
 [[nodiscard]] TexelFormat two_channel_format(const DrawnRecipe& recipe);
 
 /// Maps of how normals and strands lie on the surface (TextureRole::kNormal, kStrandAxis), each at the lowest
-/// resolution that says all: from the hair's normals (two channels), and from what is known of its strands
-/// (SourceMaterial::strand_texture), else from the normals too. Null: there are none. A map that says nothing where the
-/// hair shows it is left out.
+/// resolution that loses nothing: from the hair's normals (two channels), and from known strands
+/// (SourceMaterial::strand_texture), else also from the normals. Null: none. A map without information where the hair
+/// shows it is left out.
 StoredTextures bake_relief(const Image* normals, const Image* strands, const HairMesh& hair, const DrawnRecipe& recipe,
                            const platform::Threads& threads, Findings& findings);
 

@@ -11,9 +11,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kOnBorder = 0.02;      ///< Texels: how far from where texels meet an edge of a triangle may lie.
+constexpr double kOnBorder = 0.02;      ///< Texels: largest distance of a triangle's edge from the line between texels.
 constexpr int kRepeated = 8;            ///< Texels: as far as the fourth mip filters.
-constexpr double kLeastOfAnEdge = 4;    ///< Texels; of shorter ones nothing can be told.
+constexpr double kLeastOfAnEdge = 4;    ///< Texels; shorter edges show nothing.
 constexpr double kMostOfAnEdge = 8192;  ///< Texels; longer ones repeat the image.
 
 std::size_t wrapped_texel(double place, std::uint32_t size) {
@@ -45,8 +45,7 @@ class BorderTexels {
     at[1 - border_.axis] = wrapped_texel(along, size[1 - border_.axis]);
     return at[1] * image_.width + at[0];
   }
-  /// The picture breaks off at the border: texels on both sides of it differ by far more than texels before it do, as
-  /// they are seen.
+  /// The picture ends at the border: the texels on both sides of it differ far more than texels before it do.
   [[nodiscard]] bool breaks_off() const {
     double across = 0, before = 0;
     for (double along = border_.low; along < border_.high; ++along) {
@@ -57,7 +56,7 @@ class BorderTexels {
   }
 
  private:
-  static constexpr double kBreak = 24;  ///< In the mean; four channels differ by 4 * 255 at most.
+  static constexpr double kBreak = 24;  ///< On average; four channels differ by at most 4 * 255.
   static constexpr double kTimesSmoother = 2;
 
   [[nodiscard]] double difference(std::size_t a, std::size_t b) const {
@@ -71,7 +70,7 @@ class BorderTexels {
   const Image& image_;
 };
 
-/// Those across V come last and reach as far at both ends as beyond, where borders across U may meet them.
+/// Borders across V come last and reach as far at both ends as beyond, since borders across U may meet them.
 void repeat_across(const TexelBorder& border, const Image& used, Image& image) {
   const BorderTexels texels(border, image);
   const int reach = border.axis == 0 ? 0 : kRepeated;

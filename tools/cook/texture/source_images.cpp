@@ -275,7 +275,7 @@ bool names_any(const std::string& stem, std::span<const std::string> names) {
   });
 }
 
-// What a material has beside its base colour: who made it should hear that it does not count.
+// Maps of a material besides its base colour that are ignored; their author should be told.
 
 void SourceImages::tell_other_maps(const importer::SourceMaterial& material) {
   const auto leave_out = [&](const std::string& map, const char* why) {

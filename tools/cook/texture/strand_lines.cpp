@@ -16,10 +16,10 @@ using Eigen::Vector2f;
 constexpr std::size_t kPlaces = 4096;  ///< Places looked at per patch, about.
 constexpr std::size_t kMostPerTriangle = 256;
 constexpr int kReach = 2;        ///< Texels to each side, and all between: painted strands are one to ten wide.
-constexpr double kSteep = 6;     ///< Of 255, per channel: less is noise of the image's compression.
+constexpr double kSteep = 6;     ///< In steps of 255, per channel: less is noise of the image's compression.
 constexpr double kEnough = 0.3;  ///< Share of places that are steep; with fewer the answer counts for less.
 constexpr float kEnd = 0.25f;    ///< Share of the patch's range at each end where alpha is looked at.
-constexpr float kInside = 0.8f;  ///< Of a triangle: what lies beyond its edge is another part of the picture.
+constexpr float kInside = 0.8f;  ///< Share of a triangle: beyond its edge is another part of the picture.
 
 /// Votes of the places in one patch.
 struct Votes {

@@ -10,7 +10,7 @@
 namespace coif::cook {
 namespace {
 
-/// A material without a normal map goes with one that has one: what it shows of the map is flat as a rule.
+/// A material without a normal map may join one with a map: the part of the map that it shows is usually flat.
 bool same(const SurfaceLook& a, const SurfaceLook& b) {
   const bool is_lit_alike = a.normals == nullptr || b.normals == nullptr ||
                             (a.normals == b.normals && a.normal_use.strength == b.normal_use.strength);
@@ -122,7 +122,7 @@ SurfaceLooks find_looks(const importer::SourceModel& source, SourceImages& image
   result.main = std::uint32_t(std::ranges::max_element(triangles) - triangles.begin());
   const bool untold = result.looks.size() == 1 && !says_what_it_lacks(source) &&
                       std::ranges::none_of(materials, [&](std::uint32_t m) { return names_texture(source, m); });
-  // Vertex colours and a map of opacity say what it looks like.
+  // Vertex colours and a map of opacity already describe the look.
   if (!untold || hair.uvs.empty() || !hair.colors.empty() || result.looks[0].image != nullptr) return result;
   SurfaceLook& only = result.looks[0];
   only.image = images.guess(names_of_hair(source, hair, materials));

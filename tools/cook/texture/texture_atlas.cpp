@@ -15,7 +15,7 @@ using Eigen::Vector2f;
 /// Around each tile. Cells start at multiples of twice as much, so that four mips have no texel of two surfaces.
 constexpr std::uint32_t kGutter = 8;
 constexpr std::uint32_t kCellStep = 2 * kGutter;
-constexpr std::uint32_t kPlainSide = 64;  ///< Of a plain colour's tile: room for shift and mask to vary.
+constexpr std::uint32_t kPlainSide = 64;  ///< Side of a plain colour's tile: room for shift and mask to vary.
 constexpr float kMaxRepeats = 2;          ///< Strips mirrored across the border of the image need two.
 
 std::uint32_t cell_size(std::uint32_t tile) { return (tile + 2 * kGutter + kCellStep - 1) / kCellStep * kCellStep; }

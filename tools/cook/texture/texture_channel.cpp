@@ -41,7 +41,7 @@ Image with_alpha(const Image* base, const Image& alpha) {
   const std::uint32_t width = std::max(base != nullptr ? base->width : 1, alpha.width);
   const std::uint32_t height = std::max(base != nullptr ? base->height : 1, alpha.height);
   Image image = base != nullptr ? *base : white;
-  // What the old alpha was has no say in how colours are averaged.
+  // The old alpha must not affect the averages of colours.
   for (std::size_t i = 3; i < image.texels.size(); i += 4) image.texels[i] = 255;
   image = enlarge(std::move(image), width, height, TexelMeaning::kSrgbColorAlpha);
   const Image numbers = enlarge(alpha, width, height, TexelMeaning::kNumbers);

@@ -7,8 +7,8 @@
 namespace coif::cook {
 namespace {
 
-constexpr double kMostTexelRms = 1;    ///< Of 255: 48 dB, and what one rounding more would do.
-constexpr double kMostTexelError = 6;  ///< Of 255, of any texel.
+constexpr double kMostTexelRms = 1;    ///< In steps of 255: 48 dB, about the error of one more rounding.
+constexpr double kMostTexelError = 6;  ///< In steps of 255, for any texel.
 
 /// Two neighbours along one axis of an image that repeats, and how much the second one counts.
 struct Between {
@@ -16,7 +16,7 @@ struct Between {
   float share = 0;
 };
 
-/// For each texel of `fine` along one side where its middle lies in `coarse` texels.
+/// For each texel of `fine` along one side the place of its middle in texels of `coarse`.
 std::vector<Between> places_in(std::uint32_t coarse, std::uint32_t fine) {
   std::vector<Between> places;
   for (std::uint32_t i = 0; i < fine; ++i) {
@@ -28,7 +28,7 @@ std::vector<Between> places_in(std::uint32_t coarse, std::uint32_t fine) {
   return places;
 }
 
-/// Colour as it is blended over black, and alpha; or numbers as they are.
+/// Colour as it is blended over black, and alpha; or plain numbers.
 template <TexelMeaning kMeaning>
 std::array<float, 4> shown(const Image& image, std::uint32_t x, std::uint32_t y) {
   const std::uint8_t* c = &image.texels[image.channels * (std::size_t(y) * image.width + x)];
@@ -41,7 +41,7 @@ std::array<float, 4> shown(const Image& image, std::uint32_t x, std::uint32_t y)
   return numbers;
 }
 
-/// How far `coarse`, sampled between its texels, is from `fine` where that is used; gives up where that is too much.
+/// The distance of `coarse`, sampled between its texels, from `fine` where that is used; stops where that is too much.
 template <TexelMeaning kMeaning>
 std::optional<TexelError> error_within_limits(const Image& coarse, const Image& fine, const Image& used) {
   const std::vector<Between> across = places_in(coarse.width, fine.width), down = places_in(coarse.height, fine.height);

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder with more entries is somebody's download folder; what lies further back is not looked at.
+/// A folder with more entries is somebody's download folder; further entries are not looked at.
 constexpr std::size_t kMaxEntries = 4096;
 
 constexpr const char* kCustomaryFolders[] = {"textures", "texture", "tex",          "maps",     "images",
@@ -29,7 +29,7 @@ std::vector<fs::path> entries_of(const fs::path& folder) {
   return entries;
 }
 
-/// In letters of either case; a '?', which no file of Windows has in its name, was a letter of another alphabet.
+/// Ignores case; a '?', which no Windows file name contains, stands for a letter of another alphabet.
 bool is_called(const std::string& file, const std::string& written) {
   const std::string own = lower_case(file), wanted = lower_case(written);
   return own == wanted || (wanted.find('?') != std::string::npos && ascii_shape(own) == ascii_shape(wanted)) ||
@@ -66,7 +66,7 @@ TextureFolder::TextureFolder(const fs::path& source, std::span<const fs::path> r
   for (const fs::path& folder : customary_folders_in(root_)) {
     if (is_inside(folder)) list(folder);
   }
-  // "Export/hair.fbx" beside "Textures": a link is not followed from there.
+  // For "Export/hair.fbx" beside "Textures": a link is not followed from there.
   std::error_code error;
   const fs::path above = real_roots_[0].parent_path();
   for (const fs::path& folder : customary_folders_in(root_ / "..")) {

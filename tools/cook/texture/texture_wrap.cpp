@@ -10,10 +10,11 @@
 namespace coif::cook {
 namespace {
 
-constexpr float kFarthestClamped = 0.45f;  ///< Beyond 0..1, in repeats: what an atlas's tile holds with its image.
-constexpr float kSameBorder = 1.0e-4f;     ///< Of a repeat: nearer than this a coordinate lies on a border.
+/// In repeats beyond 0..1: an atlas's tile has room for this much around its image.
+constexpr float kFarthestClamped = 0.45f;
+constexpr float kSameBorder = 1.0e-4f;  ///< In repeats: a coordinate that is nearer than this lies on a border.
 
-/// How far coordinates between two borders lie below 0, so that a triangle wave takes them back: 1.25 becomes 0.75.
+/// Distance of coordinates below 0 after they were folded between two borders by a triangle wave: 1.25 becomes 0.75.
 float folded(float u) {
   const float two = u - 2 * std::floor(u / 2);
   return two <= 1 ? two : 2 - two;
@@ -45,7 +46,7 @@ LookCoordinates coordinates_of(const SurfaceLooks& looks, std::uint32_t look, co
   return out;
 }
 
-/// The image and its mirror image beside it (axis 0) or below it (axis 1).
+/// The image with its mirror image beside it (axis 0) or below it (axis 1).
 Image with_mirror_image(const Image& image, int axis) {
   Image both{image.width * (axis == 0 ? 2 : 1), image.height * (axis == 1 ? 2 : 1), image.channels, {}};
   both.texels.resize(both.texel_count() * both.channels);

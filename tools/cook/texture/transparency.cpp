@@ -12,7 +12,7 @@
 namespace coif::cook {
 namespace {
 
-/// Of the texels that the hair uses; where an opaque material has more of them clear, its author may not have meant it.
+/// Share of the texels that the hair uses: an opaque material with more clear ones may be a mistake of its author.
 constexpr double kManyClearTexels = 0.02;
 
 double share_from(const AlphaHistogram& histogram, double alpha) {
@@ -92,12 +92,12 @@ namespace {
 constexpr int kLowest = 128;   ///< 0.5: half transparent texels drawn as solid are the worst edge to accept.
 constexpr int kHighest = 242;  ///< 0.95.
 constexpr int kSmoothing = 6;  ///< Texels of one painted alpha spread about this far by filtering and compression.
-constexpr double kFootShare = 0.25;  ///< Of the mode's height; below it the texels are no longer of the core.
-constexpr double kModeShare = 0.1;   ///< Of the drawn texels within the mode's width; fewer are no core.
+constexpr double kFootShare = 0.25;  ///< Share of the mode's height; texels below it do not belong to the core.
+constexpr double kModeShare = 0.1;   ///< Share of the drawn texels within the mode's width; fewer are no core.
 constexpr double kWantedOpaque = 0.25;
-constexpr int kSolid = 250;  ///< From here on an alpha is one that lossy compression touched.
+constexpr int kSolid = 250;  ///< An alpha from here on was probably solid before lossy compression.
 
-/// Mean over the bins within kSmoothing; at the ends over those that there are.
+/// Mean over the bins within kSmoothing; at the ends over existing ones.
 AlphaHistogram smoothed(const AlphaHistogram& histogram) {
   AlphaHistogram result{};
   for (int bin = 0; bin < 256; ++bin) {
@@ -172,7 +172,7 @@ namespace {
 using Eigen::Vector2d;
 using Corners = std::array<Vector2d, 3>;  ///< In texels.
 
-/// A triangle that repeats the texture this often shows all of it, whatever its shape leaves out of one repeat.
+/// A triangle that repeats the texture this often shows all of it, whatever its shape.
 constexpr double kManyRepeats = 4;
 
 struct Range {
@@ -185,7 +185,7 @@ struct Range {
   }
 };
 
-/// Where the triangle is between the rows `top` and `top + 1`; empty (low > high) where it is not.
+/// The part of the triangle between the rows `top` and `top + 1`; empty (low > high) where there is none.
 Range columns_in_row(const Corners& corners, double top) {
   Range range;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -213,10 +213,11 @@ void mark_row(double low, double high, std::uint32_t y, Image& used) {
   const std::uint32_t first = wrapped(std::floor(low), used.width);
   const std::uint32_t to_end = std::min(count, used.width - first);
   std::fill_n(row + first, to_end, std::uint8_t{255});
-  std::fill_n(row, count - to_end, std::uint8_t{255});  // what goes on from the other side
+  std::fill_n(row, count - to_end, std::uint8_t{255});  // The part that continues from the other side.
 }
 
-/// Returns false where no other triangle can add to what is used: broken files repeat a large texture in every one.
+/// Returns false once no other triangle can add to the used texels: broken files repeat a large texture in every
+/// triangle.
 bool mark_triangle(const Corners& corners, Image& used) {
   Range x, y;
   for (const Vector2d& corner : corners) {

@@ -19,17 +19,17 @@ using Eigen::Vector2f;
 using Eigen::Vector4f;
 
 constexpr float kNearlyNothing = 1.5f / 255;
-constexpr std::uint32_t kCells = 128;         ///< Of the unit square, to each side: where strips are compared.
-constexpr std::uint32_t kMostSheets = 48;     ///< Of one look.
-constexpr float kSameColor = 0.03f;           ///< As far as the eye sees: of the square roots of linear numbers.
-constexpr std::uint32_t kUnpaintedSide = 64;  ///< Of the white image of a look that has none.
+constexpr std::uint32_t kCells = 128;      ///< Cells on each side of the unit square in which strips are compared.
+constexpr std::uint32_t kMostSheets = 48;  ///< For one look.
+constexpr float kSameColor = 0.03f;  ///< In square roots of linear numbers: differences that the eye does not see.
+constexpr std::uint32_t kUnpaintedSide = 64;  ///< Side of the white image for a look without one.
 constexpr double kManyCells = 4.0 * kCells * kCells;
 
 float difference(const Vector4f& a, const Vector4f& b) {
   return (a.array().max(0.0f).sqrt() - b.array().max(0.0f).sqrt()).abs().maxCoeff();
 }
 
-/// What islands that share the texels of one image have there.
+/// The colours of islands that share the texels of one image.
 struct ColorSheet {
   std::vector<Vector4f> color = std::vector<Vector4f>(std::size_t(kCells) * kCells);
   std::vector<bool> is_used = std::vector<bool>(std::size_t(kCells) * kCells, false);
@@ -42,7 +42,7 @@ struct ColoredCell {
 
 std::uint32_t wrapped_cell(std::int64_t at) { return std::uint32_t((at % kCells + kCells) % kCells); }
 
-/// The cells whose middle a triangle covers; the one of its own middle in any case.
+/// The cells whose middle a triangle covers, and the cell of its own middle.
 void add_cells(const HairMesh& hair, std::size_t t, std::vector<ColoredCell>& out) {
   const std::uint32_t* const v = &hair.triangles[3 * t];
   const Vector2f a = hair.uvs[v[0]] * kCells, b = hair.uvs[v[1]] * kCells, c = hair.uvs[v[2]] * kCells;
@@ -77,7 +77,7 @@ float worst_difference(const ColorSheet& sheet, std::span<const ColoredCell> cel
   return worst;
 }
 
-/// The sheet of each island of one look: the first in which no island before has other colours.
+/// The sheet of each island of one look: the first one in which no earlier island has other colours there.
 std::vector<std::uint32_t> sheets_of(const HairMesh& hair, std::span<const std::vector<std::size_t>> islands) {
   std::vector<ColorSheet> sheets;
   std::vector<std::uint32_t> sheet_of;
@@ -108,7 +108,7 @@ std::vector<std::uint32_t> sheets_of(const HairMesh& hair, std::span<const std::
   return sheet_of;
 }
 
-/// The one colour of all triangles of a look; none where they differ.
+/// The common colour of all triangles of a look; none where they differ.
 std::optional<Vector4f> only_color(const SurfaceLooks& looks, std::uint32_t look, const HairMesh& hair) {
   std::optional<Vector4f> only;
   for (std::size_t i = 0; i < hair.triangles.size(); ++i) {

@@ -1,4 +1,4 @@
-// Links from an accuracy report to the page of `coif view`, which shows what the figures measure.
+// Links from an accuracy report to the page of `coif view`, which shows the motions behind the figures.
 
 #include "motion/head_path.h"
 #include "report/accuracy/accuracy_report.h"
@@ -13,11 +13,11 @@
 namespace coif::report {
 namespace {
 
-// What that page has of what reports have.
+// The solvers of the reports that the page has too.
 constexpr std::array<std::string_view, 4> kViewSolvers{"coif", "thesis", "cascade", "passive"};
 constexpr double kSlowestView = 15, kFastestView = 240;  // steps a second
 
-/// The first two that were measured beside each other.
+/// Chooses the first two of the measured ones.
 void choose_solvers(const AccuracyReport& report, ViewLink& link) {
   const auto measured = names_of(report.rows, &AccuracyRow::solver);
   for (const std::string_view solver : kViewSolvers) {

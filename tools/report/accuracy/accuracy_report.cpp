@@ -10,7 +10,7 @@
 namespace coif::report {
 namespace {
 
-// Unlike std::max, keeps a NaN: what failed once must not look good.
+// Unlike std::max, keeps a NaN: a setting that failed once must not look good.
 double worse(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
 bool moves(const AccuracyRow& row) { return row.motion != "still" && row.motion != "teleport"; }

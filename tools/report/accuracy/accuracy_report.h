@@ -1,6 +1,6 @@
 #pragma once
 
-// What `coif report accuracy` finds: records, measured by measure_accuracy(), and the columns that show them. Every
+// The results of `coif report accuracy`: records, measured by measure_accuracy(), and the columns that show them. Every
 // percentage is already times 100. NaN stands for a number that does not exist: a solver that left finite numbers has
 // no error, an asset without head colliders no penetration.
 
@@ -17,16 +17,17 @@
 
 namespace coif::report {
 
-/// One solver with one setting, run through one motion at one frame rate. Also of all motions together: then the time
-/// is their mean, the RMS error the root of the mean square (and what it is of the motion, that of both), the others
-/// the worst; what one of them has not is missing.
+/// One solver with one setting, run through one motion at one frame rate. Or all motions together: then the time is
+/// their mean, the RMS error is the root of the mean square (its share of the motion is the ratio of both roots), other
+/// figures are the worst, and figures that a motion lacks are missing.
 struct AccuracyRow {
   std::string motion;
   std::string solver;
   double fps = 0;
-  std::uint32_t substeps = 1;  ///< Of each frame.
+  std::uint32_t substeps = 1;  ///< Per frame.
   double ns_per_bone_frame = kNoNumber;
-  std::string code{};  ///< What the time is of: "float, AVX2" for what ships, "double, scalar" for the others.
+  /// The code that the time is for: "float, AVX2" for solvers that ship, "double, scalar" for the others.
+  std::string code{};
   /// Distance of chain tips to the converged solution of the same model, head space, in % of the chain's length.
   double rms_error_pct = kNoNumber;
   double max_error_pct = kNoNumber;
@@ -39,14 +40,14 @@ struct AccuracyRow {
   double stretch_max_pct = kNoNumber;     ///< Worst |length / rest - 1|.
   /// Worst depth of a bone's tail in a collider, in % of the collider's smallest radius.
   double penetration_max_pct = kNoNumber;
-  double segment_penetration_max_pct = kNoNumber;  ///< The same of whole bones, between their ends too.
-  /// No other row of this motion and frame rate is at most as dear and at most as wrong, and better in one of them.
+  double segment_penetration_max_pct = kNoNumber;  ///< The same for whole bones, also between their ends.
+  /// No other row of this motion and frame rate is at most as slow and at most as wrong, and better in one of them.
   bool pareto = false;
-  /// The same solver took longer with fewer steps, by more than a twentieth: the machine was disturbed, and the times
-  /// of both are doubtful.
+  /// The same solver took longer with fewer steps, by more than a twentieth: the machine was disturbed, and both times
+  /// are doubtful.
   bool cost_falls = false;
-  bool fewest_steps = false;  ///< With the fewest sub-steps of its solver, which is how it is run where nobody asks.
-  /// One of the runtime's solvers, or of the best of the others: what a chart shows before somebody switches others on.
+  bool fewest_steps = false;  ///< Has the fewest sub-steps of its solver, the default.
+  /// One of the runtime's solvers, or of the best of the others: a chart shows these until a user switches others on.
   bool shown_first = false;
 };
 
@@ -82,7 +83,7 @@ struct AccuracyRow {
           {"shown_first", &Row::shown_first}};
 }
 
-/// How much the look depends on the frame rate.
+/// The dependence of the look on the frame rate.
 struct SpreadRow {
   std::string motion;
   std::string solver;
@@ -99,11 +100,11 @@ struct SpreadRow {
           {"frame_rate_spread_pct", &Row::frame_rate_spread_pct, {"spread %", against_budget(budget_pct)}}};
 }
 
-/// How well the reference is known: two runs of it, one with steps of twice the length of the other's.
+/// The certainty of the reference: two runs of it, one with steps twice as long as the other's.
 struct ReferenceRow {
   std::string motion;
-  double self_difference_pct = kNoNumber;  ///< RMS, in % of the chain's length. Smaller errors say nothing.
-  double steps_per_second = kNoNumber;     ///< Of the finer run.
+  double self_difference_pct = kNoNumber;  ///< RMS, in % of the chain's length. Smaller errors are meaningless.
+  double steps_per_second = kNoNumber;     ///< In the finer run.
 };
 
 [[nodiscard]] inline Columns<ReferenceRow> reference_columns(double budget_pct) {
@@ -113,7 +114,7 @@ struct ReferenceRow {
       {"steps_per_second", &ReferenceRow::steps_per_second, {"steps per second"}}};
 }
 
-/// The same of a solver's own model, which its own error is measured against.
+/// The same for a solver's own model, the reference of its own error.
 struct OwnReferenceRow {
   std::string solver;
   std::string motion;
@@ -127,13 +128,13 @@ struct OwnReferenceRow {
           {"self_difference_pct", &Row::self_difference_pct, {"self-difference %", against_budget(budget_pct)}}};
 }
 
-/// A motion is one where two computations of it differ by no more, %. Where no budget says what matters, a percent of
-/// the hair's length is about what an eye notices.
+/// %. A motion is well-defined where two computations of it differ by at most this. Without a budget it is a percent of
+/// the hair's length, about the difference that one sees.
 [[nodiscard]] inline double largest_self_difference(double budget_pct) {
   return std::isfinite(budget_pct) ? budget_pct : 1;
 }
 
-/// Where the hair comes to rest under a still head.
+/// The place at which the hair comes to rest under a still head.
 struct SettleRow {
   std::string solver;
   double settle_error_pct = kNoNumber;  ///< RMS distance to the reference's rest, in % of the chain's length.
@@ -170,8 +171,8 @@ struct AccuracyReport {
   std::vector<StrokeRow> stroke;  ///< The whole suite's with `coif`; else empty.
   double passive_share = 0;       ///< Share of the bones in the model in which bones hold back their parents.
   double conditioned_share = 0;  ///< Share of the bones with other numbers than the artist's, so as to have one motion.
-  bool tells_velocities = false;       ///< To rows; not to swings and strokes.
-  std::optional<ChosenSolver> chosen;  ///< Empty where nothing meets the budget.
+  bool tells_velocities = false;       ///< Applies to rows; not to swings and strokes.
+  std::optional<ChosenSolver> chosen;  ///< Empty where no setting meets the budget.
   double budget_rms_pct = kNoNumber;   ///< The error budget that `chosen` meets.
 };
 
@@ -184,41 +185,42 @@ void mark_fronts(std::span<AccuracyRow> rows);
 /// The frame rate to compare solvers at: 60, or else the measured one next to it. NaN for an empty report.
 [[nodiscard]] double main_frame_rate(const AccuracyReport& report);
 
-/// Every solver and setting at one frame rate over all motions but `still` and `teleport`, in which little happens,
-/// unless there are no others; in the order in which they first occur.
+/// Every solver and setting at one frame rate over all motions except `still` and `teleport`, in which little happens
+/// (unless there are no others); in the order in which they first occur.
 [[nodiscard]] std::vector<AccuracyRow> means_over_motions(const AccuracyReport& report, double fps);
 
 /// The motions that means_over_motions() is of.
 [[nodiscard]] std::vector<std::string> averaged_motions(const AccuracyReport& report);
 
 /// `coif report accuracy`: the heading, then rows, spread, reference, own_reference, settle, swings, stroke,
-/// conditioned_share, tells_velocities and chosen, which is null where no setting meets the budget. The keys are those
-/// of the columns. For the page also `means` of rows at `main_fps`, `swing_path`, and sentences under `notes`.
+/// conditioned_share, tells_velocities and chosen, which is null where no setting meets the budget. Their members have
+/// the keys of the columns. For the page also `means` of rows at `main_fps`, `swing_path`, and sentences under `notes`.
 [[nodiscard]] nlohmann::ordered_json accuracy_json(const ReportHeading& heading, const AccuracyReport& measured);
 
-/// `coif report accuracy` for a terminal: the summary, and of each solver what is on the Pareto front or least wrong.
+/// `coif report accuracy` for a terminal: the summary, and for each solver the rows on the Pareto front, or the least
+/// wrong one.
 [[nodiscard]] std::string accuracy_text(const ReportHeading& heading, const AccuracyReport& report);
 
-/// How the page shows that: accuracy_page.json.
+/// The layout of the page: accuracy_page.json.
 extern "C" const char coif_accuracy_page[];
 
-/// What the page of `coif view` shows of the report: a motion at main_frame_rate(), two of the solvers beside each
-/// other.
+/// The settings of the page of `coif view` for this report: a motion at main_frame_rate(), two of the solvers side by
+/// side.
 [[nodiscard]] ViewLink accuracy_link(const AccuracyReport& report);
-/// The same of each motion and frame rate that were measured and that the page has: "motion", "text" and "url". Empty
-/// where there is no page.
+/// The same for each measured motion and frame rate that the page has: "motion", "text" and "url". Empty without a
+/// page.
 [[nodiscard]] nlohmann::ordered_json motion_links(const ReportHeading& heading, const AccuracyReport& report);
 
-/// What to use and what it costs, in sentences for who sets up hair and has never heard of an integrator.
+/// The solver to use and its cost, in sentences for people who set up hair and know no integrators.
 [[nodiscard]] std::string accuracy_summary(const AccuracyReport& report);
 
-/// How far the reference can be trusted, as a sentence.
+/// The certainty of the reference, as a sentence.
 [[nodiscard]] std::string reference_summary(const AccuracyReport& report);
 
-/// Whose motions are no one motion, and which numbers were read; empty where there is nothing to say.
+/// The solvers without a well-defined motion, and the numbers that were used; empty if there is nothing to say.
 [[nodiscard]] std::string own_reference_summary(const AccuracyReport& report);
 [[nodiscard]] std::string numbers_read(const AccuracyReport& report);
-/// Who knows how fast the head moves; empty where nobody does.
+/// The solvers that get the head's velocity; empty if none does.
 [[nodiscard]] std::string velocities_told(const AccuracyReport& report);
 
 }  // namespace coif::report

@@ -69,7 +69,7 @@ const AccuracyRow* least_wrong(const std::vector<AccuracyRow>& means) {
   return best;
 }
 
-// As the user wrote it: "2 %", not "2.00 %".
+// In the user's notation: "2 %", not "2.00 %".
 std::string budget_text(double percent) { return fmt::format("{} %", percent); }
 
 std::string steps_text(std::uint32_t substeps) {
@@ -117,7 +117,7 @@ std::string accuracy_summary(const AccuracyReport& report) {
   return is_published ? first : first + published_sentence(means, fps);
 }
 
-/// What the solvers that do not ship solve instead.
+/// The model of the solvers that do not ship.
 std::string model_text(double passive_share) {
   constexpr const char* kCascade =
       "bones do not pull on their parents; the methods whose bones do (all but coif and projective) solve another "
@@ -190,7 +190,7 @@ namespace {
 
 std::string line_of(const std::string& sentence) { return sentence.empty() ? "" : sentence + "\n"; }
 
-/// How the hair swings, of the longest chains.
+/// The swings of the longest chains.
 std::string swings_text(const AccuracyReport& report) {
   constexpr std::size_t kMostLines = 12;
   if (report.swings.rows.empty()) return "";

@@ -17,11 +17,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kMostBones = 128;  ///< Beside each other; more trees of an asset tell nothing new.
+constexpr std::size_t kMostBones = 128;  ///< Side by side; more trees of an asset add nothing.
 constexpr double kSettleSeconds = 6;
 constexpr double kSettleRate = 60;
 constexpr double kPercent = 100;
-constexpr double kLeastMoved = 1e-3;  ///< Lengths, RMS: of less no share is told.
+constexpr double kLeastMoved = 1e-3;  ///< Lengths, RMS: below it no share is reported.
 
 class AccuracyMeasurement {
  public:
@@ -84,7 +84,7 @@ class AccuracyMeasurement {
     mark_fronts(std::span(report_.rows).subspan(first_row));
   }
 
-  /// Empty too where the solver's own motion is not one: nothing can be said of errors against it.
+  /// Also empty where the solver's own motion is not well-defined: then there are no errors relative to it.
   std::optional<lab::ReferenceRun> own_model(const MeasuredSolver& solver, const NamedPath& motion,
                                              const lab::ReferenceRun& reference) {
     auto own = own_model_run(solver, sample_.rig, scene_, *motion.path, reference);
@@ -176,7 +176,7 @@ class AccuracyMeasurement {
     }
   }
 
-  /// Among what games can run.
+  /// Chooses among the solvers that games can run.
   void choose() {
     for (const AccuracyRow& mean : means_over_motions(report_, main_frame_rate(report_))) {
       const bool fits = mean.rms_error_pct <= settings_.budget_rms_pct;

@@ -22,19 +22,19 @@ namespace coif::report {
 
 /// A movement of the head that is not built in.
 struct NamedPath {
-  std::string name;                              ///< As in the report, printable.
+  std::string name;                              ///< Printable, as in the report.
   std::shared_ptr<const motion::HeadPath> path;  ///< Not null.
 };
 
 struct AccuracySettings {
   std::vector<motion::Motion> motions;  ///< Empty: the whole suite, unless `clip` is set.
-  std::optional<NamedPath> clip;        ///< One more motion.
+  std::optional<NamedPath> clip;        ///< An additional motion.
   std::vector<double> fps{24, 30, 60, 90, 120, 144, 240};
-  std::vector<std::uint32_t> substeps{1, 2, 4};  ///< Of each frame, for the solvers that have them.
-  double seconds = 4;                            ///< Of each motion, at most 60.
-  std::vector<std::string> solvers;              ///< Names; empty: as chosen_solvers() says.
-  double budget_rms_pct = 2;                     ///< What AccuracyReport::chosen has to meet.
-  bool tells_velocities = false;                 ///< Of the head; solvers that have no use for them ignore them.
+  std::vector<std::uint32_t> substeps{1, 2, 4};  ///< Per frame, for solvers with sub-steps.
+  double seconds = 4;                            ///< Length of each motion, at most 60.
+  std::vector<std::string> solvers;              ///< Names; empty: the default of chosen_solvers().
+  double budget_rms_pct = 2;                     ///< The limit for AccuracyReport::chosen.
+  bool tells_velocities = false;  ///< Give the head's velocities; solvers that cannot use them ignore them.
 };
 
 /// Runs every solver through every motion at every frame rate beside a converged reference. Takes seconds to minutes.
@@ -49,20 +49,20 @@ struct FramePoses {
   double fps;
   std::vector<double> times;  ///< Seconds; the first is 0.
   std::vector<HeadPose> poses;
-  std::vector<HeadVelocity> velocities;  ///< With which the head arrives; empty where the game tells none.
+  std::vector<HeadVelocity> velocities;  ///< The head's velocity at each frame; empty where the game gives none.
 };
 
 /// Times of all frames at all rates, ascending, each once.
 [[nodiscard]] std::vector<double> frame_times(std::span<const double> rates, double seconds);
 
-/// What a solver made of a motion.
+/// A solver's result for a motion.
 struct MotionTrial {
   bool is_finite = true;              ///< False where it refused a step or left finite numbers; then `tips` ends there.
   std::vector<Eigen::Vector3d> tips;  ///< Head space, metres; Rig::tips for each frame but the first.
   lab::ConstraintErrors worst;
 };
 
-/// From the rest pose through all frames.
+/// Runs from the rest pose through all frames.
 [[nodiscard]] MotionTrial try_motion(lab::ChainSolver& solver, const lab::Rig& rig, const FramePoses& frames);
 
 /// Distance of tips to the reference, as shares of their chain's length.
@@ -76,8 +76,8 @@ struct TipError {
 [[nodiscard]] TipError tip_error(const MotionTrial& trial, const FramePoses& frames, const lab::Rig& rig,
                                  const lab::ReferenceRun& reference);
 
-/// RMS distance of two trials' tips at the times that both have frames, as a share of the chain's length; NaN where one
-/// is not finite or there is no such time.
+/// RMS distance of two trials' tips at the times of frames of both, as a share of the chain's length; NaN where one is
+/// not finite or there is no such time.
 [[nodiscard]] double rms_between(const MotionTrial& a, const FramePoses& a_frames, const MotionTrial& b,
                                  const FramePoses& b_frames, const lab::Rig& rig);
 

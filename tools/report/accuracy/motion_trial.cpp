@@ -50,7 +50,7 @@ std::vector<Vector3d> tips_at_rest(const lab::Rig& rig) {
 
 FramePoses::FramePoses(const motion::HeadPath& path, double frames_per_second, double seconds, bool tells_velocities)
     : fps(frames_per_second) {
-  constexpr double kLittle = 1.0e-6;  // frames: at a corner the head arrives as fast as it came
+  constexpr double kLittle = 1.0e-6;  // In frames: at a corner the head arrives with the velocity that it had.
   const auto count = long(std::floor(seconds * fps + 1.0e-6));
   for (long i = 0; i <= count; ++i) {
     times.push_back(double(i) / fps);

@@ -31,7 +31,7 @@ struct OwnMotion {
   const std::vector<double>& times;
 };
 
-/// Places of the tips, the samples of one after those of another. NaN from where the solver gives up.
+/// Places of the tips, one sample's after the other's. NaN after the solver has failed.
 std::vector<Eigen::Vector3d> places_at(const OwnMotion& motion, double rate) {
   const auto& [listed, rig, scene, path, times] = motion;
   std::vector<Eigen::Vector3d> places(times.size() * rig.tips.size(), Eigen::Vector3d::Constant(kNoNumber));
@@ -61,7 +61,7 @@ lab::TipAgreement agreement_of(const lab::Rig& rig, std::size_t tip, std::span<c
   return agreement;
 }
 
-/// As the reference is: twice, the second time with steps of double length.
+/// Runs twice, like the reference, the second time with steps of double length.
 lab::ReferenceRun run_finely(const OwnMotion& motion) {
   std::vector<Eigen::Vector3d> runs[2];
   parallel_for(2, platform::all_threads(),

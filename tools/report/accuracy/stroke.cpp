@@ -17,8 +17,8 @@ using Eigen::Vector3d;
 constexpr std::size_t kMostStrokedBones = 128;
 constexpr double kInHundredths = 100;
 
-/// A hand as a capsule that points at the head and goes round in an upright ellipse through the hair's middle, once in
-/// two seconds: down on one side and up on the other.
+/// A hand as a capsule that points at the head and moves in an upright ellipse through the hair's middle, once in two
+/// seconds: down on one side and up on the other.
 MovingCollider hand_at(const lab::HairPlace& hair, double seconds) {
   constexpr double kRadius = 0.025, kLength = 0.12, kAside = 0.10, kUp = 0.08;
   const double angle = std::numbers::pi * seconds;
@@ -42,12 +42,12 @@ class Stroke {
 
   [[nodiscard]] const lab::Rig& rig() const { return sample_.rig; }
 
-  /// `times`: of frames, ascending; the first is where it begins.
+  /// `times`: of frames, ascending; it begins at the first.
   struct Run {
     MotionTrial trial;
     double depth = 0;
   };
-  /// Each frame in so many equal parts of which the hair is told, and each of those in `substeps`.
+  /// Divides each frame into equal parts at which the hand is set, and each of those into `substeps`.
   [[nodiscard]] Run run(const std::vector<double>& times, double parts_per_second, int substeps) const {
     const SolverAtWork at_work =
         make_solver(solver_on_a_character(), asset_, sample_, lab::SolverScene{.moving_colliders = 1}, substeps);
@@ -69,7 +69,7 @@ class Stroke {
     return run;
   }
 
-  /// As the references of other motions are: twice, the second time with steps of double length.
+  /// Runs twice, like the references of other motions, the second time with steps of double length.
   [[nodiscard]] lab::ReferenceRun converged(const std::vector<double>& times, double steps_per_second) const {
     MotionTrial trials[2];
     parallel_for(2, platform::all_threads(),

@@ -1,6 +1,6 @@
 #pragma once
 
-// How exact hair on a character is while a hand goes through it.
+// The accuracy of hair on a character while a hand moves through it.
 
 #include "report/page/report_columns.h"
 
@@ -12,17 +12,17 @@
 
 namespace coif::report {
 
-/// `coif` on a character (kCharacterSolver) at one frame rate, a hand stroking the hair of a head that stands still.
-/// Errors are against the same solver told of the same hand at far shorter steps: how much is lost by frames, not by
+/// `coif` on a character (kCharacterSolver) at one frame rate, while a hand strokes the hair of a head that stands
+/// still. Errors are relative to the same solver with the same hand at far shorter steps: the loss by frames, not by
 /// the model.
 struct StrokeRow {
   double fps = 0;
-  std::uint32_t substeps = 1;        ///< Of each frame.
+  std::uint32_t substeps = 1;        ///< Per frame.
   double rms_error_pct = kNoNumber;  ///< Distance of tips, head space, in % of the chain's length.
   double max_error_pct = kNoNumber;
-  double self_difference_pct =
-      kNoNumber;                     ///< Of what that is against: RMS distance to a run with steps of twice the length.
-  double of_motion_pct = kNoNumber;  ///< The RMS error in % of how far the tips are from their rest, RMS too.
+  /// RMS distance of that run from one with steps of twice the length.
+  double self_difference_pct = kNoNumber;
+  double of_motion_pct = kNoNumber;        ///< The RMS error in % of how far the tips are from their rest, RMS too.
   double stretch_max_pct = kNoNumber;      ///< Worst |length / rest - 1|.
   double penetration_max_pct = kNoNumber;  ///< Deepest that any part of a bone was in the hand, in % of its radius.
 };
@@ -46,8 +46,8 @@ struct StrokeSettings {
   double reference_steps_per_second = 3840;
 };
 
-/// A row for each frame rate and number of sub-steps, of the chains that at most 128 bones of the asset make up.
-/// `asset` has simulated bones.
+/// A row for each frame rate and number of sub-steps, for chains with at most 128 of the asset's bones together.
+/// `asset` must have simulated bones.
 [[nodiscard]] std::vector<StrokeRow> measure_stroke(const Asset& asset, const StrokeSettings& settings);
 
 }  // namespace coif::report

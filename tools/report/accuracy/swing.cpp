@@ -19,11 +19,11 @@ using Eigen::Vector3d;
 constexpr std::size_t kMostSwingBones = 128;
 constexpr double kSeconds = 8, kRate = 60;
 constexpr double kFirstSwing = 0.5;   ///< Seconds in which a tip is where it is thrown to.
-constexpr double kSettled = 0.05;     ///< Of the first swing.
-constexpr int kArtistIterations = 8;  ///< Of Algorithm 1: more change nothing that is seen.
+constexpr double kSettled = 0.05;     ///< Share of the first swing.
+constexpr int kArtistIterations = 8;  ///< Iterations of Algorithm 1; more change nothing visible.
 constexpr double kInPercent = 100;
 
-/// Tips of all frames from rest; none where the solver broke down.
+/// Tips of all frames from rest on; none where the solver failed.
 std::vector<Vector3d> run(const Asset& asset, const lab::RigSample& sample, const FramePoses& frames,
                           const char* solver, int effort) {
   const SolverAtWork at_work = make_solver(*find_measured_solver(solver), asset, sample, {}, effort);
@@ -43,14 +43,14 @@ double rms_apart(std::span<const Vector3d> a, std::span<const Vector3d> b) {
   return std::sqrt(sum / double(std::max<std::size_t>(a.size(), 1)));
 }
 
-/// `charge` goes along +Z.
+/// The motion `charge` goes along +Z.
 std::vector<double> behind(std::span<const Vector3d> tips) {
   std::vector<double> metres;
   for (const Vector3d& tip : tips) metres.push_back(tips.front().z() - tip.z());
   return metres;
 }
 
-/// Where it comes to rest: the mean of the last second.
+/// The place of rest: the mean of the last second.
 Vector3d rest_of(const std::vector<Vector3d>& tips) {
   Vector3d sum = Vector3d::Zero();
   const std::size_t count = std::min(tips.size(), std::size_t(kRate));
@@ -69,7 +69,7 @@ Swing swing_of(std::span<const Vector3d> tips, const Vector3d& rest, double dt) 
   Swing swing;
   for (const Vector3d& tip : tips) swing.thrown = std::max(swing.thrown, (tip - rest).norm());
   if (!(swing.thrown > 0)) return swing;
-  // Level, as heads go: a tip that is thrown up to one side comes up on the other.
+  // Horizontal: a tip that is thrown up on one side comes up on the other.
   const auto sideways = [&](std::size_t i) { return Vector3d(tips[i].x() - rest.x(), 0, tips[i].z() - rest.z()); };
   std::size_t farthest = 0;
   for (std::size_t i = 0; i < tips.size() && double(i) * dt < kFirstSwing; ++i) {

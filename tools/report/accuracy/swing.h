@@ -1,6 +1,6 @@
 #pragma once
 
-// How alive hair is: what it does after the head has stopped accelerating.
+// The liveliness of hair: its motion after the head has stopped accelerating.
 
 #include "report/page/report_columns.h"
 
@@ -17,22 +17,23 @@ namespace coif::report {
 
 /// A tip that was thrown from where it rests.
 struct Swing {
-  double thrown = 0;     ///< Farthest from its rest.
-  double overshoot = 0;  ///< How far it then comes to the other side, share of how far it was thrown, both level.
-  double settling_s =
-      0;  ///< From when the head went on steadily until the tip stays within a twentieth of `thrown`. NaN: never.
+  double thrown = 0;  ///< Farthest from its rest.
+  /// How far it then swings to the other side, as a share of `thrown`, both horizontal.
+  double overshoot = 0;
+  /// From the moment when the head moves steadily until the tip stays within a twentieth of `thrown`. NaN: never.
+  double settling_s = 0;
 };
 
-/// `tips`: where the tip is, seen from the head, at equal times `dt` seconds apart, the first one when the head goes on
-/// steadily. `rest`: where it hangs. Units are the caller's.
+/// `tips`: places of the tip relative to the head, `dt` seconds apart, the first one when the head begins to move
+/// steadily. `rest`: its resting place. Units are the caller's.
 [[nodiscard]] Swing swing_of(std::span<const Eigen::Vector3d> tips, const Eigen::Vector3d& rest, double dt);
 
-/// One chain after the motion `charge`, from 0 to 8 m/s in 0.3 s, as the asset asks for at 60 frames a second, and as
-/// Algorithm 1 has it with the artist's resistance.
+/// One chain after the motion `charge`, from 0 to 8 m/s in 0.3 s: with the asset's dynamics at 60 frames per second,
+/// and by Algorithm 1 with the artist's resistance.
 struct SwingRow {
   std::string chain;
   double length_mm = kNoNumber;
-  double thrown_pct = kNoNumber;  ///< Of the chain's length.
+  double thrown_pct = kNoNumber;  ///< % of the chain's length.
   double overshoot_pct = kNoNumber;
   double settling_s = kNoNumber;
   double artist_overshoot_pct = kNoNumber;
@@ -55,8 +56,8 @@ struct SwingRow {
           {"apart_pct", &Row::apart_pct, {"apart %"}, {"apart %", 9, "{:.0f}"}}};
 }
 
-/// Where a tip is in its motion, seen from the head: metres by which it is behind where it began, or before that, as
-/// the head goes.
+/// The path of a tip relative to the head: how many metres it is behind its place at the start, or before it, in the
+/// head's direction.
 struct SwingPath {
   std::string chain;
   double seconds_per_frame = 0;  ///< The first frame ends after one.
@@ -66,10 +67,10 @@ struct SwingPath {
 
 struct Swings {
   std::vector<SwingRow> rows;  ///< One for each tip, longest chain first.
-  SwingPath longest;           ///< Of the longest chain.
+  SwingPath longest;           ///< The longest chain's path.
 };
 
-/// Of the chains that at most 128 bones of the asset make up, evenly chosen.
+/// Measures chains with at most 128 of the asset's bones together, evenly chosen.
 [[nodiscard]] Swings measure_swings(const Asset& asset);
 
 }  // namespace coif::report

@@ -13,9 +13,10 @@
 namespace coif::report {
 namespace {
 
-constexpr double kSameBox = 0.5;    // share of both boxes that cards and their strands have in common, at least
-constexpr double kClearly = 1.05;   // times what the file's own unit and axis have: others are chosen only then
-constexpr float kFlatness = 0.02f;  // of its diagonal that a box has at least each way: flat ones have a volume
+constexpr double kSameBox = 0.5;   // share of both boxes that cards and their strands have in common, at least
+constexpr double kClearly = 1.05;  // Factor over the file's own unit and axis: only then others are chosen.
+constexpr float kFlatness =
+    0.02f;  // Share of its diagonal that a box has at least in each direction, so that flat ones have a volume.
 
 Eigen::AlignedBox3f box_of_asset(const Asset& asset) {
   Eigen::AlignedBox3f box;
@@ -23,13 +24,13 @@ Eigen::AlignedBox3f box_of_asset(const Asset& asset) {
   return box;
 }
 
-/// As the asset has it: turns are from axis to axis, so that a box stays one.
+/// In the asset's axes; turns are from axis to axis, so a box stays one.
 Eigen::AlignedBox3f placed(const Eigen::AlignedBox3f& box, const CookedPlace& place) {
   Eigen::AlignedBox3f there(place.of_strand(box.min()));
   return there.extend(place.of_strand(box.max()));
 }
 
-/// Volume of what two boxes share over that of both, 0..1.
+/// Volume of the intersection of two boxes divided by that of the union, 0..1.
 double common_share(Eigen::AlignedBox3f a, Eigen::AlignedBox3f b) {
   const float least = kFlatness * std::max(a.diagonal().norm(), b.diagonal().norm());
   for (Eigen::AlignedBox3f* const box : {&a, &b}) {
@@ -42,9 +43,9 @@ double common_share(Eigen::AlignedBox3f a, Eigen::AlignedBox3f b) {
   return shared / (double(a.volume()) + double(b.volume()) - shared);
 }
 
-/// Those that a cook chooses from (cook/size).
+/// The units that a cook chooses from (cook/size).
 std::vector<cook::UnitPrior> units_of(const groom::Groom& groom) {
-  importer::SourceModel words;  // what the file says of its size
+  importer::SourceModel words;  // The file's statements about its size.
   words.space = groom.space;
   return cook::unit_priors(words, {}, cards::scalp_radius_of(cards::shape_of(groom, 0).strands));
 }
@@ -116,7 +117,7 @@ class LevelVertices {
   std::vector<std::uint32_t> number_;
 };
 
-/// Alpha as it is, without thresholds; 1 everywhere without a texture.
+/// Plain alpha, without thresholds; 1 everywhere without a texture.
 void set_opacity(const Asset& asset, cards::CardSurface& surface) {
   const float factor = asset.material() != nullptr ? asset.material()->base_color[3] : 1.0f;
   const TextureRecord* const texture = asset.texture(TextureRole::kBaseColor);

@@ -13,10 +13,10 @@
 
 namespace coif::report {
 
-/// How strands became the places of an asset: as the cook found their unit and what is up, and about the head's joint,
-/// which the asset knows.
+/// The transform from strands to an asset: the unit and up axis that the cook found, and the head's joint, which the
+/// asset has.
 struct CookedPlace {
-  double factor = 1;  ///< For lengths.
+  double factor = 1;  ///< Applied to lengths.
   Eigen::Matrix3f turn = Eigen::Matrix3f::Identity();
   Eigen::Vector3f head_joint = Eigen::Vector3f::Zero();  ///< Metres, after both.
 
@@ -28,12 +28,12 @@ struct CookedPlace {
   }
 };
 
-/// Finds among the units and up directions that a cook may choose those with which the box around the strands is most
-/// nearly the one around the asset's finest level. kBadInput where no box is near it: the asset was cooked from other
-/// strands, or by a recipe with another unit.
+/// Among the units and up directions that a cook may choose, finds those whose box around the strands fits best to that
+/// around the asset's finest level. kBadInput where none fits: the asset was cooked from other strands, or by a recipe
+/// with another unit.
 [[nodiscard]] tl::expected<CookedPlace, ToolError> find_cooked_place(const Asset& asset, const groom::Groom& groom);
 
-/// What one level of detail draws, at rest, in the groom's space: its own triangles, tangents, and the alpha of its
+/// The surface of one level of detail at rest, in the groom's space: its triangles, tangents, and the alpha of its
 /// largest mip.
 [[nodiscard]] cards::CardSurface surface_of_asset(const Asset& asset, std::uint32_t lod, const CookedPlace& place);
 

@@ -13,7 +13,7 @@ namespace coif::report {
 namespace {
 
 constexpr std::uint32_t kTileSize = 384;  // pixels
-constexpr std::uint32_t kColumns = 4;     // as wide as a page shows without reducing it
+constexpr std::uint32_t kColumns = 4;     // As many as a page shows without scaling.
 
 struct ShownSide {
   const char* name;

@@ -15,34 +15,34 @@ namespace coif::report {
 
 // One surface as tiles of a contact sheet.
 
-/// By a light at the eye, and darker the farther behind.
+/// Lit from the eye, and darker the farther behind.
 [[nodiscard]] render::Picture hair_tile(const cards::HairPicture& hair, const cards::PictureFrame& frame);
 
-/// What is seen less what is wanted: red where a surface is too bright, or is and should not be; blue where it is
+/// The seen picture minus the wanted one: red where a surface is too bright, or wrongly there; blue where it is
 /// missing.
 [[nodiscard]] render::Picture difference_tile(const cards::HairPicture& wanted, const cards::HairPicture& seen);
 
 /// Its triangles without their texture, solid, each outlined.
 [[nodiscard]] render::Picture wire_tile(const cards::CardSurface& surface, const cards::PictureFrame& frame);
 
-/// Its texture's opacity, white on black, reduced to `size` pixels each way.
+/// Its texture's opacity, white on black, reduced to `size` pixels in each direction.
 [[nodiscard]] render::Picture texture_tile(const cards::CardSurface& surface, std::uint32_t size);
 
 /// Strands beside sets of cards, from the front, a side and the back.
 class CardSheets {
  public:
-  /// As frames_around() and GroomViews; `faces_backwards`: the hair's front is where -Z points.
+  /// The first arguments as in frames_around() and GroomViews; `faces_backwards`: the hair's front is towards -Z.
   CardSheets(const groom::Groom& groom, float width, const Eigen::Matrix3f& turn, bool faces_backwards,
              const platform::Threads& threads);
 
-  /// In the order in which they shall stand.
+  /// In the order of the sheet.
   void add(const std::string& caption, const cards::CardSurface& surface);
 
   /// One sheet for each side, and one of textures.
   [[nodiscard]] std::vector<CardsSheet> finish() const;
 
  private:
-  /// Of each set of cards, from one side.
+  /// All sets of cards, from one side.
   struct Side {
     std::vector<render::Picture> hair, wires, differences;
   };

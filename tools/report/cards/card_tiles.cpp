@@ -28,21 +28,21 @@ render::Picture square_picture(std::uint32_t size, const std::function<Eigen::Ve
   return picture;
 }
 
-/// A colour of its own for each number.
+/// A different colour for each number.
 Eigen::Vector3f color_of_number(std::uint32_t number) {
   const float hue = 6 * std::fmod(0.618034f * float(number), 1.0f);
   const auto channel = [hue](float at) { return std::clamp(std::abs(std::fmod(hue + at, 6.0f) - 3) - 1, 0.0f, 1.0f); };
   return Eigen::Vector3f::Constant(0.15f) + 0.35f * Eigen::Vector3f(channel(0), channel(4), channel(2));
 }
 
-/// What of a surface is nearest at each pixel.
+/// The nearest triangle of a surface at each pixel.
 struct NearestTriangle {
   float depth = std::numeric_limits<float>::infinity();
   std::uint32_t strip = 0;
   bool is_edge = false;
 };
 
-/// One for each triangle: those that share vertices have the same.
+/// One number per triangle: triangles that share vertices have the same.
 std::vector<std::uint32_t> strips_of(const cards::CardSurface& surface) {
   std::vector<std::uint32_t> first(surface.positions.size());
   for (std::uint32_t v = 0; v < first.size(); ++v) first[v] = v;
@@ -124,7 +124,7 @@ render::Picture wire_tile(const cards::CardSurface& surface, const cards::Pictur
 render::Picture texture_tile(const cards::CardSurface& surface, std::uint32_t size) {
   const std::uint32_t longer = std::max(surface.width, surface.height);
   return square_picture(size, [&](std::size_t i) -> Eigen::Vector3f {
-    // The texels that the pixel stands for.
+    // The range of texels of a pixel.
     const auto range = [&](std::size_t pixel, std::uint32_t texels) {
       const std::size_t from = pixel * longer / size;
       return std::pair(from, std::min<std::size_t>(std::max(from + 1, (pixel + 1) * longer / size), texels));

@@ -1,9 +1,9 @@
 #pragma once
 
-// What `coif report cards` finds: records, measured by measure_cards(), and the columns that show them.
+// The results of `coif report cards`: records, measured by measure_cards(), and the columns that show them.
 //
-// Cards and strands are drawn alike, from directions all around, and compared: coverage by intersection over union,
-// what the pixels send to an eye that holds the light by PSNR, over the pixels that either covers.
+// Cards and strands are drawn alike, from directions all around, and compared: coverage by intersection over union, and
+// by PSNR the light that pixels send to an eye that carries the light, over pixels that either covers.
 
 #include "report/page/report_columns.h"
 
@@ -18,9 +18,9 @@ namespace coif::report {
 /// One set of cards from one direction.
 struct CardsRow {
   std::string baseline;             ///< "none": coif's own; "kmeans", "even": as baseline_cards.h makes them.
-  std::uint64_t triangles = 0;      ///< That were allowed.
-  std::uint64_t texels = 0;         ///< The same.
-  std::array<double, 3> direction;  ///< That the eye looks along, unit, in the strands' axes.
+  std::uint64_t triangles = 0;      ///< The budget.
+  std::uint64_t texels = 0;         ///< The budget.
+  std::array<double, 3> direction;  ///< The view direction, unit, in the strands' axes.
   double coverage_iou = 0;          ///< 0..1.
   double psnr_db = 0;
 };
@@ -34,17 +34,17 @@ struct CardsRow {
           {"baseline", &CardsRow::baseline, {"baseline"}}};
 }
 
-/// How near a surface comes to the strands over all directions, and what it takes to draw.
+/// How near a surface comes to the strands over all directions, and its drawing cost.
 struct CardsFigures {
   double mean_iou = 0, worst_iou = 0;
   double mean_psnr_db = 0, worst_psnr_db = 0;
-  double mean_error = 0;       ///< Of the pictures' root mean square errors; 1 is white.
-  std::uint64_t vertices = 0;  ///< That some triangle uses.
-  double fragments = 0;        ///< Of a picture, mean: pixels of all triangles, whatever is on them.
-  double layers = 0;           ///< Of them over each other, mean over pixels and pictures.
+  double mean_error = 0;       ///< Mean root mean square error of the pictures; 1 is white.
+  std::uint64_t vertices = 0;  ///< Vertices that some triangle uses.
+  double fragments = 0;        ///< Per picture, mean: pixels of all triangles, whatever their texels.
+  double layers = 0;           ///< Overlapping fragments per pixel, mean over pixels and pictures.
 };
 
-/// What a record's `figures` have.
+/// The columns of a record's `figures`.
 template <typename Row>
 [[nodiscard]] Columns<Row> cards_figure_columns() {
   const auto of = [](auto member) { return [member](const Row& row) { return row.figures.*member; }; };
@@ -61,17 +61,17 @@ template <typename Row>
 /// One set of cards.
 struct CardsSummary {
   std::string baseline;                 ///< As CardsRow::baseline.
-  std::uint64_t triangles = 0;          ///< That were allowed.
-  std::uint64_t texels = 0;             ///< The same.
-  std::uint64_t cards = 0;              ///< That were made,
+  std::uint64_t triangles = 0;          ///< The budget.
+  std::uint64_t texels = 0;             ///< The budget.
+  std::uint64_t cards = 0;              ///< Cards made.
   std::uint64_t made_triangles = 0;     ///< their triangles
-  std::uint64_t made_texels = 0;        ///< and their texture's texels, gaps included.
-  std::optional<double> segments = {};  ///< Of each strip of "even".
+  std::uint64_t made_texels = 0;        ///< Texels made, gaps included.
+  std::optional<double> segments = {};  ///< Per strip of "even".
   CardsFigures figures{};
   double seconds = 0;  ///< Wall time that making them took.
 };
 
-/// What a set of cards is called, for people.
+/// The name of a set of cards for people.
 [[nodiscard]] std::string cards_name(const std::string& baseline);
 
 [[nodiscard]] inline Columns<CardsSummary> cards_summary_columns() {
@@ -93,7 +93,7 @@ struct CardsSummary {
 struct CardsAssetLevel {
   std::uint64_t lod = 0;
   std::uint64_t triangles = 0;
-  std::uint64_t texels = 0;  ///< Of the base colour's largest mip.
+  std::uint64_t texels = 0;  ///< Texels of the base colour's largest mip.
   CardsFigures figures{};
 };
 
@@ -133,15 +133,15 @@ struct CardsReport {
   double strand_width = 0;  ///< Metres of the groom, mean.
   std::uint32_t size = 0;   ///< Pixels of a picture, each way.
   std::uint64_t directions = 0;
-  double asset_factor = 1;  ///< That the cook multiplied the groom's lengths with.
+  double asset_factor = 1;  ///< The cook's factor on the groom's lengths.
   std::vector<CardsRow> rows;
   std::vector<CardsSummary> summary;
   std::vector<CardsAssetLevel> asset;
   std::vector<CardsLeftOut> left_out;
-  std::vector<CardsSheet> sheets;  ///< For the page; empty where none were asked for.
+  std::vector<CardsSheet> sheets;  ///< For the page; empty where none were requested.
 };
 
-/// `coif report cards`: the heading, then what the strands are, and `rows`, `summary`, `asset_levels` and `left_out`
+/// `coif report cards`: the heading, then facts about the strands, and `rows`, `summary`, `asset_levels` and `left_out`
 /// with the keys of their columns. For the page also sentences under `notes`, and `sheets`, each with a "caption" and
 /// the picture, a "png" in base64.
 [[nodiscard]] nlohmann::ordered_json cards_json(const ReportHeading& heading, const CardsReport& report);
@@ -149,13 +149,14 @@ struct CardsReport {
 /// `coif report cards` for a terminal: each set of cards over all directions, and the summary.
 [[nodiscard]] std::string cards_text(const ReportHeading& heading, const CardsReport& report);
 
-/// How the page shows that: cards_page.json.
+/// The layout of the page: cards_page.json.
 extern "C" const char coif_cards_page[];
 
-/// How much nearer than the baselines coif's cards are, and what the asset has kept of that, in a sentence or two.
+/// How much nearer coif's cards are than the baselines, and how much of that the asset has kept, in one or two
+/// sentences.
 [[nodiscard]] std::string cards_summary(const CardsReport& report);
 
-/// What was compared with what, in a sentence.
+/// The method of the comparison, in a sentence.
 [[nodiscard]] std::string cards_method(const CardsReport& report);
 
 }  // namespace coif::report

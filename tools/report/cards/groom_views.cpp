@@ -37,7 +37,7 @@ std::vector<cards::PictureFrame> frames_around(const groom::Groom& groom, const 
 }
 
 cards::PictureFrame closer(cards::PictureFrame frame, const groom::Groom& groom) {
-  constexpr float kFilled = 0.96f;  // of the picture
+  constexpr float kFilled = 0.96f;  // Share of the picture.
   Eigen::AlignedBox2f seen;         // metres
   for (const Eigen::Vector3f& point : groom.points) {
     seen.extend((frame.axes * (point - frame.center)).head<2>().eval());

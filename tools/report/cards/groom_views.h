@@ -14,28 +14,28 @@
 
 namespace coif::report {
 
-/// What drawing a surface from a direction takes.
+/// The cost of drawing a surface from a direction.
 struct SurfaceCost {
-  double fragments = 0;  ///< Pixels of all its triangles, whatever is on them: what a graphics card shades.
-  double layers = 0;     ///< Of them over each other, mean over the pixels that any is on.
+  double fragments = 0;  ///< Pixels of all its triangles, whatever their texels: a graphics card shades them all.
+  double layers = 0;     ///< Overlapping fragments per pixel, mean over the pixels with any.
 };
 
-/// At one sample a pixel.
+/// With one sample per pixel.
 [[nodiscard]] SurfaceCost cost_of(const cards::CardSurface& surface, const cards::PictureFrame& frame);
 
-/// All of one scale, as frame_along() has them, of `size` pixels each way. `turn`: from the groom's axes to those that
-/// the directions are in, Y up.
+/// Frames of one scale, as in frame_along(), of `size` pixels in each direction. `turn`: from the groom's axes to those
+/// of the directions, Y up.
 [[nodiscard]] std::vector<cards::PictureFrame> frames_around(const groom::Groom& groom, const Eigen::Matrix3f& turn,
                                                              std::span<const Eigen::Vector3f> directions,
                                                              std::uint32_t size);
 
-/// The same frame moved and scaled so that the groom just fits in.
+/// The frame moved and scaled so that the groom just fits in.
 [[nodiscard]] cards::PictureFrame closer(cards::PictureFrame frame, const groom::Groom& groom);
 
-/// Strands as they look in some frames, drawn once, and how near surfaces come to that.
+/// Pictures of the strands in some frames, drawn once, for comparison with surfaces.
 class GroomViews {
  public:
-  /// `width` of strands whose groom says none, metres.
+  /// `width` in metres is for strands whose groom has none.
   GroomViews(const groom::Groom& groom, float width, std::vector<cards::PictureFrame> frames,
              const platform::Threads& threads);
 
@@ -43,7 +43,7 @@ class GroomViews {
   [[nodiscard]] const cards::PictureFrame& frame(std::size_t i) const { return frames_[i]; }
   [[nodiscard]] const cards::HairPicture& strands(std::size_t i) const { return strands_[i]; }
 
-  /// Of each `step`-th direction, from the first on.
+  /// Compares in each `step`-th direction, from the first on.
   [[nodiscard]] std::vector<cards::HairLikeness> compare(const cards::CardSurface& surface, std::size_t step = 1) const;
 
   /// Mean over the directions.

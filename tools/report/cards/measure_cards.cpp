@@ -38,7 +38,7 @@ tl::expected<void, ToolError> check(const Asset& asset, const CardsSettings& set
   return {};
 }
 
-/// Cards, how long they took and what they were made of.
+/// Cards, the time that they took, and the groom's part that they were made of.
 struct MadeCards {
   cards::Cards cards;
   double seconds = 0;

@@ -18,12 +18,12 @@ inline constexpr std::uint32_t kLeastCardsPicture = 16, kMostCardsPicture = 1024
 
 struct CardsSettings {
   std::vector<std::size_t> budgets{1000, 2000, 4000, 8000, 16000};  ///< Triangles of each set of cards, 2 at least.
-  std::size_t directions = 32;                                      ///< To look along, 1 at least.
+  std::size_t directions = 32;                                      ///< View directions, 1 at least.
   std::uint32_t size = 256;                                         ///< Pixels of a picture, each way.
-  bool sheets = false;                                              ///< Also make what the page shows.
+  bool sheets = false;                                              ///< Also make the pictures of the page.
 
-  // As the recipe has it.
-  std::size_t texels = std::size_t{1} << 22;  ///< Of each set of cards.
+  // The next values come from the recipe.
+  std::size_t texels = std::size_t{1} << 22;  ///< Per set of cards.
   int rounds = 6;                             ///< CardsBudget::rounds.
   float strand_width = 0;                     ///< Metres; CardsBudget::strand_width.
   float caps = 0.04f;                         ///< CardsBudget::caps.

@@ -15,7 +15,7 @@ const CardsSummary* find_cards(const CardsReport& report, const std::string& bas
   return found == report.summary.end() ? nullptr : &*found;
 }
 
-/// Of coif's own cards, the last set: of the most triangles, as budgets usually are given.
+/// The last set of coif's own cards, which usually has the most triangles.
 const CardsSummary* find_finest(const CardsReport& report) {
   const CardsSummary* finest = nullptr;
   for (const CardsSummary& summary : report.summary) {

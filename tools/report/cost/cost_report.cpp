@@ -14,7 +14,7 @@ const PublishedFrameRate* find_published(std::uint32_t heads) {
 /// Times of one crowd: [transparency][simulation].
 struct FourWays {
   double ms[2][2] = {};
-  double simulated_ms = 0, stepping_ms = 0;  ///< Of both simulated ones.
+  double simulated_ms = 0, stepping_ms = 0;  ///< Both simulated ways together.
   unsigned count = 0;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What `coif report cost` finds: records, measured by measure_cost(), and the columns that show them. Times are
+// The results of `coif report cost`: records, measured by measure_cost(), and the columns that show them. Times are
 // medians; the spread beside each is the width of the middle half of its samples, in % of the median.
 
 #include "report/cost/drawing_cost.h"
@@ -20,14 +20,14 @@ namespace coif::report {
 struct SimulationCostRow {
   std::uint32_t heads = 0;
   std::string solver;
-  std::uint32_t substeps = 1;    ///< Of the frame; iterations of `thesis`.
+  std::uint32_t substeps = 1;    ///< Per frame; iterations of `thesis`.
   double us_per_frame = 0;       ///< Microseconds of one core, all heads.
   double ns_per_bone_frame = 0;  ///< Per simulated bone of each head.
   double spread_pct = 0;
-  std::uint64_t bytes = 0;    ///< What the runtime asks the game for, asset not included.
+  std::uint64_t bytes = 0;    ///< The memory that the runtime asks the game for, without the asset.
   double bytes_per_head = 0;  ///< bytes / heads.
-  bool usual_steps = false;   ///< It is one of scaling_of(),
-  bool usual_heads = false;   ///< and of substeps_of().
+  bool usual_steps = false;   ///< Belongs to scaling_of().
+  bool usual_heads = false;   ///< Belongs to substeps_of().
 };
 
 [[nodiscard]] inline Columns<SimulationCostRow> simulation_columns() {
@@ -56,7 +56,7 @@ struct SimulationCostRow {
 
 inline constexpr const char* kAsCooked = "as-cooked";
 
-/// The same crowd with one thing changed.
+/// The same crowd with one change.
 struct FeatureCostRow {
   std::string feature;      ///< Short, unique: "no-colliders". The first is kAsCooked.
   std::string description;  ///< One line for people.
@@ -64,7 +64,7 @@ struct FeatureCostRow {
   double us_per_frame = 0;
   double ns_per_bone_frame = 0;
   double spread_pct = 0;
-  double change_pct = 0;  ///< Of the time, against kAsCooked.
+  double change_pct = 0;  ///< Change of the time relative to kAsCooked.
 };
 
 [[nodiscard]] inline Columns<FeatureCostRow> feature_columns() {
@@ -117,8 +117,8 @@ struct CrowdMemory {
 }
 
 struct ChunkBytes {
-  std::string id;    ///< As in the file: "BONE"; empty for sums, which are for nothing.
-  std::string what;  ///< In words; empty for what this version does not know.
+  std::string id;    ///< As in the file: "BONE"; empty for sums.
+  std::string what;  ///< In words; empty for a chunk that this version does not know.
   std::uint64_t bytes = 0;
   ChunkUse use = ChunkUse::kTools;
 };
@@ -135,13 +135,13 @@ struct ChunkBytes {
 }
 
 struct AssetBytes {
-  std::uint64_t total = 0;  ///< Of the file: the chunks and `framing`.
+  std::uint64_t total = 0;  ///< The file: the chunks and `framing`.
   std::vector<ChunkBytes> chunks;
   std::uint64_t framing = 0;  ///< Header, table of chunks, padding between them.
 };
 
 struct CostReport {
-  std::string instruction_set;  ///< What the processor was found to have; empty where nothing was simulated.
+  std::string instruction_set;  ///< The one used on this processor; empty where nothing was simulated.
   std::vector<SimulationCostRow> simulation;
   std::vector<FeatureCostRow> features;
   std::vector<CostLeftOut> left_out;
@@ -150,12 +150,12 @@ struct CostReport {
   RenderingCost rendering;
 };
 
-// Which rows belong together.
+// Rows that belong together.
 
-/// Crowds of one solver with the sub-steps that the asset asks for, as the smallest crowd has.
+/// Crowds of one solver with the asset's sub-steps, taken from the smallest crowd.
 [[nodiscard]] std::vector<SimulationCostRow> scaling_of(const CostReport& report, const std::string& solver);
 
-/// One solver with several numbers of sub-steps, all with the crowd that features are measured with.
+/// One solver with several numbers of sub-steps, all with the crowd of the feature rows.
 [[nodiscard]] std::vector<SimulationCostRow> substeps_of(const CostReport& report, const std::string& solver);
 
 /// Crowds drawn one way with the finest level of detail and one sample a pixel.
@@ -163,31 +163,31 @@ struct CostReport {
                                                         bool simulation);
 
 /// `coif report cost`: the heading, then
-/// - `instruction_set`: what the simulation was run with, "" where there was none
+/// - `instruction_set`: the one that the simulation used, "" without simulation
 /// - `simulation`, `features`, `left_out`
-/// - `memory`: of n heads, n large, bytes_shared + n * bytes_per_head
+/// - `memory`: for n heads, n large, bytes_shared + n * bytes_per_head
 /// - `file{bytes, chunks, framing_bytes}`; the chunks and the framing add up to the file
-/// - `rendering`, `distances`; `table_1`, `table_1_ratios`: empty unless they were asked for
+/// - `rendering`, `distances`; `table_1`, `table_1_ratios`: empty unless requested
 /// - `rendering_note`: why `rendering` is empty, or null
 ///
-/// The keys within are those of the columns above and in drawing_cost.h. For the page also `memory_of_crowds`,
+/// Their members have the keys of the columns above and in drawing_cost.h. For the page also `memory_of_crowds`,
 /// `file_parts`, `table_1_published` and sentences under `notes`.
 [[nodiscard]] nlohmann::ordered_json cost_json(const ReportHeading& heading, const CostReport& measured);
 
 /// `coif report cost` for a terminal: the rows, what was left out and the summary.
 [[nodiscard]] std::string cost_text(const ReportHeading& heading, const CostReport& report);
 
-/// How the page shows that: cost_page.json.
+/// The layout of the page: cost_page.json.
 extern "C" const char coif_cost_page[];
 
-/// What one head costs and what a crowd does, in a few sentences.
+/// The cost of one head and of a crowd, in a few sentences.
 [[nodiscard]] std::string cost_summary(const CostReport& report);
 
-/// Which crowds of `what`, as in CostLeftOut, were not measured, and why the first of them was not; empty where all
+/// The crowds of `what`, as in CostLeftOut, that were not measured, with the reason for the first one; empty where all
 /// were.
 [[nodiscard]] std::string left_out_text(const CostReport& report, const std::string& what);
 
-/// Where the times on the device itself come from, or why there are none.
+/// The source of the times on the device itself, or why there are none.
 [[nodiscard]] std::string device_time_text(const RenderingCost& rendering);
 
 }  // namespace coif::report

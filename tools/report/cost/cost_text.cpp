@@ -12,7 +12,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// Says of each row of the simulation which comparison it belongs to.
+/// Marks for each row of the simulation the comparison that it belongs to.
 void mark_comparisons(CostReport& report) {
   const auto is_one = [](const std::vector<SimulationCostRow>& rows, const SimulationCostRow& row) {
     return std::ranges::any_of(
@@ -28,7 +28,7 @@ void mark_comparisons(CostReport& report) {
   }
 }
 
-/// The chunks, and what else the file's bytes are.
+/// The chunks, and the other bytes of the file.
 std::vector<ChunkBytes> file_parts(const AssetBytes& asset) {
   std::vector<ChunkBytes> parts = asset.chunks;
   parts.push_back({"", "header, table of these parts, padding", asset.framing});
@@ -44,7 +44,7 @@ std::uint64_t drawing_bytes(const AssetBytes& asset) {
   return drawn;
 }
 
-/// Where the thesis's table was asked for, how it was measured here and there.
+/// If the thesis's table was requested: how it was measured here and there.
 ordered_json table_1_setup(const CostReport& report) {
   const ThesisTable& measured = report.rendering.thesis_table;
   if (measured.rows.empty() && left_out_text(report, kThesisTable).empty()) return nullptr;

@@ -38,7 +38,7 @@ void add_intervals(const CrowdSettings& usual, std::vector<CrowdFeature>& featur
   for (const std::uint32_t interval : {2u, 4u}) {
     CrowdSettings settings = usual;
     settings.detail.interval = interval;
-    settings.substeps = 0;  // a number of them would be meant for each frame, and nothing be saved
+    settings.substeps = 0;  // A number of sub-steps would be per frame, and nothing would be saved.
     features.push_back(
         {fmt::format("every-{}{}-frame", interval, interval == 2 ? "nd" : "th"),
          "each head is stepped that often, in turns, with the sub-steps that the asset asks for such a step",
@@ -46,7 +46,7 @@ void add_intervals(const CrowdSettings& usual, std::vector<CrowdFeature>& featur
   }
 }
 
-/// What costs next to nothing, and what would be paid for it otherwise.
+/// Features that cost next to nothing, with what they save.
 void add_rest(const CrowdSettings& usual, std::vector<CrowdFeature>& features) {
   CrowdSettings unseen = usual, asleep = usual, awake = usual;
   unseen.detail.simulated = false;
@@ -57,7 +57,7 @@ void add_rest(const CrowdSettings& usual, std::vector<CrowdFeature>& features) {
   features.push_back({"still-awake", "no head moves, and hair may not fall asleep", awake});
 }
 
-/// What a character brings along, one thing at a time.
+/// The features of a character, one at a time.
 void add_characters(const CrowdSettings& usual, std::vector<CrowdFeature>& features) {
   constexpr std::uint32_t kRoom = 4;
   const auto add = [&](const char* name, const char* description, const CrowdCharacter& character) {

@@ -1,8 +1,8 @@
 #pragma once
 
-// What `coif report cost` finds about drawing: records, measured by measure_drawing(), and the columns that show them.
-// Times are medians of wall time until the device has finished; the spread beside each is the width of the middle half
-// of its samples, in % of the median.
+// The results of `coif report cost` about drawing: records, measured by measure_drawing(), and the columns that show
+// them. Times are medians of wall time until the device has finished; the spread beside each is the width of the middle
+// half of its samples, in % of the median.
 
 #include "report/page/report_columns.h"
 
@@ -18,7 +18,7 @@ namespace coif::report {
 
 inline constexpr const char* kNotMeasured = "not measured";
 
-/// Milliseconds that the device says that it took itself; of the page where it told at least once.
+/// Milliseconds that the device reports for itself; a column of the page where it did at least once.
 [[nodiscard]] inline PageColumn on_the_device(bool is_told) {
   return {is_told ? "on the device" : nullptr, ms_format(kNotMeasured), 1};
 }
@@ -33,15 +33,16 @@ template <typename Row>
 /// One frame of a crowd that fills the picture.
 struct RenderingCostRow {
   std::uint32_t heads = 0;
-  std::string transparency;   ///< As the command line calls it: "blend": four passes; "opaque": one.
-  std::uint32_t samples = 1;  ///< Of a pixel.
+  std::string transparency;   ///< The name on the command line: "blend": four passes; "opaque": one.
+  std::uint32_t samples = 1;  ///< Per pixel.
   std::uint32_t lod = 0;
-  bool simulation = false;      ///< The crowd is also simulated, on the same thread, before it is drawn.
-  bool strand_terms = false;    ///< With glow, dark roots and strands of different lightness, whatever the asset has.
-  std::uint64_t triangles = 0;  ///< Of all heads; each is drawn once a pass.
+  bool simulation = false;  ///< The crowd is also simulated, on the same thread, before it is drawn.
+  /// With glow, dark roots and strands of different lightness, whatever the asset has.
+  bool strand_terms = false;
+  std::uint64_t triangles = 0;  ///< All heads together; each is drawn once per pass.
   double ms_per_frame = 0;      ///< Wall time until the device has finished.
   double spread_pct = 0;
-  std::optional<double> gpu_ms_per_frame{};  ///< What the device says that it took itself; nothing where it does not.
+  std::optional<double> gpu_ms_per_frame{};  ///< The device's own report; none where it gives none.
 };
 
 /// `device`: RenderingCost::device.
@@ -66,8 +67,8 @@ struct RenderingCostRow {
 /// A crowd near and far, each head with the level of detail that choose_lod() gives it.
 struct DistanceCostRow {
   std::uint32_t heads = 0;
-  double times_as_far = 1;  ///< As where the crowd fills the picture.
-  double screen_share = 0;  ///< Of the picture's height, that of a head.
+  double times_as_far = 1;  ///< Multiple of the distance at which the crowd fills the picture.
+  double screen_share = 0;  ///< A head's share of the picture's height.
   std::uint32_t lod = 0;
   std::uint64_t triangles_per_head = 0;
   double covered_pixels_per_head = 0;  ///< Pixels that hair touches / heads.
@@ -77,7 +78,7 @@ struct DistanceCostRow {
   std::optional<double> gpu_ms_per_head{};
 };
 
-/// What the level of detail spares of the finest one's time, %.
+/// Time that the level of detail saves relative to the finest one, %.
 [[nodiscard]] inline double saved_pct(const DistanceCostRow& row) {
   return 100 * (1 - row.ms_per_head / row.finest_ms_per_head);
 }
@@ -108,29 +109,29 @@ struct DistanceCostRow {
            {"saved", 9, {"{:.0f} %", "0 %"}}}};
 }
 
-// Table 1 of the thesis (6. Results): what a crowd costs to simulate and draw, each with and without.
+// Table 1 of the thesis (6. Results): the cost of simulating and drawing a crowd, each with and without.
 
 inline constexpr std::uint32_t kThesisTableWidth = 1024, kThesisTableHeight = 768;  ///< Pixels.
 inline constexpr const char* kThesisTableDevice = "NVIDIA GeForce GTX 470, 2011";
 
-/// One row of the table as published. Simulation made no difference there.
+/// One row of the published table. Simulation made no difference there.
 struct PublishedFrameRate {
   std::uint32_t heads = 0;
-  double transparent_fps = 0;  ///< Frames per second, whole ones, of a game with all that it draws beside hair.
+  double transparent_fps = 0;  ///< Frames per second, integers, of a game with everything that it draws besides hair.
   double opaque_fps = 0;
 };
 inline constexpr std::array<PublishedFrameRate, 4> kPublishedFrameRates{
     {{20, 53, 58}, {50, 27, 30}, {100, 14, 16}, {200, 7, 8}}};
 
-/// One cell, measured here. Heads are as large in every row: all of the largest crowd fit into the picture.
+/// One cell, measured here. Heads have the same size in every row: the whole largest crowd fits into the picture.
 struct ThesisTableRow {
   std::uint32_t heads = 0;
   bool transparency = true;                  ///< The four passes; without, one that cuts off.
   bool simulation = true;                    ///< The crowd is stepped before it is drawn, on the same thread.
   double ms_per_frame = 0;                   ///< Wall time until the device has finished; median.
   double spread_pct = 0;                     ///< Width of the middle half of the frames, % of the median.
-  double step_ms = 0;                        ///< The part of it that stepping took, in the same frames; median.
-  std::optional<double> gpu_ms_per_frame{};  ///< What the device says that it took itself.
+  double step_ms = 0;                        ///< The time of stepping in these frames; median.
+  std::optional<double> gpu_ms_per_frame{};  ///< The device's own report.
 };
 
 [[nodiscard]] inline Columns<PublishedFrameRate> published_columns() {
@@ -139,7 +140,7 @@ struct ThesisTableRow {
 }
 
 [[nodiscard]] double frames_per_second(const ThesisTableRow& row);
-/// What the thesis has in this row's place; nothing for crowds that it did not measure.
+/// The thesis's value for this row; none for crowds that it did not measure.
 [[nodiscard]] std::optional<double> published_frames_per_second(const ThesisTableRow& row);
 
 [[nodiscard]] inline Columns<ThesisTableRow> thesis_columns(const std::string& device,
@@ -163,10 +164,10 @@ struct ThesisTableRow {
 struct ThesisTableRatio {
   std::uint32_t heads = 0;
   double transparency_on_off = 1;  ///< Time of both ways with / time of both without.
-  /// Time of both simulated ways / what is left of the same frames without their stepping: two drawings of the same
-  /// thing differ by more than most crowds take to step.
+  /// Time of both simulated ways divided by the time of the same frames without stepping. (Two drawings of the same
+  /// thing differ by more than most crowds take to step.)
   double simulation_on_off = 1;
-  std::optional<double> published_transparency{};  ///< From whole frames per second, so some percent off.
+  std::optional<double> published_transparency{};  ///< From integer frames per second, so some percent off.
   std::optional<double> published_simulation{};
 };
 
@@ -182,15 +183,15 @@ struct ThesisTableRatio {
 
 struct ThesisTable {
   std::uint32_t width = 0, height = 0;  ///< Pixels.
-  std::vector<ThesisTableRow> rows;     ///< Empty where it was not asked for.
+  std::vector<ThesisTableRow> rows;     ///< Empty where it was not requested.
 };
 
-/// One for each crowd of which all four ways are there, in order of their first rows.
+/// One for each crowd for which all four ways were measured, in order of their first rows.
 [[nodiscard]] std::vector<ThesisTableRatio> ratios_of(const ThesisTable& table);
 
 struct RenderingCost {
-  std::string device;                   ///< What OpenGL calls itself; empty where nothing was drawn.
-  std::uint32_t width = 0, height = 0;  ///< Pixels, but for the thesis's table.
+  std::string device;                   ///< OpenGL's name of itself; empty where nothing was drawn.
+  std::uint32_t width = 0, height = 0;  ///< Pixels, except for the thesis's table.
   std::vector<RenderingCostRow> rows;
   std::vector<DistanceCostRow> distances;
   ThesisTable thesis_table;

@@ -20,7 +20,8 @@ constexpr std::string_view kPublished = "thesis";
 constexpr std::string_view kSolvers[] = {"coif", kPublished};
 
 constexpr motion::Motion kMotion = motion::Motion::kRun;
-constexpr std::size_t kFramesThere = 240;  // of the motion; then they play backwards, so that nothing ever jumps
+constexpr std::size_t kFramesThere =
+    240;  // Frames of the motion; then they play backwards, so that nothing ever jumps.
 constexpr unsigned kMostFramesToSleep = 3600;
 constexpr std::size_t kFramesApart = 7;  // between neighbours, so that no two heads do the same
 
@@ -49,7 +50,7 @@ constexpr float kColliderRadius = 0.04f;  // metres
 constexpr double kFar = 5;                // metres
 constexpr std::size_t kPosedFrames = 60;
 
-/// In the hair beside each other, or out of its reach.
+/// Places in the hair side by side, or out of its reach.
 std::vector<Eigen::Vector3d> collider_places(const Asset& asset, const CrowdCharacter& character) {
   std::vector<Eigen::Vector3d> places;
   if (character.colliders == 0) return places;
@@ -169,9 +170,9 @@ bool HairCrowd::step() {
 
 namespace {
 
-constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;  // of all crowds together
-constexpr double kLargestShare = 0.25;                        // of the time, for one crowd
-constexpr double kLeastRuns = 8;  // of a crowd that is slow: warming up, and the fewest rounds
+constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;  // All crowds together.
+constexpr double kLargestShare = 0.25;                        // Share of the time, for one crowd.
+constexpr double kLeastRuns = 8;  // Runs of a slow crowd: warming up, and the fewest rounds.
 
 }  // namespace
 
@@ -186,7 +187,7 @@ tl::expected<HairCrowd*, ToolError> CrowdLineUp::take(const Asset& asset, const 
 tl::expected<void, ToolError> CrowdLineUp::add(const Asset& asset, const CrowdSettings& settings) {
   const auto crowd = take(asset, settings);
   if (!crowd) return tl::unexpected(crowd.error());
-  // Hair that is not stepped in every frame would be timed in one that leaves out all of it, or none.
+  // With an interval, a single frame would step all of the hair or none.
   const unsigned frames = settings.detail.interval;
   works_.emplace_back([moved = *crowd, frames] {
     for (unsigned i = 0; i < frames; ++i) (void)moved->step();

@@ -17,12 +17,12 @@ namespace {
 
 constexpr std::uint32_t kSubsteps[] = {1, 2, 4, 8};
 constexpr std::uint32_t kComparedHeads[] = {100, 50, 20, 10, 5, 2, 1};
-constexpr double kComparedSeconds = 2e-3;  // of one frame: small beside the time there is for all
+constexpr double kComparedSeconds = 2e-3;  // Seconds of one frame: small compared with the total time.
 
 using Added = tl::expected<void, ToolError>;
 
 CrowdMemory memory_of(const Asset& asset, const std::string& solver) {
-  // Both are multiples of every number of heads that a processor could take at once.
+  // Both are multiples of every number of heads that a processor could step at once.
   constexpr std::uint32_t kFew = 1024, kMany = 2048;
   const auto few = double(HairCrowd::memory_bytes(asset, {.heads = kFew, .solver = solver}));
   const auto many = double(HairCrowd::memory_bytes(asset, {.heads = kMany, .solver = solver}));
@@ -47,7 +47,7 @@ class CostMeasurement {
     return add_features();
   }
 
-  /// Adds what was found to `report`.
+  /// Adds the results to `report`.
   void time(CostReport& report) {
     const std::vector<Timing> timings = line_up_.time();
     for (std::size_t i = 0; i < timings.size(); ++i) {
@@ -64,12 +64,12 @@ class CostMeasurement {
   }
 
  private:
-  /// As the asset wants it; `thesis` knows no sub-steps.
+  /// As the asset asks for; `thesis` has no sub-steps.
   [[nodiscard]] std::uint32_t default_substeps(const std::string& solver) const {
     return solver == "thesis" ? 1 : tuned_substeps(asset_, float(1 / kCrowdRate));
   }
 
-  /// Tells from one head what many would take.
+  /// Estimates from one head the time of many.
   Added learn_pace(const std::string& solver) {
     constexpr double kSeconds = 0.02;
     CrowdLineUp alone(kSeconds);
@@ -119,7 +119,7 @@ class CostMeasurement {
     return {};
   }
 
-  /// As cooked, or made of that.
+  /// The cooked asset, or one made from it.
   const Asset& asset_for(FeatureAsset kind) {
     if (kind == FeatureAsset::kTouchingNothing) return bald_.emplace(lab::untouched_part(asset_)).asset();
     if (kind == FeatureAsset::kLinked) return linked_.emplace(with_neighbours_linked(asset_)).asset();

@@ -30,13 +30,13 @@ inline constexpr double kCrowdRate = 60;  ///< Frames per second of a crowd.
 /// Names of the solvers that a game can choose.
 [[nodiscard]] std::span<const std::string_view> crowd_solvers();
 
-/// What heads bring along besides their hair.
+/// The features of characters that heads have.
 struct CrowdCharacter {
   bool is_one = false;            ///< kCharacterSolver instead of kCoifSolver; else only `scale` counts.
   std::uint32_t room = 0;         ///< HairDesc::moving_colliders.
-  std::uint32_t colliders = 0;    ///< Of them given to each head: balls of 4 cm that go along with it.
+  std::uint32_t colliders = 0;    ///< Colliders given to each head: balls of 4 cm that move with it.
   bool are_near = false;          ///< In the hair; else five metres away.
-  std::optional<float> weight{};  ///< Of a pose that changes from frame to frame; none: the rest pose.
+  std::optional<float> weight{};  ///< Weight of a pose that changes from frame to frame; none: the rest pose.
   float scale = 1;
   bool in_gusts = false;
 };
@@ -45,10 +45,10 @@ struct CrowdSettings {
   std::uint32_t heads = 1;           ///< 1..kMaxInstances.
   std::string_view solver = "coif";  ///< One of crowd_solvers().
   std::uint32_t substeps = 1;        ///< 0: as many as the asset asks for. Iterations of "thesis".
-  bool heads_move = true;            ///< They run, each at another time of the same motion; else they stand still.
+  bool heads_move = true;            ///< Heads run, each at another time of the same motion; else they stand still.
   bool frame_time_varies = false;    ///< Frames last up to a tenth more or less, each another time.
-  Detail detail{};                   ///< Of every head.
-  bool sleeps = true;                ///< Heads that stand still have all fallen asleep when the crowd is made.
+  Detail detail{};                   ///< For every head.
+  bool sleeps = true;                ///< Heads that stand still are all asleep when the crowd has been made.
   InstructionSet instruction_set = InstructionSet::kBest;
   CrowdCharacter character{};
 };
@@ -56,16 +56,16 @@ struct CrowdSettings {
 /// Heads with the runtime's hair, as a game has them. The asset must outlive it.
 class HairCrowd {
  public:
-  /// What the runtime asks the game for; 0 for a number of heads that it refuses.
+  /// The memory that the runtime asks the game for; 0 for a number of heads that it refuses.
   [[nodiscard]] static std::uint64_t memory_bytes(const Asset& asset, const CrowdSettings& settings);
 
   /// Errors: kBadInput where the runtime refuses the asset, kUsage for
   /// settings out of range, kUnsupported where the memory cannot be had.
   static tl::expected<HairCrowd, ToolError> create(const Asset& asset, const CrowdSettings& settings);
 
-  /// Tells the runtime where each head is in the next frame, and what it brings along. False where it refuses that.
+  /// Gives the runtime each head's next pose, and its character's features. False where it refuses that.
   bool hand_over_poses();
-  /// One frame: hand_over_poses(), then the step with its matrices. False where the runtime refuses.
+  /// Runs one frame: hand_over_poses(), then the step with its matrices. False where the runtime refuses.
   bool step();
 
   [[nodiscard]] std::span<const Mat34> palette(std::uint32_t head) const { return hair_.palette(head); }
@@ -83,31 +83,31 @@ class HairCrowd {
   std::vector<HeadPose> poses_;  ///< Frame by frame; the last is next to the first.
   std::size_t frame_ = 0;
   std::vector<Eigen::Vector3d> collider_places_;  ///< Head space.
-  std::vector<std::vector<Quat>> rotations_;      ///< Of the pose, frame by frame.
+  std::vector<std::vector<Quat>> rotations_;      ///< Poses, frame by frame.
 };
 
-/// Which hair a crowd has.
+/// The asset of a crowd.
 enum class FeatureAsset { kOwn, kTouchingNothing, kLinked };
 
-/// One way in which a crowd can be run otherwise than as it was cooked.
+/// A way to run a crowd that differs from the cooked one.
 struct CrowdFeature {
   std::string name;         ///< Short, unique: "no-colliders".
-  std::string description;  ///< What is different, one line for people.
+  std::string description;  ///< The difference, one line for people.
   CrowdSettings settings;
   FeatureAsset asset = FeatureAsset::kOwn;
   bool steps = true;  ///< False: only the poses are handed over.
 };
 
-/// All that `asset` and this processor have; the first, kAsCooked, is `usual` itself.
+/// All ways that `asset` and this processor support; the first, kAsCooked, is `usual` itself.
 [[nodiscard]] std::vector<CrowdFeature> crowd_features(const Asset& asset, const CrowdSettings& usual);
 
-/// Crowds that are timed beside each other. All live at once, so that a slow moment of the machine hits all.
+/// Crowds that are timed side by side. All exist at once, so that a slow moment of the machine affects all.
 class CrowdLineUp {
  public:
-  /// `seconds`: to spend on all of them.
+  /// `seconds`: time for all of them.
   explicit CrowdLineUp(double seconds) : seconds_(seconds) {}
 
-  /// Takes the crowd's frames. Error: that of HairCrowd::create(). `asset` must outlive this object.
+  /// Warms up the crowd. Error: that of HairCrowd::create(). `asset` must outlive this object.
   tl::expected<void, ToolError> add(const Asset& asset, const CrowdSettings& settings);
   /// Takes only the handing over of the poses.
   tl::expected<void, ToolError> add_poses(const Asset& asset, const CrowdSettings& settings);
@@ -116,36 +116,36 @@ class CrowdLineUp {
   /// `second_per_head` of a smaller one, or of the memory. Empty where it is.
   [[nodiscard]] std::string objection(const Asset& asset, const CrowdSettings& settings, double seconds_per_head) const;
 
-  /// Of one frame of all that were added, in their order.
+  /// Times of one frame of each crowd, in the order added.
   [[nodiscard]] std::vector<Timing> time() const;
 
  private:
   tl::expected<HairCrowd*, ToolError> take(const Asset& asset, const CrowdSettings& settings);
 
   double seconds_;
-  std::uint64_t bytes_ = 0;  ///< Of all crowds.
+  std::uint64_t bytes_ = 0;  ///< All crowds together.
   std::vector<std::unique_ptr<HairCrowd>> crowds_;
   std::vector<std::function<void()>> works_;
-  std::vector<unsigned> frames_;  ///< That each of works_ runs.
+  std::vector<unsigned> frames_;  ///< Frames that each of works_ runs.
 };
 
-/// What each chunk of an open asset costs, in the order of the file.
+/// The bytes of each chunk of an open asset, in the order of the file.
 [[nodiscard]] AssetBytes asset_bytes(const Asset& asset);
 
 struct CostSettings {
   std::vector<std::uint32_t> heads{1, 10, 100, 1000, 10000};  ///< Sizes of the crowd, 1..kMaxInstances.
-  std::vector<std::string> solvers;                           ///< Of crowd_solvers(); empty: all.
-  double seconds = 8;  ///< To spend, > 0. Crowds that would take longer are left out; one head never is.
+  std::vector<std::string> solvers;                           ///< Names of crowd_solvers(); empty: all.
+  double seconds = 8;  ///< Time to spend, > 0. Crowds that would take longer are left out; one head never is.
 };
 
-/// Times the runtime, on the calling thread, as a game would call it, beside what the asset takes in memory and in the
-/// file. Everything but CostReport::rendering; hair that is rigid has only its bytes. Errors: kUsage for settings out
-/// of range or an unknown solver, kUnsupported where the memory cannot be had.
+/// Times the runtime on the calling thread, as a game would call it, and measures the asset in memory and in the file.
+/// Fills everything except CostReport::rendering; rigid hair has only its bytes. Errors: kUsage for settings out of
+/// range or an unknown solver, kUnsupported where there is not enough memory.
 tl::expected<CostReport, ToolError> measure_cost(const Asset& asset, const CostSettings& settings,
                                                  const ReportProgress& progress);
 
-/// What Hair reads of the asset, each chain linked to the nearest of those before it, as hair would be that hangs
-/// together everywhere: what links could cost. Stretch a tenth, and half as near.
+/// The data that Hair reads of the asset, with each chain linked to the nearest of those before it, like hair that is
+/// linked everywhere: an upper bound of the cost of links. They may stretch by a tenth, and shrink to half.
 [[nodiscard]] AssetContents with_neighbours_linked(const Asset& asset);
 
 }  // namespace coif::report

@@ -122,7 +122,7 @@ std::vector<std::uint8_t> side_by_side(std::span<const std::uint8_t> exact, std:
 namespace {
 
 constexpr double kOrbitPitch = 5;
-constexpr std::uint32_t kOrbitDivisor = 2;  // a quarter of the pixels shows as well what pops
+constexpr std::uint32_t kOrbitDivisor = 2;  // A quarter of the pixels shows popping as well.
 
 /// A way's pictures so far, and the worst of them.
 struct Running {

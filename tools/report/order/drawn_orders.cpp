@@ -7,7 +7,7 @@
 namespace coif::report {
 namespace {
 
-constexpr std::size_t kTexelAlignment = 16;  // of each texture, as the format asks for
+constexpr std::size_t kTexelAlignment = 16;  // Alignment of each texture in the format.
 
 template <typename Record>
 std::vector<Record> copy(std::span<const Record> records) {
@@ -61,7 +61,7 @@ void copy_textures(const Asset& asset, std::span<const TextureRecord> from, std:
   }
 }
 
-/// Whatever drawing needs besides the patches.
+/// Copies everything that drawing needs besides the patches.
 void copy_appearance(const Asset& asset, AssetContents& contents) {
   contents.vertices = copy(asset.vertices());
   contents.skin = copy(asset.skin());

@@ -15,9 +15,10 @@ namespace {
 
 constexpr std::uint32_t kMostPixels = 1024, kLeastPixels = 16, kMostFrames = 360;
 constexpr double kThresholds[] = {0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95};
-constexpr double kSameThreshold = 0.005;      // an 8-bit alpha or so
-constexpr double kSortingShare = 0.2;         // of the time for times
-constexpr std::uint32_t kThresholdViews = 3;  // thresholds differ alike from all sides: one in so many views will do
+constexpr double kSameThreshold = 0.005;  // an 8-bit alpha or so
+constexpr double kSortingShare = 0.2;     // Share of the time for measuring times.
+constexpr std::uint32_t kThresholdViews =
+    3;  // Thresholds differ similarly from all sides: one view in so many suffices.
 
 tl::expected<void, ToolError> check(const OrderSettings& settings) {
   const auto side_ok = [](std::uint32_t side) { return side >= kLeastPixels && side <= kMostPixels; };
@@ -36,7 +37,7 @@ void take_times(OrderRow& row, double ms, std::optional<double> sorting_ns) {
   row.sorting_ns = sorting_ns;
 }
 
-/// Of the runtime, by the name that reports have for it; null: there is none.
+/// The runtime's solver of this name in reports; null: none.
 const Solver* find_runtime_solver(const std::string& name) {
   const MeasuredSolver* const found = find_measured_solver(name);
   return found == nullptr ? nullptr : found->runtime;
@@ -98,7 +99,7 @@ class OrderMeasurement {
     if (progress_) progress_(step);
   }
 
-  /// All orders and modes beside each other, so that exact pictures are taken once.
+  /// Draws all orders and modes side by side, so that exact pictures are taken once.
   tl::expected<void, ToolError> add_pose(const OrderPose& pose) {
     const bool with_modes = settings_.modes && &pose == &poses_.front();
     const std::vector<DrawnWay> ways = ways_of(with_modes);

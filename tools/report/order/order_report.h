@@ -1,10 +1,10 @@
 #pragma once
 
-// What `coif report order` finds: records, measured by measure_order(), and the columns that show them.
+// The results of `coif report order`: records, measured by measure_order(), and the columns that show them.
 //
 // A picture's error is its difference from the exact one, in which every pixel's layers are sorted by depth and every
-// alpha counts as it is: over the pixels that hair covers there, in sRGB-encoded values of 0..1, as a screen shows
-// them. 8-bit pictures that are equal have kEqualDb.
+// texel has its own alpha. It is taken over the pixels that hair covers there, in sRGB-encoded values of 0..1, as on a
+// screen. Equal 8-bit pictures have kEqualDb.
 
 #include "report/page/report_columns.h"
 
@@ -15,17 +15,17 @@
 
 namespace coif::report {
 
-inline constexpr double kEqualDb = 99;         ///< The most that any PSNR says.
-inline constexpr double kBadDifference = 0.1;  ///< Of any channel, from which on a pixel counts as wrong.
+inline constexpr double kEqualDb = 99;         ///< The largest PSNR of any report.
+inline constexpr double kBadDifference = 0.1;  ///< Difference of a channel from which on a pixel counts as wrong.
 
 /// Errors of one way to draw over all views.
 struct OrderError {
-  double psnr_db = kEqualDb;         ///< Of the squared error over the pixels of all views together.
-  double median_psnr_db = kEqualDb;  ///< Over the views.
+  double psnr_db = kEqualDb;         ///< From the squared error over the pixels of all views together.
+  double median_psnr_db = kEqualDb;  ///< Median over the views.
   double worst_psnr_db = kEqualDb;
   double rmse = 0;
   double bad_pixels_pct = 0;
-  std::vector<double> view_psnr_db;  ///< One per view, in OrderReport::directions' order.
+  std::vector<double> view_psnr_db;  ///< One per view, in the order of OrderReport::directions.
 };
 
 /// Coloured: the eye finds no difference from some 40 dB on, and plain ones below some 30.
@@ -34,7 +34,7 @@ struct OrderError {
       .colored({{{"least", 40}, {"look", "good"}}, {{"least", 30}, {"look", "neutral"}}, {{"look", "bad"}}});
 }
 
-/// What a record's `error` has: PSNR to bad pixels, and the median view, which JSON has last.
+/// The columns of a record's `error`: PSNR to bad pixels, and the median view, which JSON has last.
 template <typename Row>
 [[nodiscard]] Columns<Row> error_columns() {
   return {{"psnr_db", [](const Row& row) { return row.error.psnr_db; }, {"PSNR", decibels()}, {"dB", 8, "{:.1f}"}},
@@ -57,7 +57,7 @@ template <typename Row>
           {"median", 8, "{:.1f}", 1}};
 }
 
-/// error_columns() of a way to draw, with what else is measured of it.
+/// error_columns() of a way to draw, with its other measurements.
 template <typename Row>
 [[nodiscard]] Columns<Row> way_columns() {
   Columns<Row> columns = error_columns<Row>();
@@ -73,13 +73,12 @@ struct OrderRow {
   std::string pose;   ///< rest or a motion.
   bool faces_together = false;
   OrderError error;
-  /// RMS over an orbit by single degrees of what a pixel changes from frame to frame beyond what it changes in exact
-  /// pictures.
+  /// RMS, over an orbit by single degrees, of a pixel's change from frame to frame beyond the change in exact pictures.
   std::optional<double> popping{};
   double ms_per_frame = 0;  ///< Wall time until the device has finished; `triangles`: sorting included, upload not.
-  /// Nanoseconds of one processor to choose the head's order, or to make it. Nothing: there is one for all sides.
+  /// Nanoseconds of one processor to choose the head's order, or to make it. None: there is one order for all sides.
   std::optional<double> sorting_ns{};
-  std::uint64_t bytes = 0;  ///< Of indices on the device; with those of `bones`' own memory.
+  std::uint64_t bytes = 0;  ///< Indices on the device; with the memory of `bones` itself.
 };
 
 [[nodiscard]] inline Columns<OrderRow> order_columns() {
@@ -95,7 +94,7 @@ struct OrderRow {
 
 /// A way to draw transparent hair, with the asset's orders, in one pose.
 struct OrderModeRow {
-  std::string transparency;  ///< As the command line calls it.
+  std::string transparency;  ///< The name on the command line.
   std::uint32_t samples = 1;
   std::string pose;
   OrderError error;
@@ -115,7 +114,7 @@ struct OrderModeRow {
 /// The asset's orders with another opaque threshold than its own, at rest.
 struct ThresholdRow {
   double opaque_threshold = 0;
-  bool is_own = false;  ///< It is the asset's.
+  bool is_own = false;  ///< It is the asset's own threshold.
   OrderError error;
 };
 
@@ -131,10 +130,11 @@ struct ThresholdRow {
 
 /// How much hair is left where the head is drawn small, at rest.
 struct DistanceRow {
-  std::uint32_t pixels = 0;     ///< Height of the picture that the head fills.
-  double coverage_pct = 0;      ///< Sum of alpha, finest level, of that of the exact picture at the first row's size.
-  std::uint32_t lod = 0;        ///< What a game would draw at this size,
-  double lod_coverage_pct = 0;  ///< and how much that covers.
+  std::uint32_t pixels = 0;  ///< Height of the picture that the head fills.
+  /// Sum of alpha of the finest level, % of that of the exact picture at the first row's size.
+  double coverage_pct = 0;
+  std::uint32_t lod = 0;        ///< The level that a game would draw at this size.
+  double lod_coverage_pct = 0;  ///< The coverage of that level.
 };
 
 [[nodiscard]] inline Columns<DistanceRow> order_distance_columns() {
@@ -148,7 +148,7 @@ struct DistanceRow {
           {"lod_coverage_pct", &DistanceRow::lod_coverage_pct, {"covers", percent}, {"covered", 10, percent}}};
 }
 
-/// What a way to draw looks like where it is worst.
+/// A way's worst picture.
 struct WorstPicture {
   std::string name;  ///< An order or a transparency mode.
   std::string pose;
@@ -165,11 +165,11 @@ struct WorstPicture {
           {"psnr_db", &WorstPicture::psnr_db}};
 }
 
-/// Of the exact picture from itself, over a few views: the floor below which no error means anything.
+/// The difference of the exact picture from itself, over a few views: smaller errors are meaningless.
 struct SelfDifferenceRow {
   std::string against;  ///< "again": the same taken twice.
   double psnr_db = kEqualDb;
-  double max_difference = 0;  ///< Of any channel, 0..1.
+  double max_difference = 0;  ///< Largest difference of a channel, 0..1.
 };
 
 [[nodiscard]] inline Columns<SelfDifferenceRow> self_difference_columns() {
@@ -185,7 +185,7 @@ struct ViewAngle {
 /// How much better the asset's own orders are than the thesis's.
 struct OrderGain {
   std::string pose;
-  double gain_over_head_db = 0;  ///< Of psnr_db.
+  double gain_over_head_db = 0;  ///< Difference of psnr_db.
 };
 
 struct OrderLeftOut {
@@ -202,7 +202,7 @@ struct OrderReport {
   std::string solver;                   ///< Moved the hair.
   std::uint32_t width = 0, height = 0;  ///< Pixels.
   double opaque_threshold = 0;          ///< The asset's.
-  std::uint32_t orders = 1;             ///< That the asset has.
+  std::uint32_t orders = 1;             ///< The number of the asset's orders.
   std::vector<ViewAngle> directions;
   std::uint32_t orbit_frames = 0;
   std::vector<OrderRow> rows;
@@ -217,22 +217,22 @@ struct OrderReport {
 
 /// `coif report order`: the heading, then
 /// - `device`, `solver` of the poses, `width`, `height`, `opaque_threshold`, `orders`: how many the asset has
-/// - `views`: how many directions each figure is of, `orbit_frames` those of popping
+/// - `views`: number of directions behind each figure, `orbit_frames` behind popping
 /// - `rows`, `modes`
 /// - `gain_over_head_db{rest, turn, charge, tumble}`: of the asset's own orders, one per pose
 /// - `thresholds`, `distance`, `reference`: of exact pictures from each other, `worst`, `left_out`
 ///
-/// The keys within are those of the columns above. For the page also `view_errors`, best first, sentences under
+/// Their members have the keys of the columns above. For the page also `view_errors`, best first, sentences under
 /// `notes`, and in `worst` a "caption" and the picture, a "png" in base64.
 [[nodiscard]] nlohmann::ordered_json order_json(const ReportHeading& heading, const OrderReport& report);
 
 /// `coif report order` for a terminal.
 [[nodiscard]] std::string order_text(const ReportHeading& heading, const OrderReport& report);
 
-/// How the page shows that: order_page.json.
+/// The layout of the page: order_page.json.
 extern "C" const char coif_order_page[];
 
-/// What a hurried reader should know, in a few sentences.
+/// The summary for hurried readers, in a few sentences.
 [[nodiscard]] std::string order_summary(const OrderReport& report);
 
 }  // namespace coif::report

@@ -52,7 +52,7 @@ tl::expected<std::vector<DistanceRow>, ToolError> measure_distances(const Asset&
     shot.lod = 0;
     const auto finest = coverage(pictures, shot);
     if (!finest) return tl::unexpected(finest.error());
-    // A full-screen game's picture is some thousand pixels high: that share of it decides the level.
+    // A full-screen game's picture is about a thousand pixels high; the share of that decides the level.
     constexpr float kScreen = 1080;
     shot.lod = row.lod = choose_lod(asset.stored_lods(), float(pixels) / kScreen, 0, 0);
     const auto chosen = coverage(pictures, shot);
@@ -85,7 +85,7 @@ tl::expected<Pictures, ToolError> take_from_all_sides(render::OrderPictures& pic
   return taken;
 }
 
-/// As often as `times`, one series after the other.
+/// Takes each series `times` times, one after the other.
 tl::expected<std::vector<Pictures>, ToolError> take_series(const Asset& asset, const RendererDesc& desc,
                                                            render::HairShot shot, int times) {
   const auto pictures = render::OrderPictures::create(asset, desc);
@@ -149,7 +149,7 @@ class Sides {
   std::size_t at_ = 0;
 };
 
-/// What `way` computes for a head before it is drawn; empty: nothing.
+/// The work of `way` for a head before it is drawn; empty: none.
 std::function<void()> sorting_of(const DrawnWay& way, const OrderWays& ways, const PosedHair& hair,
                                  const std::shared_ptr<Sides>& sides) {
   if (way.bones != nullptr) {

@@ -13,7 +13,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// Each order's views in each pose, best first, so that they make a line.
+/// Each order's views in each pose, best first, so that they form a line.
 ordered_json view_errors(const OrderReport& report) {
   ordered_json list = ordered_json::array();
   for (const OrderRow& row : report.rows) {

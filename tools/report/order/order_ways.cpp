@@ -144,7 +144,7 @@ struct MovingPose {
   const char* name;
   double seconds[3];
 };
-/// The cooker looks for its orders in moments of the first two. Of the last it knows nothing.
+/// The cook looks for its orders in moments of the first two; it does not know the last.
 constexpr MovingPose kMovingPoses[] = {{motion::Motion::kTurn, "turn", {0.2, 0.45, 0.7}},
                                        {motion::Motion::kCharge, "charge", {0.15, 0.35, 0.8}},
                                        {motion::Motion::kTumble, "tumble", {0.25, 0.5, 0.85}}};

@@ -7,7 +7,7 @@
 namespace coif::report {
 namespace {
 
-/// Where those stand that are in a form (&ColumnForm::page or text), in its order.
+/// Indices of the columns that a form has (&ColumnForm::page or text), in its order.
 template <typename Form>
 std::vector<std::size_t> placed(const std::vector<ColumnForm>& columns, Form ColumnForm::*form) {
   std::vector<std::size_t> shown;

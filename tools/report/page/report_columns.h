@@ -1,7 +1,6 @@
 #pragma once
 
-// One list of columns says how the records of a report look in all its forms: JSON, tables of the page, a terminal's
-// lines.
+// One list of columns defines the records of a report in all its forms: JSON, tables of the page, a terminal's lines.
 
 #include "base/json.h"
 #include "report/page/report_format.h"
@@ -21,8 +20,8 @@
 
 namespace coif::report {
 
-/// A column of the page's table. Without a heading (null) there is none. Columns stand by their places, those of one
-/// place as in the list, which is in the order of the JSON.
+/// A column of the page's table; with a null heading there is none. Columns are sorted by their places; those of one
+/// place keep the order of the list, which is that of the JSON.
 struct PageColumn {
   const char* heading = nullptr;
   Format format{};
@@ -38,7 +37,7 @@ struct TextColumn {
   int place = 0;
 };
 
-/// As a key: the column is in the terminal's table only.
+/// As a key: the column exists only in the terminal's table.
 inline constexpr const char* kNoKey = nullptr;
 
 /// A column, whatever records it is of.
@@ -62,7 +61,7 @@ template <typename Value>
 /// A column of records of that type.
 template <typename Record>
 struct Column : ColumnForm {
-  /// `of`: a member of the record, or a function of it; to text, a bool, an unsigned number, one that may be missing,
+  /// `of`: a member of the record, or a function of it, whose value is a text, a bool, an unsigned number, an optional,
   /// or several.
   template <typename Of>
   Column(const char* json_key, Of of, PageColumn on_page = {}, TextColumn in_text = {})
@@ -76,14 +75,14 @@ struct Column : ColumnForm {
   std::function<nlohmann::ordered_json(const Record&)> value;
 };
 
-/// A list of them that can be put together of others.
+/// A list of columns that can be composed of others.
 template <typename Record>
 struct Columns : std::vector<Column<Record>> {
   using std::vector<Column<Record>>::vector;
 
   void add(Column<Record> column) { this->push_back(std::move(column)); }
   void append(const Columns& more) { this->insert(this->end(), more.begin(), more.end()); }
-  /// All but those with these keys.
+  /// All columns except those with these keys.
   [[nodiscard]] Columns without(std::initializer_list<std::string_view> keys) const {
     Columns rest = *this;
     std::erase_if(rest, [&](const Column<Record>& column) {
@@ -94,7 +93,8 @@ struct Columns : std::vector<Column<Record>> {
   [[nodiscard]] std::vector<ColumnForm> forms() const { return {this->begin(), this->end()}; }
 };
 
-/// How the page shows a list: "key", "title" and "kind" of each column, and its format as far as it is not the usual.
+/// How the page shows a list: "key", "title" and "kind" of each column, and its format where it differs from the
+/// default.
 [[nodiscard]] nlohmann::ordered_json page_columns(const std::vector<ColumnForm>& columns);
 [[nodiscard]] std::string text_heading(const std::vector<ColumnForm>& columns);
 /// `values`: one for each column.
@@ -137,8 +137,8 @@ template <typename Record>
   return records.empty() ? "" : text_heading(columns.forms()) + text_lines(columns, records);
 }
 
-/// Puts a list into a report, and beside the others in "columns" how the page shows it. A key with points lies that
-/// much deeper: "file.chunks".
+/// Puts a list into a report, and its columns into "columns" beside the others. A key with dots is nested:
+/// "file.chunks".
 template <typename Record>
 void add_list(nlohmann::ordered_json& report, const char* key, const Columns<Record>& columns,
               const std::vector<Record>& records) {

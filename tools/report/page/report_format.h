@@ -6,24 +6,24 @@
 
 namespace coif::report {
 
-/// How a value is shown, in a terminal and on the page (script/format.mjs has the same rules).
+/// The format of a value in a terminal and on the page (script/format.mjs has the same rules).
 ///
 /// A pattern is text around one place for the value:
-/// - {} all digits of a count, text as it is, a list's values one after the other
+/// - {} all digits of a count, text unchanged, a list's values one after the other
 /// - {number}, {percent}, {time} of nanoseconds, {bytes}: as number_text() and its neighbours in base/text.h
-/// - {:.2f}, {:+.0f}: so many digits behind the point, and the sign of positive numbers too
+/// - {:.2f}, {:+.0f}: this many digits behind the point, with a sign for positive numbers too
 /// - "yes|no", without a place: the words for true and false
 class Format {
  public:
   Format() = default;
-  /// `missing`: what stands for a number that does not exist. `scale`: the value is multiplied with it first.
+  /// `missing`: text for a number that does not exist. `scale`: factor on the value.
   Format(const char* value_pattern, std::string missing_text = "-", double value_scale = 1)
       : pattern(value_pattern), missing(std::move(missing_text)), scale(value_scale) {}
 
   [[nodiscard]] std::string text(const nlohmann::ordered_json& value) const;
 
-  /// With rules by which the page colours the cell: a list of {"look": "good", "neutral", "warning" or "bad"}, each
-  /// with "least", "most" or "is"; the first that fits counts, and one without any of them fits always.
+  /// With rules for the colour of the cell on the page: a list of {"look": "good", "neutral", "warning" or "bad"}, each
+  /// with "least", "most" or "is". The first that fits counts, and one without any of them always fits.
   [[nodiscard]] Format colored(nlohmann::ordered_json rules) const;
 
   std::string pattern;  ///< Empty: as the value's type suggests.
@@ -36,7 +36,7 @@ class Format {
 [[nodiscard]] std::string microseconds_text(double us);
 [[nodiscard]] std::string milliseconds_text(double ms);
 
-/// The same as formats.
+/// Common formats.
 [[nodiscard]] inline Format us_format() { return {"{time}", "-", 1e3}; }
 [[nodiscard]] inline Format ms_format(std::string missing = "-") { return {"{time}", std::move(missing), 1e6}; }
 

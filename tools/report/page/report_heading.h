@@ -1,6 +1,6 @@
 #pragma once
 
-// What the reports have in common.
+// Shared by all reports.
 
 #include "base/json.h"
 #include "report/page/report_page.h"
@@ -20,10 +20,10 @@ namespace coif::report {
 /// A number that does not exist: printed as "-", null in JSON.
 inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
-/// What is being measured, for people: "coif, turn at 60 per second". Called from the measuring thread.
+/// The present measurement, for people: "coif, turn at 60 per second". Called from the measuring thread.
 using ReportProgress = std::function<void(const std::string& step)>;
 
-/// What a report is about, and where its times were taken.
+/// The subject of a report, and the machine of its times.
 struct ReportHeading {
   std::string asset;  ///< File name, as the user gave it.
   std::uint32_t bones = 0;
@@ -31,16 +31,16 @@ struct ReportHeading {
   std::uint32_t chains = 0;
   /// Longest way from a chain's root to one of its tips, metres; over the chains.
   double shortest_chain = 0, median_chain = 0, longest_chain = 0;
-  std::string machine;       ///< Processor and cores, one line; empty where the system does not tell.
-  double seconds_taken = 0;  ///< By the whole measurement.
-  std::string view{};        ///< The page of `coif view` of this asset: a relative URL; empty: there is none.
-  std::string view_name{};   ///< What it is called, for people.
+  std::string machine;       ///< Processor and cores, one line; empty where the system does not say.
+  double seconds_taken = 0;  ///< Time of the whole measurement.
+  std::string view{};        ///< The page of `coif view` of this asset: a relative URL; empty: none.
+  std::string view_name{};   ///< The page's name for people.
 };
 
-/// All but the time it took.
+/// Everything except the time it took.
 [[nodiscard]] ReportHeading heading_of(const Asset& asset, std::string name);
 
-/// "AMD EPYC 9B14, 2 cores"; empty where /proc/cpuinfo does not tell.
+/// "AMD EPYC 9B14, 2 cores"; empty where /proc/cpuinfo does not say.
 [[nodiscard]] std::string describe_machine();
 
 /// "bob.coif: 24 bones, 18 of them simulated, in 6 chains of 0.12 to 0.31 m. Measured in 42 s on ...": one line.
@@ -49,9 +49,9 @@ struct ReportHeading {
 /// The keys that every report begins with.
 [[nodiscard]] nlohmann::ordered_json heading_json(const ReportHeading& heading);
 
-/// The keys that every report ends with: `subject` as "report", the page's "title", the heading and `finding` as
-/// sentences ("about", "finding"), "view", a list of one link to the page of `coif view` with the settings of `shown`
-/// where there is such a page, and "columns", which say how lists are shown.
+/// Adds the keys that every report ends with: `subject` as "report", the page's "title", the heading and `finding` as
+/// sentences ("about", "finding"), "view", a list with one link to the page of `coif view` with the settings of `shown`
+/// if there is such a page, and "columns", which define how lists are shown.
 void end_report(nlohmann::ordered_json& report, const ReportHeading& heading, const std::string& subject,
                 const std::string& title, const std::string& finding, const ViewLink& shown = {});
 
@@ -65,7 +65,7 @@ template <typename Record>
   return names;
 }
 
-/// The device's name, and that it is none where the processor draws.
+/// The device's name, and a remark where the processor draws.
 [[nodiscard]] std::string device_text(const std::string& device);
 
 }  // namespace coif::report

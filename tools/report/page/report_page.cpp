@@ -18,7 +18,7 @@ extern const char coif_page_script_hash[];
 namespace coif::report {
 namespace {
 
-/// JSON that can stand within an element <script>: no text in it can end that.
+/// JSON for an element <script>: no text in it can end the element.
 std::string script_data(std::string json) {
   for (std::size_t at = json.find('<'); at != std::string::npos; at = json.find('<', at + 1)) {
     json.replace(at, 1, "\\u003c");
@@ -26,7 +26,7 @@ std::string script_data(std::string json) {
   return json;
 }
 
-/// `text` with each "@NAME@" replaced once; what comes in is not looked at.
+/// `text` with each "@NAME@" replaced once; inserted text is not scanned.
 std::string filled(std::string_view text, const std::map<std::string_view, std::string>& values) {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {

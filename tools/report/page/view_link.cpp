@@ -7,7 +7,7 @@
 namespace coif::report {
 namespace {
 
-/// So that it means itself in a URL: a colon in a name is no scheme, a # no end.
+/// Escapes a name for a URL: a colon in it must not look like a scheme, nor a # end it.
 std::string percent_encoded(std::string_view text) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._~/";
   std::string url;

@@ -10,10 +10,10 @@ namespace {
 constexpr float kStep = 1e-6f;      // metres within which a fragment takes its light: no slope is infinite
 constexpr float kReachTexels = 2;   // behind the last fragment, as the map that the device makes
 constexpr float kSteepest = 8;      // metres of depth to one aside, as in shaders/hair_shadow.glsl
-constexpr float kSolidBias = 0.5f;  // texels, of hair; of the head itself, whose slope is not known, the steepest one
+constexpr float kSolidBias = 0.5f;  // Texels, for hair; for the head, whose slope is not known, the steepest one.
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
-/// Slopes that stay within the bound of all vertices since the last one that was kept.
+/// Slopes within the bound of all vertices since the last one that was kept.
 struct SlopeWindow {
   float least = -kFar, most = kFar;
 
@@ -23,7 +23,7 @@ struct SlopeWindow {
             std::min(most, (to.light + bound - from.light) / run)};
   }
   [[nodiscard]] bool is_empty() const { return least > most; }
-  /// Light never grows on its way. There is such a slope: the last vertex kept is at most `bound` too dark.
+  /// Light never grows on its way. Such a slope exists: the last vertex kept is at most `bound` too dark.
   [[nodiscard]] float middle() const { return std::min(0.5f * (least + most), 0.0f); }
 };
 

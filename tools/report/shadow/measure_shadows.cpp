@@ -28,7 +28,7 @@ constexpr double kTurnSeconds = 0.45;  // hair at its furthest
 constexpr unsigned kTimedRuns = 3;
 constexpr float kPixel = 0.0005f;         // metres: fine enough that textures keep their detail
 constexpr float kAside = 0.25f * kPixel;  // along both axes
-constexpr float kBound = 0.02f;           // of the deep shadow maps that are made on the processor
+constexpr float kBound = 0.02f;           // error that the CPU's deep shadow maps may have
 constexpr char kOnProcessor[] = "deep-shadow-cpu";
 
 tl::expected<void, ToolError> check(const Asset& asset, const ShadowSettings& settings) {
@@ -78,7 +78,7 @@ tl::expected<std::vector<Pose>, ToolError> make_poses(const Asset& asset) {
   return poses;
 }
 
-/// A technique with its map and who asks it.
+/// A technique with its map and its probe.
 struct Measured {
   ShadowDesc desc;
   render::StudioShadow shadow;
@@ -245,7 +245,7 @@ class ShadowMeasurement {
       }
       glFinish();
       const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-      if (run > 0) samples.push_back(took.count());  // the first also pays for what drivers put off
+      if (run > 0) samples.push_back(took.count());  // The first run also pays for work that drivers put off.
     }
     return SideBySideTiming::summarize(std::move(samples)).seconds;
   }

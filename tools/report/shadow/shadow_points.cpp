@@ -1,4 +1,4 @@
-// Where the exact reference is asked, and whether it agrees with itself.
+// The points at which the exact reference is evaluated, and its agreement with itself.
 
 #include "report/shadow/measure_shadows.h"
 
@@ -11,8 +11,8 @@
 namespace coif::report {
 namespace {
 
-constexpr float kSameSurface =
-    0.3f;  // of the way aside and of the slope's, within which a surface is the one looked for
+// A surface within this share of the way aside, and of the slope's, is the one looked for.
+constexpr float kSameSurface = 0.3f;
 
 Eigen::Vector3f normal_of(const visibility::HairSurface::Triangle& triangle,
                           std::span<const Eigen::Vector3f> positions) {

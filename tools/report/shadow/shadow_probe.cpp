@@ -12,9 +12,9 @@ namespace coif::report {
 namespace {
 
 constexpr GLsizei kColumns = 512;  // points in a row of the picture that they are written to
-constexpr GLsizei kBlock = 2;      // pixels of a point each way: those that a device takes differences of
+constexpr GLsizei kBlock = 2;      // Pixels of a point in each direction; a device takes differences over them.
 
-// Each point is a little piece of its surface, so that the shader finds the slope as it does in a picture.
+// Each point is a little piece of its surface, so that the shader finds the slope as in a picture.
 constexpr char kVertex[] = R"glsl(#version 300 es
 uniform vec2 blocks;
 layout(location = 0) in vec3 point;
@@ -39,7 +39,7 @@ void main() {
 
 constexpr char kPreamble[] = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
 
-// Two bytes of it. A point without a normal has no slope: its neighbours are itself.
+// Writes two bytes. A point without a normal has no slope: its neighbours are itself.
 constexpr char kFragment[] = R"glsl(
 uniform mat4 map_from_world;
 uniform vec4 shadow_depth;

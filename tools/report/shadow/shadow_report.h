@@ -1,9 +1,9 @@
 #pragma once
 
-// What `coif report shadows` finds: records, measured by measure_shadows(), and the columns that show them.
+// The results of `coif report shadows`: records, measured by measure_shadows(), and the columns that show them.
 //
-// A light's transmittance at a point is the share of it that neither head nor hair keep from there, 0..1. An error is a
-// technique's transmittance less the exact one, the product of 1 - alpha of all that lies between.
+// A light's transmittance at a point is the share of it that head and hair let through to there, 0..1. An error is a
+// technique's transmittance minus the exact one, the product of 1 - alpha of everything in between.
 
 #include "report/page/report_columns.h"
 
@@ -13,7 +13,7 @@
 
 namespace coif::report {
 
-/// Of a technique's transmittance over many points.
+/// The error of a technique's transmittance over many points.
 struct ShadowError {
   double rmse = kNoNumber;  ///< NaN: there are no such points.
   double bias = kNoNumber;  ///< Mean; positive: too much light comes through.
@@ -23,7 +23,7 @@ struct ShadowError {
 /// "deep, 4 layers, 512".
 [[nodiscard]] std::string technique_text(const std::string& technique, std::uint32_t layers, std::uint32_t size);
 
-/// What a record's technique is called in a table, and its keys.
+/// The technique's columns of a record.
 template <typename Row>
 [[nodiscard]] Columns<Row> technique_columns() {
   return {{"technique", &Row::technique},
@@ -36,7 +36,7 @@ template <typename Row>
            {"technique", -29}}};
 }
 
-/// What a record's `hair` and `head` have.
+/// The columns of a record's `hair` and `head`.
 template <typename Row>
 [[nodiscard]] Columns<Row> shadow_error_columns() {
   return {{"rmse", [](const Row& row) { return row.hair.rmse; }, {"RMS, hair"}, {"hair rms", 9}},
@@ -51,8 +51,8 @@ template <typename Row>
 
 /// One technique under one light in one pose.
 struct ShadowRow {
-  /// As the command line calls it; "deep-shadow-cpu": deep shadow maps made and asked on the processor, compressed to a
-  /// bound; "none": all light reaches everything.
+  /// The name on the command line; "deep-shadow-cpu": deep shadow maps that the processor makes and evaluates,
+  /// compressed to a bound; "none": all light reaches everything.
   std::string technique;
   std::uint32_t layers = 0;  ///< 0: it has none.
   std::uint32_t size = 0;    ///< Texels of the map each way.
@@ -62,7 +62,7 @@ struct ShadowRow {
   ShadowError head{};        ///< Over the side of the head that is turned to the light.
   double ms = 0;             ///< Wall time of making the map, until the device has finished, median.
   double read_ns = 0;        ///< Wall time of asking it, for one point, with the answers' way back.
-  std::uint64_t bytes = 0;   ///< Of all that the map takes.
+  std::uint64_t bytes = 0;   ///< All memory of the map.
 };
 
 [[nodiscard]] inline Columns<ShadowRow> shadow_columns() {
@@ -82,17 +82,17 @@ struct ShadowTotal {
   std::uint32_t layers = 0;
   std::uint32_t size = 0;
   ShadowError hair{}, head{};
-  std::string worst_light{};  ///< Where the error over hair is largest,
+  std::string worst_light{};  ///< The light with the largest error over hair.
   std::string worst_pose{};
-  double worst_rmse = 0;    ///< and how large.
+  double worst_rmse = 0;    ///< That error.
   double ms = 0;            ///< Median over lights and poses.
   double read_ns = 0;       ///< Median, too.
-  std::uint64_t bytes = 0;  ///< The most over them.
+  std::uint64_t bytes = 0;  ///< Largest over them.
 };
 
 [[nodiscard]] inline Columns<ShadowTotal> shadow_total_columns() {
   using Total = ShadowTotal;
-  // What no map draws takes neither time nor memory.
+  // A technique without a map takes neither time nor memory.
   const auto kib_of_map = [](const Total& total) { return total.size > 0 ? double(total.bytes / 1024) : kNoNumber; };
   const auto worst = [](const Total& total) {
     return "   " + number_text(total.worst_rmse) + " (" + total.worst_light + ", " + total.worst_pose + ")";
@@ -113,8 +113,7 @@ struct ShadowTotal {
   return columns;
 }
 
-/// A direction that light comes from, in degrees as of a camera: yaw 0 is before the face, positive to the model's
-/// left.
+/// The direction towards a light, in degrees like a camera's: yaw 0 is before the face, positive to the model's left.
 struct ShadowLight {
   std::string name;
   double yaw_degrees = 0, pitch_degrees = 0;
@@ -131,8 +130,8 @@ struct ShadowReport {
   double spacing = 0;                              ///< Metres between the exact reference's lines.
   std::uint64_t hair_points = 0, head_points = 0;  ///< All lights and poses together.
   double aside = 0;           ///< Metres across the light, over which the reference is compared with itself:
-  double truth_rmse = 0;      ///< its difference over hair,
-  double truth_compared = 0;  ///< and the share of the hair, 0..1, that goes on so far.
+  double truth_rmse = 0;      ///< The reference's difference from itself over hair.
+  double truth_compared = 0;  ///< Share of the hair, 0..1, that extends so far.
   std::vector<ShadowLight> lights;
   std::vector<ShadowRow> rows;
   std::vector<ShadowTotal> totals;  ///< In the order in which they first occur in `rows`.
@@ -145,13 +144,13 @@ struct ShadowReport {
 /// `coif report shadows` for a terminal: each technique over all lights and poses, and the summary.
 [[nodiscard]] std::string shadow_text(const ReportHeading& heading, const ShadowReport& report);
 
-/// How the page shows that: shadows_page.json.
+/// The layout of the page: shadows_page.json.
 extern "C" const char coif_shadows_page[];
 
-/// Which technique is nearest to the truth, and which costs least within half as much again, in a sentence.
+/// The technique nearest to the truth, and the cheapest one with at most 1.5 times that error, in a sentence.
 [[nodiscard]] std::string shadow_summary(const ShadowReport& report);
 
-/// What was compared with what, in a sentence.
+/// The method of the comparison, in a sentence.
 [[nodiscard]] std::string shadow_method(const ShadowReport& report);
 
 }  // namespace coif::report

@@ -8,7 +8,7 @@
 namespace coif::report {
 namespace {
 
-constexpr double kNearly = 1.5;  // of the least error
+constexpr double kNearly = 1.5;  // Multiple of the least error.
 
 bool is_map(const ShadowTotal& total) { return total.size > 0 && std::isfinite(total.hair.rmse); }
 
@@ -20,7 +20,7 @@ const ShadowTotal* find_best(const ShadowReport& report) {
   return best;
 }
 
-/// By bytes, which are the same everywhere; times are not.
+/// By bytes, which are the same everywhere, unlike times.
 const ShadowTotal* find_small(const ShadowReport& report, double most) {
   const ShadowTotal* small = nullptr;
   for (const ShadowTotal& total : report.totals) {
@@ -30,8 +30,8 @@ const ShadowTotal* find_small(const ShadowReport& report, double most) {
   return small;
 }
 
-/// The error of a plain map of as many bytes, between those that were measured; NaN beyond them. In a plot of both
-/// logarithms the error is nearly a line.
+/// The error of a plain map with as many bytes, interpolated between the measured ones; NaN outside their range. In a
+/// plot with both axes logarithmic the error is nearly a line.
 double plain_error_at(const ShadowReport& report, double bytes) {
   const ShadowTotal *below = nullptr, *above = nullptr;
   for (const ShadowTotal& total : report.totals) {
@@ -47,7 +47,7 @@ double plain_error_at(const ShadowReport& report, double bytes) {
   return below->hair.rmse * std::pow(above->hair.rmse / below->hair.rmse, share);
 }
 
-/// For each map of deep shadows that a device draws: how much nearer to the truth it is than plain maps.
+/// For each deep shadow map that a device draws: how much nearer to the truth it is than plain maps.
 std::string gain_text(const ShadowReport& report) {
   std::string text;
   for (const ShadowTotal& total : report.totals) {

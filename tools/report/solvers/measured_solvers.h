@@ -24,7 +24,7 @@ struct MeasuredSolver {
   /// Ships in games: single precision, bone matrices included in its time. Null: one of research::historical_solvers().
   const Solver* runtime = nullptr;
   std::optional<ChainModel> model{};  ///< Moves all chains by this, whatever they are meant for.
-  bool has_model = true;              ///< As ListedSolver has it; false for Algorithm 1.
+  bool has_model = true;              ///< As in ListedSolver; false for Algorithm 1.
 
   [[nodiscard]] bool is_runtime() const { return runtime != nullptr; }
 };
@@ -32,7 +32,7 @@ struct MeasuredSolver {
 /// The runtime's first.
 [[nodiscard]] std::span<const MeasuredSolver> measured_solvers();
 
-/// What `coif` is where something of the game moves near the hair: kCharacterSolver, the same to the bit without.
+/// `coif` for cases with moving colliders: kCharacterSolver, which without them gives the same bits.
 [[nodiscard]] const MeasuredSolver& solver_on_a_character();
 
 /// Names that AccuracySettings::solvers and StabilitySettings::solvers take, in the order of the report.
@@ -41,18 +41,17 @@ struct MeasuredSolver {
 /// Null for an unknown name.
 [[nodiscard]] const MeasuredSolver* find_measured_solver(std::string_view name);
 
-/// Where `names` is empty, all of them that move chains by the model that they are meant for. Error (kUsage): an
-/// unknown name.
+/// An empty `names` chooses all that move chains by their own model. Error (kUsage): an unknown name.
 [[nodiscard]] tl::expected<std::vector<const MeasuredSolver*>, ToolError> chosen_solvers(
     const std::vector<std::string>& names);
 
 /// A solver at work. Its bone_ends() are in the order of the sample's rig.
 struct SolverAtWork {
   std::unique_ptr<lab::ChainSolver> solver;
-  std::size_t bones = 0;  ///< That a step moves: the runtime's solvers always move the whole asset.
+  std::size_t bones = 0;  ///< Bones that a step moves: the runtime's solvers always move the whole asset.
 };
 
-/// `asset`, whose part `sample` is, must outlive the result.
+/// `asset`, of which `sample` is a part, must outlive the result.
 [[nodiscard]] SolverAtWork make_solver(const MeasuredSolver& measured, const Asset& asset, const lab::RigSample& sample,
                                        const lab::SolverScene& scene, int effort);
 

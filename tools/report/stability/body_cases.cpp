@@ -23,7 +23,7 @@ Stress with_body(const char* name, const char* description, BodyMotion body) {
   stress.body = std::move(body);
   stress.dt = {1.0 / 30};
   stress.steps = 120;
-  stress.settles = false;  // hair may come to lie on it
+  stress.settles = false;  // Hair may come to lie on it.
   return stress;
 }
 

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kHalfTurn = std::numbers::pi;
-constexpr float kHand = 0.04f;    // metres, a hand's radius: a fist; half of it: what is 4 cm thick
+constexpr float kHand = 0.04f;    // Metres, the radius of a hand: a fist; half of it for things 4 cm thick.
 constexpr double kWayOut = 0.25;  // metres from the hair's middle to where a hand waits
 
 HeadPose standing_head(double /*seconds*/) { return {}; }
@@ -58,7 +58,7 @@ MovingCollider block(const Vector3d& place, const Vector3d& half_extents, double
 /// Level, across the way out.
 Vector3d sideways(const lab::HairPlace& hair) { return Vector3d::UnitY().cross(hair.outward); }
 
-/// From -1 to 1 and back at an even speed; `way`: how often it has gone from one end to the other.
+/// From -1 to 1 and back at an even speed; `way`: how many times it has gone from one end to the other.
 double there_and_back(double way) {
   const double phase = std::fmod(way, 2.0);
   return phase < 1 ? 2 * phase - 1 : 3 - 2 * phase;
@@ -75,7 +75,7 @@ Stress with_colliders(std::string name, std::string description,
   return stress;
 }
 
-/// Where something is that goes to and fro through the hair at this speed, m/s.
+/// The place of something that goes to and fro through the hair at this speed, m/s.
 Vector3d passing(const lab::HairPlace& hair, double seconds, double speed) {
   return hair.middle + sideways(hair) * (kWayOut * there_and_back(speed * seconds / (2 * kWayOut)));
 }

@@ -94,7 +94,7 @@ HeldHeadsFinding watch(const Asset& asset, const HeldHeads& held) {
 
 HeldHeadsFinding hold_heads(const Asset& asset, const HeldHeads& held) {
   HeldHeads asked = held;
-  // What is made of a part of the asset does not know what that was tuned for.
+  // A part of the asset does not have the asset's tuning.
   if (held.substeps == 0) asked.substeps = tuned_substeps(asset, float(1 / held.frame_rate));
   if (held.collides) return watch(asset, asked);
   const lab::OpenedAsset bare(lab::untouched_part(asset));

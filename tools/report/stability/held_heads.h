@@ -9,11 +9,11 @@
 namespace coif::report {
 
 /// Heads that are turned within 0.8 s and then held: their up axes point to the corners, edges and faces of a cube, 26
-/// attitudes. Hair of such a head comes to rest, and stays there.
+/// attitudes. Hair of such a head must come to rest, and stay there.
 struct HeldHeads {
-  std::uint32_t substeps = 0;                      ///< Of each frame; 0: as many as the asset was tuned for.
+  std::uint32_t substeps = 0;                      ///< Per frame; 0: as many as the asset was tuned for.
   double frame_rate = 60;                          ///< Hz.
-  double seconds = 30;                             ///< That are watched, the turn included; more than kSettlingTime.
+  double seconds = 30;                             ///< Time watched, the turn included; more than kSettlingTime.
   bool collides = true;                            ///< False: without the asset's colliders.
   float stiffness = 1, damping = 1, friction = 1;  ///< Factors, as DynamicsScale.
 };
@@ -26,7 +26,7 @@ inline constexpr double kAtRest = 0.02;
 
 struct HeldHeadsFinding {
   double settled_after = 0;  ///< The last moment, s, at which a bone's end was faster than kAtRest against its head.
-  double max_speed = 0;      ///< Of any bone's end against its head, m/s.
+  double max_speed = 0;      ///< Fastest end of a bone relative to its head, m/s.
   double rest_speed = 0;     ///< The same after kSettlingTime.
   int up[3] = {0, 1, 0};     ///< The attitude with that: where the head's up axis points.
   bool is_finite = true;
@@ -34,15 +34,14 @@ struct HeldHeadsFinding {
   [[nodiscard]] bool is_restless() const { return !is_finite || rest_speed > kAtRest; }
 };
 
-/// All of them at once, a crowd of 26. `asset` is open and has hair that moves.
+/// Runs all of them at once, a crowd of 26. `asset` must be open and have hair that moves.
 [[nodiscard]] HeldHeadsFinding hold_heads(const Asset& asset, const HeldHeads& held);
 
 /// "held, 4 parts at 144 fps, no colliders".
 [[nodiscard]] std::string name_of(const HeldHeads& held);
 
-/// Every way to run them that is looked at: 1, 2, 4, 8 parts and as tuned, at 30, 60 and 144 frames a second, with
-/// colliders where the asset has some, and without. Those that come last are left out where all would take more than
-/// `most_bone_steps`.
+/// All settings for a run: 1, 2, 4, 8 parts and as tuned, at 30, 60 and 144 frames per second, with colliders if the
+/// asset has some, and without. Leaves out the last ones if all would take more than `most_bone_steps`.
 [[nodiscard]] std::vector<HeldHeads> ways_to_hold(const Asset& asset, std::uint64_t most_bone_steps);
 
 }  // namespace coif::report

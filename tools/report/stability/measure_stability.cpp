@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 
 constexpr double kFarthest = 10;  ///< Lengths of a bone.
 constexpr double kFastest = 100;  ///< Times the plausible speed.
-constexpr int kFastSteps = 10;    ///< One step may be a correction.
+constexpr int kFastSteps = 10;    ///< A single fast step may be a correction.
 constexpr double kSettleSeconds = 8;
 constexpr double kWatchedAtRest = 0.5;  ///< Seconds, the last of them.
 constexpr double kSettleDt = 1.0 / 60;
@@ -30,7 +30,7 @@ bool is_on_character(const Stress& stress) { return bool(stress.colliders) || bo
 
 bool is_length(double dt) { return dt > 0 && std::isfinite(dt); }
 
-/// How fast a bone's tail can be made by what acts on it, m/s: falling from above to below, carried by the head, and
+/// The largest speed that forces can give a bone's tail, m/s: falling from above to below, carried by the head, and
 /// swung by its pull to the pose.
 double plausible_speed(const lab::Rig& rig, const Stress& stress) {
   double fastest = 0;
@@ -201,7 +201,7 @@ StabilityRow StressSubject::run(const MeasuredSolver& solver) const {
 
 namespace {
 
-constexpr std::size_t kMostBones = 64;  ///< Of the asset: what breaks, breaks on any of its chains.
+constexpr std::size_t kMostBones = 64;  ///< Bones of the asset: what breaks, breaks on any of its chains.
 
 void measure(const Stress& stress, const Asset& asset, std::size_t most_bones,
              std::span<const MeasuredSolver* const> solvers, const ReportProgress& progress, StabilityReport& report) {
@@ -215,7 +215,8 @@ void measure(const Stress& stress, const Asset& asset, std::size_t most_bones,
   }
 }
 
-/// About 15 s. What moves on a head is 20 to 200 bones, of which this is all; of more the slowest ways are left out.
+/// About 15 s. Usually 20 to 200 bones move on a head, for which this suffices; with more the slowest ways are left
+/// out.
 constexpr std::uint64_t kMostHeldSteps = 500'000'000;
 
 /// The asset's own hair under heads that are held, as a game runs it.
@@ -259,7 +260,7 @@ tl::expected<StabilityReport, ToolError> measure_stability(const Asset& asset, c
   StabilityReport report;
   for (const Stress& stress : stress_cases()) {
     if (!stress.rig) {
-      // What moves comes to hair anywhere on the head, and the runtime alone is watched.
+      // Moving colliders reach hair anywhere on the head, and only the runtime is watched.
       measure(stress, asset, is_on_character(stress) ? kMaxBones : kMostBones, *solvers, progress, report);
       continue;
     }

@@ -1,7 +1,7 @@
 #pragma once
 
-// What `coif report stability` finds: records, measured by measure_stability(), and the columns that show them. Every
-// percentage is already times 100. NaN stands for a number that does not exist.
+// The results of `coif report stability`: records, measured by measure_stability(), and the columns that show them.
+// Every percentage is already times 100. NaN stands for a number that does not exist.
 
 #include "report/page/report_columns.h"
 
@@ -34,7 +34,7 @@ enum class Outcome {
 inline constexpr std::array kOutcomes{Outcome::kOk, Outcome::kRejected, Outcome::kRestless, Outcome::kDiverged,
                                       Outcome::kNan};
 
-/// How the page colours an outcome, of one or of cases that had it: "good", "neutral", "warning" or "bad".
+/// The colour of an outcome on the page, for one case or a count of cases: "good", "neutral", "warning" or "bad".
 [[nodiscard]] const char* look_of(Outcome outcome);
 
 /// An outcome's name, coloured.
@@ -58,9 +58,9 @@ struct StabilityRow {
   double stretch_max_pct = kNoNumber;       ///< Worst |length / rest - 1|.
   double penetration_max_pct = kNoNumber;   ///< Worst depth in % of the head's radius.
   double limit_max_rad = kNoNumber;         ///< Furthest of a bone beyond its limit (LimitRecord), radians.
-  double link_stretch_max_pct = kNoNumber;  ///< By how much linked particles parted, % of their distance at rest.
+  double link_stretch_max_pct = kNoNumber;  ///< How far linked particles parted, % of their distance at rest.
   double max_speed = kNoNumber;             ///< A bone's tail's in head space, m/s.
-  /// The same in the last half second of eight with the head at rest; of heads that are held, all of the time after
+  /// The same in the last half second of eight with the head at rest; for held heads, in all of the time after
   /// kSettlingTime.
   double rest_speed = kNoNumber;
   /// RMS distance of the tips to the settled pose after the stress has ended, in % of the chain's length.
@@ -102,11 +102,11 @@ struct StabilityReport {
   std::vector<StabilityRow> rows;        ///< JSON key "cases".
 };
 
-/// `coif report stability`: the heading, then cases, what each of them does, totals of each solver, and what outcomes
-/// mean.
+/// `coif report stability`: the heading, then cases with their descriptions, totals of each solver, and the meanings of
+/// outcomes.
 [[nodiscard]] nlohmann::ordered_json stability_json(const ReportHeading& heading, const StabilityReport& report);
 
-/// How the page shows that: stability_page.json.
+/// The layout of the page: stability_page.json.
 extern "C" const char coif_stability_page[];
 
 /// `coif report stability` for a terminal: totals of each solver and the summary.
@@ -115,10 +115,10 @@ extern "C" const char coif_stability_page[];
 /// One per solver, in the order in which they first occur.
 [[nodiscard]] std::vector<StabilityTotal> stability_totals(const StabilityReport& report);
 
-/// What the outcome means, for people.
+/// The meaning of the outcome, for people.
 [[nodiscard]] const char* describe(Outcome outcome);
 
-/// Which solvers came through everything, as a sentence.
+/// The solvers that passed all cases, as a sentence.
 [[nodiscard]] std::string stability_summary(const StabilityReport& report);
 
 }  // namespace coif::report

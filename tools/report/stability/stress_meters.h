@@ -10,12 +10,12 @@
 
 namespace coif::report {
 
-/// How far bones get beyond their limits. Their frames are found from their ends, as they are where no bone twists.
+/// How far bones exceed their limits. Frames are found from the bones' ends, which is right where no bone twists.
 class LimitMeter {
  public:
   explicit LimitMeter(const lab::Rig& rig);
 
-  /// `ends`: of the rig's bones, head space.
+  /// `ends`: the ends of the rig's bones, head space.
   void look(std::span<const Eigen::Vector3d> ends);
 
   /// Radians; NaN where nothing could be seen.
@@ -28,7 +28,7 @@ class LimitMeter {
   double worst_ = 0;
 };
 
-/// How much further linked particles get from each other than they are at rest.
+/// How much further apart linked particles get than at rest.
 class LinkMeter {
  public:
   explicit LinkMeter(const lab::Rig& rig);

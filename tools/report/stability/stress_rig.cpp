@@ -110,7 +110,7 @@ class StressContents {
     }
   }
 
-  /// By depth, as the format wants them.
+  /// Adds links by depth, as the format demands.
   void add_links() {
     const std::uint32_t count = rig_.bones_per_chain;
     for (std::uint32_t depth = 0; depth < count; ++depth) {
@@ -155,7 +155,7 @@ class StressContents {
   const StressRig& rig_;
   ChainModel model_;
   AssetContents contents_;
-  std::vector<std::uint32_t> depth_;  ///< Of the present chain's bones.
+  std::vector<std::uint32_t> depth_;  ///< Depth of the present chain's bones.
 };
 
 }  // namespace

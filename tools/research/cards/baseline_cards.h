@@ -16,18 +16,18 @@
 
 namespace coif::research {
 
-// What cards are compared with: the plain ways to make them, each as good as it can be. They get the same texels, the
-// same width of strands and the same drawing of textures.
+// The baselines: plain ways to make cards, each as good as possible. They get the same texels, the same width of
+// strands and the same drawing of textures.
 
-/// Which strands belong together by their whole shape, `count` clusters or as many as there are different strands, each
-/// ascending and not empty: k-means (Lloyd 1982) from seeds by k-means++ (Arthur and Vassilvitskii 2007) on the points
-/// of even strands. Of very many strands a sample finds the middles. Repeats for equal input, whatever `threads` is.
+/// Groups strands by their whole shape, into `count` clusters or as many as there are different strands, each ascending
+/// and not empty: k-means (Lloyd 1982) from seeds by k-means++ (Arthur and Vassilvitskii 2007) on the points of even
+/// strands. With very many strands a sample finds the middles. Repeats for equal input, with any `threads`.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> cluster_strands(const cards::EvenStrands& strands,
                                                                       std::size_t count,
                                                                       const platform::Threads& threads);
 
-/// A straight ribbon in the plane that fits strands best (their first two principal axes), along the first of these:
-/// the rectangle that holds their points. Its first end is the one that most roots are nearer to.
+/// A straight ribbon in the plane that fits the strands best (their first two principal axes), along the first of
+/// these: the rectangle that holds their points. Its first end is the one nearer to most roots.
 [[nodiscard]] cards::Ribbon flat_ribbon_of(const groom::Groom& groom, const cards::EvenStrands& strands,
                                            std::span<const std::uint32_t> members);
 
@@ -45,7 +45,7 @@ using Likeness = std::function<double(const cards::CardSurface&)>;
 
 struct EvenCards {
   cards::Cards cards;
-  std::size_t segments = 0;  ///< Of each strip.
+  std::size_t segments = 0;  ///< Per strip.
   double seconds = 0;        ///< Wall time that these took, without the search for the best number.
 };
 

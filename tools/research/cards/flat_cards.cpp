@@ -24,7 +24,7 @@ struct PlaneAxes {
   Eigen::Vector3f middle, along, across;
 };
 
-/// By principal axes of the strands' points, each strand counted alike.
+/// The principal axes of the strands' points, with equal weight for each strand.
 PlaneAxes plane_of(const cards::EvenStrands& strands, std::span<const std::uint32_t> members) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   const double points = double(members.size() * cards::EvenStrands::kStations);

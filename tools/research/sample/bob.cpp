@@ -43,7 +43,7 @@ constexpr std::array<const char*, 3> kChainNames{"left", "back", "right"};
 constexpr std::array<double, 3> kChainAzimuths{90.0, 180.0, -90.0};
 // Model Y of the joints of every chain: the hair leaves the skull at the level of the ears.
 constexpr std::array<double, 4> kJointHeights{1.605, 1.550, 1.495, 1.440};
-// Model Y where a point belongs to one joint alone: the scalp, then the middle of each bone.
+// Model Y at which a point belongs to one joint alone: the scalp, then the middle of each bone.
 constexpr std::array<double, 4> kBoneMiddles{1.645, 1.5775, 1.5225, 1.4675};
 
 /// A point inside the hair's volume: where chain joints sit.
@@ -71,7 +71,7 @@ ChainShare nearest_chains(const Vector3d& point) {
   const double azimuth = azimuth_of(point);
   const int side = azimuth > 0 ? kLeft : kRight;
   const int other = azimuth > 0 ? kRight : kLeft;
-  // Across the face the two sides meet; behind the ears each side fades into the back.
+  // The two sides meet across the face; behind the ears each side fades into the back.
   if (std::abs(azimuth) < 40.0) return {side, other, 0.5 * mannequin::smooth_step(40.0, 0.0, std::abs(azimuth))};
   return {side, kBack, mannequin::smooth_step(100.0, 165.0, std::abs(azimuth))};
 }

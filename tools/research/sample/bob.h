@@ -10,9 +10,9 @@
 
 namespace coif::research {
 
-/// How finely the sample is made; the sample itself has the defaults. Others are for measuring how costs grow.
+/// The density of the sample; the sample itself has the defaults. Other values are for measuring how costs grow.
 struct BobDensity {
-  double quads = 1;  ///< Rows and columns of each strip, as a share of the sample's.
+  double quads = 1;  ///< Factor on the sample's rows and columns of each strip.
   int copies = 1;    ///< Strips in place of each, slightly apart.
 };
 

@@ -21,8 +21,8 @@ struct Joint {
   Eigen::Vector3d position;  ///< Model space, metres.
 };
 
-/// Weights of up to four joints, of which any may have none and one may come twice, rounded to 1/256 such that they add
-/// up to exactly one. No joint comes twice in the result; of those that were given once the largest come first.
+/// Weights of up to four joints, of which any may have none and one may occur twice, rounded to 1/256 so that they add
+/// up to exactly one. No joint occurs twice in the result; of joints given once the largest come first.
 [[nodiscard]] mannequin::SkinInfluences rounded_influences(std::array<std::pair<int, double>, 4> shares);
 
 struct GltfMaterial {
@@ -30,7 +30,7 @@ struct GltfMaterial {
   double red = 1, green = 1, blue = 1;  ///< Linear base colour.
   double roughness = 0.6;
   bool is_hair = false;                ///< Textured with the document's first image, blended, two-sided.
-  std::optional<std::size_t> image{};  ///< Of add_image(), times the colour.
+  std::optional<std::size_t> image{};  ///< From add_image(), times the colour.
 };
 
 /// Builds one binary glTF 2.0 with one skeleton and any number of skinned meshes.

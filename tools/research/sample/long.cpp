@@ -18,7 +18,7 @@ const StrandColors kHoney{{0.300, 0.200, 0.120}, {0.560, 0.410, 0.245}, {0.730, 
 
 constexpr double kTenthMillimetres = 10000.0;  // Per metre.
 
-/// With 64 values instead of 256 each, which nobody sees, colours pack to two thirds of the size.
+/// With 64 values per channel instead of 256, which nobody sees, colours pack to two thirds of the size.
 StrandTexture coarsened(StrandTexture texture) {
   for (std::size_t i = 0; i < texture.rgba.size(); ++i) {
     const bool is_alpha = i % 4 == 3;
@@ -58,7 +58,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kLongRoot = 0, kLongNeck = 1, kLongHead = 2, kLongFirstScalp = 3, kFirstLock = 6;
-constexpr int kJointsPerLock = kBonesPerLock + 1;  // and the end
+constexpr int kJointsPerLock = kBonesPerLock + 1;  // Plus the end.
 
 /// Scalp joint of a lock: left, back or right.
 int scalp_of(const Lock& lock) {
@@ -90,7 +90,7 @@ std::vector<Joint> make_long_skeleton(std::span<const Lock> locks) {
 }
 
 mannequin::SkinInfluences lock_influences(std::span<const Lock> locks, int a, int b, double share_b, double along) {
-  // In the middle of a bone a point is on it alone; at the joint of two it is on both by half.
+  // In the middle of a bone a point is on it alone; at the joint of two bones it is half on each.
   const double place = std::clamp(along * kBonesPerLock - 0.5, -1.0, kBonesPerLock - 1.0);
   const int upper = static_cast<int>(std::floor(place));
   const double lower_share = place - upper;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What every way to lay hair on the skull needs.
+// Shared by all ways to lay hair on the skull.
 
 #include "mannequin/head_shape.h"
 #include "research/sample/gltf_document.h"
@@ -14,16 +14,16 @@
 
 namespace coif::research {
 
-/// Unit direction on a quadratic Bezier curve, seen from the middle of the skull. `t` outside 0..1 goes on along it.
+/// Unit direction on a quadratic Bezier curve, from the middle of the skull. `t` outside 0..1 continues the curve.
 [[nodiscard]] Eigen::Vector3d direction_on_curve(const Eigen::Vector3d& from, const Eigen::Vector3d& control,
                                                  const Eigen::Vector3d& to, double t);
 
-/// The point, moved along `normal` where it is nearer than `clearance` (metres) to the surface: keeps hair that hangs
-/// over cheeks, neck and shoulders outside of them.
+/// The point, moved along `normal` if it is nearer than `clearance` (metres) to the surface: keeps hair that hangs over
+/// cheeks, neck and shoulders outside them.
 [[nodiscard]] Eigen::Vector3d pushed_clear(Eigen::Vector3d point, double clearance, const mannequin::Field& distance,
                                            const mannequin::Gradient& normal);
 
-// Where the locks of the long hair start, and how they run down the head and hang.
+// The roots of the long hair's locks, and their course down the head and below.
 
 /// One lock's middle line. Angles in degrees around the head: 0 at the face, +90 at the model's left (+X), 180 at the
 /// back.
@@ -66,7 +66,7 @@ inline constexpr int kBonesPerLock = 16;
 [[nodiscard]] std::vector<Joint> make_long_skeleton(std::span<const Lock> locks);
 
 /// Weights of a point on hair between the locks `a` and `b`, on the two bones of each that are nearest along them.
-/// `along` 0..1 is the place on the chains: below 0 hair is on the scalp. `share_b` 0..1.
+/// `along` 0..1 is the place on the chains; below 0 hair is on the scalp. `share_b` 0..1.
 [[nodiscard]] mannequin::SkinInfluences lock_influences(std::span<const Lock> locks, int a, int b, double share_b,
                                                         double along);
 

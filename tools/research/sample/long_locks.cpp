@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 
 constexpr double kRootLift = 0.006;   // Metres; roots lie close to the scalp, outer rows above inner ones.
 constexpr double kAxisZ = -0.030;     // The hanging hair gathers around this vertical line.
-constexpr double kGathered = 0.95;    // Its distance from there at the tips, as a share of that at the widest line.
+constexpr double kGathered = 0.95;    // Distance at the tips, as a share of that at the widest line.
 constexpr double kClearance = 0.006;  // Metres between a lock's middle line and the skin.
 
 /// A centre parting from the forehead over the crown: 0..1.
@@ -32,7 +32,7 @@ Vector3d parting_direction(double t) {
 /// Degrees from the face to either side, 0..180.
 double to_side(double azimuth) { return azimuth > 180.0 ? 360.0 - azimuth : azimuth; }
 
-/// Where on the parting the hair comes from that passes the widest line at this azimuth.
+/// The place on the parting of the hair that passes the widest line at this azimuth.
 double parting_place(double azimuth) { return (to_side(azimuth) - 25.0) / 160.0; }
 
 Vector3d turned(const Vector3d& v, double degrees) {
@@ -44,7 +44,7 @@ Vector3d above_skull(const Vector3d& direction, double lift) {
   return mannequin::kCraniumCenter + (mannequin::kCraniumRadii.array() + lift).matrix().cwiseProduct(direction);
 }
 
-/// What hangs free: gathered below the head, carried aside, waved.
+/// The free part: gathered below the head, moved aside, waved.
 Vector3d hanging(const LockCourse& course, const Vector3d& point, double share, double along) {
   Vector3d from_axis{point.x(), 0.0, point.z() - kAxisZ};
   const Vector3d outwards = from_axis.normalized(), aside = outwards.cross(Vector3d::UnitY());
@@ -56,10 +56,11 @@ Vector3d hanging(const LockCourse& course, const Vector3d& point, double share, 
          swing * (std::sin(angle) * aside + 0.6 * std::cos(angle) * outwards);
 }
 
-/// What a course's angles mean in space.
+/// The directions of a course's angles.
 struct LockPath {
-  Vector3d parting, widest, lowest;  ///< Unit directions: where it comes from, passes, leaves the skull.
-  double on_skull, hanging;          ///< Lengths, metres.
+  /// Unit directions: where it starts, passes the widest line, and leaves the skull.
+  Vector3d parting, widest, lowest;
+  double on_skull, hanging;  ///< Lengths, metres.
 
   explicit LockPath(const LockCourse& course) {
     const double below = 0.5 * std::numbers::pi * std::max(course.start - 1.0, 0.0);
@@ -70,7 +71,7 @@ struct LockPath {
     hanging = above_skull(lowest, course.lift).y() - course.tip_height;
   }
 
-  /// On the way over the skull; `share` 0..1 of what there is of it.
+  /// The direction on the way over the skull; `share` 0..1 of that way.
   [[nodiscard]] Vector3d direction(double start, double share) const {
     if (start >= 1.0 || share >= 1.0) return lowest;
     // Straight above its end, so that hair arrives there hanging.
@@ -97,8 +98,8 @@ Vector3d point_on_lock(const LockCourse& course, double along) {
 }
 
 double chain_start(const LockCourse& course) {
-  constexpr double kOnSkull =
-      0.015;  // Metres of the chain that lie on the skull, for a soft bend where hair leaves it.
+  // Metres of the chain that lie on the skull, for a soft bend where hair leaves it.
+  constexpr double kOnSkull = 0.015;
   const LockPath path(course);
   return std::max(path.on_skull - kOnSkull, 0.0) / (path.on_skull + path.hanging);
 }
@@ -106,10 +107,11 @@ double chain_start(const LockCourse& course) {
 std::vector<Lock> make_locks() {
   struct Row {
     int locks;
-    double front;  ///< Azimuth where the row begins on the model's left; it ends as far from the face on the right.
+    /// Azimuth where the row begins on the model's left; it ends at the same distance from the face on the right.
+    double front;
     double start, lift, shorter;
   };
-  // Numbers of locks go with the rows' lengths on the scalp, so that roots are evenly spread.
+  // The numbers of locks follow the rows' lengths on the scalp, so that roots are evenly spread.
   constexpr std::array<Row, 5> kRows{{{28, 47, 0.01, 0.019, 0.030},
                                       {26, 62, 0.30, 0.016, 0.015},
                                       {22, 74, 0.58, 0.013, 0.000},

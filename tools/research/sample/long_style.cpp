@@ -13,14 +13,14 @@ using Eigen::Vector3d;
 
 constexpr int kColumns = 2, kRows = 25;
 
-/// One strip of a lock: what differs between strips.
+/// One strip of a lock, with the values that differ between strips.
 struct LockStrip {
   int a = 0, b = 0;        ///< Locks between which it lies.
-  LockCourse course;       ///< Of its middle.
+  LockCourse course;       ///< The course of its middle.
   double half_width = 10;  ///< Degrees.
-  double bulge = 0.003;    ///< Metres that the middle stands above the edges.
+  double bulge = 0.003;    ///< Height of the middle above the edges, metres.
   double taper = 0.4;      ///< Share of the width lost at the tip.
-  double twist = 0;        ///< Metres by which one edge of the tip stands above the other.
+  double twist = 0;        ///< Height of one edge of the tip above the other, metres.
   TextureWindow window;
 };
 

@@ -1,5 +1,5 @@
-// coif_make_sample [bob|long|portrait] OUT.glb [QUADS [COPIES]]: writes a sample head of hair, the bob unless told
-// otherwise; with numbers, a bob of another density.
+// coif_make_sample [bob|long|portrait] OUT.glb [QUADS [COPIES]]: writes a sample head of hair, by default the bob; with
+// numbers, a bob of another density.
 
 #include "base/files.h"
 #include "research/sample/bob.h"

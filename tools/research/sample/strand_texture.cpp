@@ -44,7 +44,7 @@ class StrandPainter {
       for (int x = 0; x < kWidth; ++x) at(x, y) = {0.72 * hair_color(colors_, (y + 0.5) / kHeight), 0.0};
   }
 
-  /// `tone` brightens or darkens the whole clump, so that neighbouring strips stand apart.
+  /// `tone` brightens or darkens the whole clump, so that neighbouring strips differ.
   void paint_window(const TextureWindow& window, double tone, mannequin::SeededNoise& noise) {
     const double from = window.from * kWidth, to = window.to * kWidth;
     paint_core(from, to, noise);

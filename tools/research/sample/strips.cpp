@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// What makes one lock differ from the next.
+/// The differences between locks.
 struct Irregularity {
   double wave_degrees, wave_turns, wave_phase, twist, length;
 
@@ -26,7 +26,7 @@ struct Irregularity {
     wave_degrees = noise.between(0.8, 2.2);
     wave_turns = noise.between(0.9, 1.5);
     wave_phase = noise.between(0.0, 1.0);
-    twist = noise.between(-0.0035, 0.0035);  // Metres by which one edge of the tip stands above the other.
+    twist = noise.between(-0.0035, 0.0035);  // Height of one edge of the tip above the other, metres.
     length = noise.between(-0.006, 0.006);   // Metres.
   }
 };

@@ -12,7 +12,7 @@
 
 namespace coif::research {
 
-// How hair lies on this head: from the parting over the skull to its widest line, then hanging down.
+// The course of hair on this head: from the parting over the skull to its widest line, then hanging down.
 
 /// One hair's course. Angles in degrees around the head: 0 at the face, +90 at the model's left (+X), 180 at the back.
 struct HairCourse {
@@ -37,16 +37,16 @@ struct TextureWindow {
   double to = 1;
 };
 
-/// One hair strip: what an artist decides about it. Angles as in HairCourse.
+/// One hair strip, with an artist's choices. Angles as in HairCourse.
 struct StripStyle {
-  HairCourse course;        ///< Of its middle, but for where on the parting it starts.
+  HairCourse course;        ///< The course of its middle, except for its start on the parting.
   int columns = 4;          ///< Quads across.
   int rows = 14;            ///< Quads from root to tip.
   double half_width = 20;   ///< Degrees at the skull's widest line.
   double parting_from = 0;  ///< Parting position of the edge with the smaller azimuth.
   double parting_to = 1;    ///< ... and of the other edge.
   double sweep = 0;         ///< Degrees that the tip is carried aside.
-  double bulge = 0.003;     ///< Metres that the middle stands above the edges.
+  double bulge = 0.003;     ///< Height of the middle above the edges, metres.
   double taper = 0.5;       ///< Share of the width lost at the tip.
   TextureWindow window;
 };
@@ -69,8 +69,9 @@ inline constexpr std::array<TextureWindow, 4> kClumpWindows{
 inline constexpr TextureWindow kBroadWindow{0.625, 1.000};
 
 /// 512 x 512 RGBA, sRGB, straight alpha: roots at the top, tips at the bottom. Opaque in the middle, single strands at
-/// tips and sides; colour goes on under transparent texels, so that filtering leaves no halo. No taller: along
-/// a strand little changes, and a texture squeezed in V makes the renderer pick mips that blur the strands in U.
+/// tips and sides; colour continues under transparent texels, so that filtering leaves no halo. Not taller: a strand
+/// changes little along its length, and a texture squeezed in V makes the renderer pick mips that blur the strands in
+/// U.
 struct StrandTexture {
   static constexpr int kWidth = 512;
   static constexpr int kHeight = 512;

@@ -12,25 +12,25 @@ namespace coif::research {
 
 /// A way to move hair that a report can measure.
 struct ListedSolver {
-  std::string_view name;         ///< As the command line and reports have it.
+  std::string_view name;         ///< The name on the command line and in reports.
   std::string_view description;  ///< One line.
   std::string_view source;       ///< Paper, and section of the thesis.
-  std::string_view effort_unit;  ///< What the number `effort` counts.
+  std::string_view effort_unit;  ///< The unit of `effort`.
   std::span<const int> efforts;  ///< Worth measuring, ascending.
   /// `effort` > 0. The solver has to be reset() before its first step.
   std::unique_ptr<lab::ChainSolver> (*create)(const lab::Rig& rig, const lab::SolverScene& scene, int effort);
-  /// Ever finer steps come to one motion: that of its own model. Where a setting is a share per step or a constant pull
-  /// there is none.
+  /// Ever finer steps converge to the motion of its own model. A solver with a setting that is a share per step or a
+  /// constant pull does not converge.
   bool has_model = false;
 };
 
-/// What came before and what others do, in the order of the thesis and then of the years. None of them knows torsion or
-/// angle limits, and their colliders push particles, not segments. `tridiagonal` takes RigBone::resistance as a weight
-/// per step and the thesis's own attempts as a constant pull; all others the model's stiffness and damping.
+/// Earlier methods and those of others, in the order of the thesis and then of the years. None of them has torsion or
+/// angle limits, and their colliders push particles, not segments. `tridiagonal` uses RigBone::resistance as a weight
+/// per step, the thesis's own attempts as a constant pull; all others use the model's stiffness and damping.
 [[nodiscard]] std::span<const ListedSolver> historical_solvers();
 
-/// `solver` run `count` times per step, each time for an equal share of it. The head moves as the runtime has it move
-/// between poses, on a cubic; where it jumps, `solver` is run once and sees the jump. With a count of 1 (or less) it is
+/// Runs `solver` `count` times per step, each time for an equal share of it. The head moves between poses as in the
+/// runtime, on a cubic; where it jumps, `solver` is run once and sees the jump. With a count of 1 (or less) this is
 /// `solver` itself.
 [[nodiscard]] std::unique_ptr<lab::ChainSolver> in_sub_steps(std::unique_ptr<lab::ChainSolver> solver, int count);
 
@@ -44,7 +44,7 @@ class MassSpringSolver : public PosedSolver {
   MassSpringSolver(const lab::Rig& rig, const lab::SolverScene& scene);
 
  protected:
-  /// Sets all forces to those that hold the pose. Here they pull on particles alone.
+  /// Sets all forces to those of the pose. Here they pull on particles alone.
   virtual void add_pose_forces(const ParticleStep& step);
 
   std::vector<Eigen::Vector3d> forces_;  ///< Per unit of mass, m/s^2.
@@ -56,23 +56,23 @@ class MassSpringSolver : public PosedSolver {
   std::vector<double> springs_;
 };
 
-/// The same with what the thesis (3.1, Figure 5) calls angular springs, the hinges of Rosenblum et al.: where two
-/// segments meet, a spring and a damper per radian turn the lower one to its default direction and the upper one the
-/// other way, so that bones feel what hangs from them. A hinge is as strong as what it swings: a bone and all that
-/// hangs from it, stretched out as at rest, swing by its stiffness (1/s^2) and damping (1/s), which is how the passive
-/// model reads these numbers too.
+/// The same with the thesis's angular springs (3.1, Figure 5), the hinges of Rosenblum et al.: where two segments meet,
+/// a spring and a damper per radian turn the lower one to its default direction and the upper one the other way, so
+/// that bones feel what hangs from them. A hinge is as strong as the mass that it swings: a bone and everything that
+/// hangs from it, stretched out as at rest, swing by its stiffness (1/s^2) and damping (1/s). The passive model reads
+/// these numbers in the same way.
 class AngularSpringSolver final : public MassSpringSolver {
  public:
   AngularSpringSolver(const lab::Rig& rig, const lab::SolverScene& scene);
 
  private:
   void add_pose_forces(const ParticleStep& step) override;
-  /// Of bone i's hinge, per unit of mass, m^2/s^2; at right angles to the bone.
+  /// Torque of bone i's hinge, per unit of mass, m^2/s^2; perpendicular to the bone.
   [[nodiscard]] Eigen::Vector3d torque(std::size_t i, const ParticleStep& step) const;
   /// A pair of forces at the bone's ends.
   void turn(std::size_t i, const Eigen::Vector3d& torque, const ParticleStep& step);
 
-  std::vector<double> inertia_;  ///< Per unit of mass, m^2: of what each bone swings, about its start, at rest.
+  std::vector<double> inertia_;  ///< Per unit of mass, m^2: everything that each bone swings, about its start, at rest.
 };
 
 /// The thesis's second attempt (5.2 "Replacing the springs"): nothing moves a particle but its velocity. Errors of
@@ -88,7 +88,7 @@ class ImpulseSolver final : public ParticleSolver {
   void pull_to_default(const ParticleStep& step);
   void keep_lengths(const ParticleStep& step);
   void keep_clear(const ParticleStep& step);
-  /// Where the velocity of now takes particle i by the end of the step.
+  /// The place to which the present velocity takes particle i by the end of the step.
   [[nodiscard]] Eigen::Vector3d foreseen(std::size_t i, const ParticleStep& step) const {
     return before_[i] + velocities_[i] * step.dt;
   }
@@ -98,9 +98,9 @@ class ImpulseSolver final : public ParticleSolver {
 };
 
 /// The thesis's third attempt (5.2 "Adjusting positions and velocities separately"): velocities move the particles,
-/// then positions are put right directly, and velocities are adjusted to match. The thesis calls it "not always obvious
-/// how"; here a segment that was put right loses the speed at which its ends part or meet, half from each, and a
-/// particle that was put out of the head loses its speed into it. The pose is still the second attempt's
+/// then positions are corrected directly, and velocities are adjusted to match. The thesis calls that "not always
+/// obvious how"; here a segment that was corrected loses the speed at which its ends part or meet, half from each, and
+/// a particle that was moved out of the head loses its speed into it. The pose is still the second attempt's
 /// constant_pull().
 class SeparateSolver final : public ParticleSolver {
  public:
@@ -121,9 +121,9 @@ class SeparateSolver final : public ParticleSolver {
 /// exact and children do not pull their parents. The pose is a spring per radian and a damper per angle.
 ///
 /// The angles are measured around a pole across the default direction (zenith 90 degrees, azimuth 0 in the pose), not
-/// around the vertical: hair hangs down, where the azimuth of the paper has no meaning. The terms by which the two
-/// angles act on each other are left out, as the paper does. Springs and dampers are taken at the end of the step,
-/// gravity, drag and the start's motion as they are.
+/// around the vertical: hair hangs down, where the azimuth of the paper has no meaning. As in the paper, the terms that
+/// couple the two angles are left out. Springs and dampers are implicit; gravity, drag and the start's motion are
+/// explicit.
 class ProjectiveSolver final : public PosedSolver {
  public:
   using PosedSolver::PosedSolver;
@@ -146,8 +146,8 @@ class ImplicitSolver final : public PosedSolver {
   ImplicitSolver(const lab::Rig& rig, const lab::SolverScene& scene);
 
  private:
-  /// Row i of the system: diagonal * change[i] + by_parent * change[parent] = right, and what change[i] does to the row
-  /// of its parent.
+  /// Row i of the system: diagonal * change[i] + by_parent * change[parent] = right, and the effect of change[i] on its
+  /// parent's row.
   struct Block {
     Eigen::Matrix3d diagonal;
     Eigen::Matrix3d by_parent;
@@ -162,14 +162,14 @@ class ImplicitSolver final : public PosedSolver {
 
   std::vector<double> springs_;
   std::vector<Block> rows_;
-  std::vector<Eigen::Vector3d> changes_;  ///< Of velocity, m/s.
+  std::vector<Eigen::Vector3d> changes_;  ///< Changes of velocity, m/s.
 };
 
 /// Dynamic follow-the-leader: Mueller, Kim and Chentanez, "Fast Simulation of Inextensible Hair and Fur", 2012. One
-/// pass from root to tip puts each particle at its length behind its parent, which never moves for the child; the
-/// velocity that this one-sidedness steals is given back in part, by the correction of the next particle (the mean of
-/// them where a strand forks). The paper has no pose: stiffness and damping act as a force taken at the end of the step
-/// (PosedSolver::pull()), so that what is measured is the method and not an explicit spring.
+/// pass from root to tip puts each particle at its length behind its parent, which never moves for the child. This
+/// one-sidedness loses velocity, which is given back in part by the correction of the next particle (the mean of them
+/// where a strand forks). The paper has no pose: stiffness and damping act as an implicit force (PosedSolver::pull()),
+/// so that the method is measured and not an explicit spring.
 class FollowLeaderSolver final : public PosedSolver {
  public:
   FollowLeaderSolver(const lab::Rig& rig, const lab::SolverScene& scene);
@@ -179,21 +179,21 @@ class FollowLeaderSolver final : public PosedSolver {
   void follow(std::size_t i, const ParticleStep& step);
   void renew_velocities(const ParticleStep& step);
 
-  std::vector<double> given_back_;  ///< Share of bone i's correction that goes to its parent's velocity.
+  std::vector<double> given_back_;  ///< Share of bone i's correction that is given to its parent's velocity.
 
   std::vector<Eigen::Vector3d> before_;
   std::vector<Eigen::Vector3d> corrections_;  ///< Metres, by which each particle was put behind its leader.
 };
 
 /// All lengths of a strand at once: Han and Harada, "Tridiagonal Matrix Formulation for Inextensible Hair Strand
-/// Simulation", 2013. The length errors' first-order system couples neighbours only and is solved directly, once per
-/// iteration (a Newton step). The paper is about lengths; the pose is the weight per step towards the default position
-/// that Algorithm 1 calls resistance and Han and Harada's "Real-time Hair Simulation with Efficient Hair Style
-/// Preservation", 2012, a shape constraint, so its strength depends on the frame rate as theirs does.
+/// Simulation", 2013. The first-order system of the length errors couples neighbours only and is solved directly, once
+/// per iteration (a Newton step). The paper is about lengths. The pose is the weight per step towards the default
+/// position, called resistance in Algorithm 1 and a shape constraint in Han and Harada's "Real-time Hair Simulation
+/// with Efficient Hair Style Preservation", 2012; so its strength depends on the frame rate, as theirs does.
 ///
 /// Newton's method fails where a step stretches hair far: a strand that it leaves more than a tenth off, or not finite,
-/// is put behind its leaders from root to tip instead. Where strands fork, the first child goes on and the others
-/// hang from a particle that is fixed for them; the paper has no forks.
+/// is put behind its leaders from root to tip instead. Where strands fork, the first child continues the strand and the
+/// others hang from a particle that is fixed for them; the paper has no forks.
 class TridiagonalSolver final : public ParticleSolver {
  public:
   TridiagonalSolver(const lab::Rig& rig, const lab::SolverScene& scene, int iterations);

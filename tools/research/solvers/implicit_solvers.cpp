@@ -27,9 +27,9 @@ class Angles {
     azimuth = std::atan2(direction.dot(side_), direction.dot(front_));
   }
   [[nodiscard]] Vector3d direction() const { return flat() * std::sin(zenith) + pole_ * std::cos(zenith); }
-  /// Where a larger zenith moves the direction, unit.
+  /// The direction in which it moves with a larger zenith, unit.
   [[nodiscard]] Vector3d along_zenith() const { return flat() * std::cos(zenith) - pole_ * std::sin(zenith); }
-  /// Where a larger azimuth moves it, unit.
+  /// The direction in which it moves with a larger azimuth, unit.
   [[nodiscard]] Vector3d along_azimuth() const { return side_ * std::cos(azimuth) - front_ * std::sin(azimuth); }
   /// Way per azimuth; bounded, since at the pole a sideways speed would be an infinite rate.
   [[nodiscard]] double azimuth_radius() const { return std::max(0.1, std::sin(zenith)); }
@@ -43,7 +43,7 @@ class Angles {
   Vector3d front_, side_, pole_;
 };
 
-/// One angle by itself: `off` its default by so many radians.
+/// One angle by itself, `off` radians from its default.
 struct Swing {
   double rate;          ///< rad/s, with gravity and drag in it.
   double default_rate;  ///< rad/s
@@ -78,7 +78,7 @@ void ProjectiveSolver::swing(std::size_t i, const ParticleStep& step) {
   const Vector3d zenith_way = angles.along_zenith() * length;
   const Vector3d azimuth_way = angles.along_azimuth() * (length * angles.azimuth_radius());
   const Vector3d pivot_velocity = start_velocity(i, step);
-  // The pivot's velocity is that of the step's end, so its acceleration acts without being written down.
+  // The pivot's velocity is that of the step's end, so its acceleration needs no term of its own.
   const Vector3d around = falling_velocity(i, step) - pivot_velocity;
   const auto rate = [](const Vector3d& velocity, const Vector3d& way) { return velocity.dot(way) / way.squaredNorm(); };
   const Swing zenith{rate(around, zenith_way), rate(swing_velocity(i), zenith_way),

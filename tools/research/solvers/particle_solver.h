@@ -12,10 +12,11 @@ namespace coif::research {
 [[nodiscard]] Eigen::Quaterniond rotation_of(const HeadPose& head);
 [[nodiscard]] bool is_finite(const HeadPose& head);
 
-/// Beyond what the runtime takes for a movement (StepSettings::teleport_distance and teleport_angle).
+/// The movement is too large for the runtime (StepSettings::teleport_distance and teleport_angle).
 [[nodiscard]] bool jumps(const HeadPose& from, const HeadPose& to);
 
-/// One step as a solver of particles sees it. Metres from the head's position at the end of the step, world axes.
+/// The values of one step for a solver of particles. Metres from the head's position at the end of the step, world
+/// axes.
 struct ParticleStep {
   double dt = 0;
   Eigen::Quaterniond head_rotation;    ///< World from head space, at the end of the step.
@@ -25,22 +26,21 @@ struct ParticleStep {
   Eigen::Vector3d head_velocity;       ///< m/s, mean over the step.
   Eigen::Vector3d head_spin;           ///< rad/s, world axes, mean over the step.
 
-  /// Of the point of the head that is at `point` now, m/s.
+  /// Velocity of the point of the head that is now at `point`, m/s.
   [[nodiscard]] Eigen::Vector3d head_velocity_at(const Eigen::Vector3d& point) const {
     return head_velocity + head_spin.cross(point);
   }
 };
 
-/// Base of the solvers that hold a point mass at every bone's tail. They work relative to the head as the runtime does,
-/// in double precision, so that what is compared is the method and not its number format.
+/// Base of the solvers with a point mass at every bone's tail. They work relative to the head like the runtime, in
+/// double precision, so that methods are compared and not number formats.
 class ParticleSolver : public lab::ChainSolver {
  public:
   ParticleSolver(const lab::Rig& rig, const lab::SolverScene& scene);
 
   void reset(const HeadPose& head) final;
-  /// Refuses what is not finite, steps that are not above zero, and to begin without reset().
-  /// A head that jumps is taken as the runtime takes it; as these methods know no better, the hair starts again from
-  /// rest.
+  /// Refuses values that are not finite, steps that are not above zero, and a start without reset(). A jump of the head
+  /// is detected as in the runtime; then the hair starts again from rest, as these methods have no other way.
   [[nodiscard]] bool step(const HeadPose& head, double dt) final;
   [[nodiscard]] std::span<const Eigen::Vector3d> bone_ends() const final { return ends_; }
 
@@ -48,7 +48,7 @@ class ParticleSolver : public lab::ChainSolver {
   /// Advances positions and velocities. When it is called the positions have been moved against the head's way, so they
   /// are where the particles were, seen from where the head now is; velocities are the world's.
   virtual void advance(const ParticleStep& step) = 0;
-  /// Called after reset(): positions are the rest pose, velocities zero, and `still` says how the head is turned.
+  /// Called after reset(): positions are the rest pose, velocities zero, and `still` has the head's rotation.
   virtual void on_reset(const ParticleStep& still) { static_cast<void>(still); }
 
   [[nodiscard]] const lab::Rig& rig() const { return rig_; }
@@ -56,18 +56,18 @@ class ParticleSolver : public lab::ChainSolver {
   [[nodiscard]] const lab::RigBone& bone(std::size_t i) const { return rig_.bones[i]; }
   [[nodiscard]] bool hangs_from_head(std::size_t i) const { return rig_.bones[i].parent < 0; }
   [[nodiscard]] std::size_t parent(std::size_t i) const { return std::size_t(rig_.bones[i].parent); }
-  /// Where bone i starts now: its parent's particle, or its joint on the turned head.
+  /// The present start of bone i: its parent's particle, or its joint on the turned head.
   [[nodiscard]] Eigen::Vector3d start(std::size_t i, const ParticleStep& step) const;
 
-  /// Where velocities_[i] is after gravity and friction, which decays exactly: what follows pulls and corrects.
+  /// velocities_[i] after gravity and friction, which decays exactly; pulls and corrections come later.
   [[nodiscard]] Eigen::Vector3d falling_velocity(std::size_t i, const ParticleStep& step) const;
 
   /// Default directions, root to tip, as Algorithm 1 (5.2) has them: each bone's rest direction in its parent's present
   /// frame, the frame turned by the shortest arc from there to where the bone points now. Unit, one per bone.
   [[nodiscard]] std::vector<Eigen::Vector3d> default_directions(const ParticleStep& step, bool leaning = false) const;
 
-  /// Where the pose pulls to when only RigBone::parent_share of it turns with the parent and the rest with the head:
-  /// the mean of both directions, which is shorter than unit where they disagree.
+  /// The target of the pose when only RigBone::parent_share of it turns with the parent and the rest with the head: the
+  /// mean of both directions, which is shorter than unit where they differ.
   [[nodiscard]] std::vector<Eigen::Vector3d> shared_directions(const ParticleStep& step) const;
 
   std::vector<Eigen::Vector3d> positions_;
@@ -96,7 +96,7 @@ class PosedSolver : public ParticleSolver {
   void renew_default_pose(const ParticleStep& step);
 
   [[nodiscard]] const Eigen::Vector3d& default_direction(std::size_t i) const { return directions_[i]; }
-  /// Where bone i's particle is at rest behind its parent's present position.
+  /// Place of bone i's particle at rest behind its parent's present position.
   [[nodiscard]] Eigen::Vector3d default_position(std::size_t i, const ParticleStep& step) const {
     return start(i, step) + directions_[i] * bone(i).length;
   }
@@ -122,10 +122,11 @@ class PosedSolver : public ParticleSolver {
   std::vector<Eigen::Vector3d> turns_;  ///< 1/s, of the directions.
 };
 
-/// Velocity that the thesis's second and third attempts (5.2) add per step to a particle which, unpulled, would end it
-/// `off` its default position. The thesis has a constant size without a number: here it is what the final method's
-/// resistance gives a bone that is a quarter of its length off, at the authoring rate. It ends at the default position;
-/// beyond it the hair would be thrown from side to side for ever. Being per step, it grows with the frame rate.
+/// Velocity that the thesis's second and third attempts (5.2) add per step to a particle that would end `off` its
+/// default position without pull. The thesis uses a constant size but gives no number. Here it is the pull that the
+/// final method's resistance gives a bone that is a quarter of its length off, at the authoring rate. It is limited so
+/// that the particle ends at the default position; beyond it the hair would swing from side to side for ever. Since it
+/// is per step, it grows with the frame rate.
 [[nodiscard]] inline Eigen::Vector3d constant_pull(const lab::RigBone& bone, const Eigen::Vector3d& off, double dt) {
   const double speed = bone.resistance * 0.25 * bone.length * bone.authoring_rate;
   return off.normalized() * std::min(speed, off.norm() / dt);
@@ -136,8 +137,8 @@ class PosedSolver : public ParticleSolver {
 inline constexpr double kSpringStretch = 0.01;
 
 /// Spring constants of the segments per unit of mass, 1/s^2: each carries its own particle and all behind it in earth's
-/// gravity (whatever gravity the scene has) at kSpringStretch. For a chain of n equal bones of length l that is up to
-/// 9.81 n / (0.01 l): three bones of 0.1 m oscillate with 0.02 s and less, which is what explicit integration has to
+/// gravity (whatever the scene's gravity) at kSpringStretch. For a chain of n equal bones of length l that is up to
+/// 9.81 n / (0.01 l): three bones of 0.1 m oscillate with periods of 0.02 s and less, which explicit integration has to
 /// follow.
 [[nodiscard]] std::vector<double> segment_springs(const lab::Rig& rig);
 
@@ -150,14 +151,14 @@ inline constexpr double kSpringStretch = 0.01;
                                                  const Eigen::Vector3d& position);
 
 /// For methods that keep lengths exactly: a point at the bone's length from `start` and clear of the colliders, as near
-/// to `position` as some rounds of one after the other get. Where they cannot both be had the length is.
+/// to `position` as some alternating rounds get. If both are impossible, the length is kept.
 [[nodiscard]] Eigen::Vector3d clear_of_colliders_at_length(const lab::Rig& rig, std::size_t i,
                                                            const Eigen::Quaterniond& head_rotation,
                                                            const Eigen::Vector3d& start,
                                                            const Eigen::Vector3d& position);
 
-/// For methods that do not derive velocities from positions: moves a particle to the surface and takes what its
-/// velocity has into it, seen from the moving head. True where something was touched.
+/// For methods that do not derive velocities from positions: moves a particle to the surface and removes its velocity
+/// into it, relative to the moving head. True where something was touched.
 bool push_out(const lab::Rig& rig, std::size_t i, const ParticleStep& step, Eigen::Vector3d& position,
               Eigen::Vector3d& velocity);
 

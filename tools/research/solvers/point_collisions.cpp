@@ -18,7 +18,7 @@ Vector3d clear_of_colliders(const lab::Rig& rig, std::size_t i, const Quaternion
     const auto which = std::size_t(std::countr_zero(left));
     if (which < rig.colliders.size()) cleared = clear_of(rig.colliders[which], rig.bones[i].hit_radius, cleared);
   }
-  // A particle that touches nothing keeps its bits: callers ask whether it was moved.
+  // A particle that touches nothing keeps its bits: callers test whether it was moved.
   return cleared == before ? position : Vector3d(head_rotation * cleared);
 }
 

@@ -31,7 +31,7 @@ void FollowLeaderSolver::advance(const ParticleStep& step) {
 
 void FollowLeaderSolver::follow(std::size_t i, const ParticleStep& step) {
   const Vector3d leader = start(i, step);
-  // How the leader really moved: its velocity also holds what it was given back, which at rest is not zero.
+  // The leader's real motion: its velocity also contains the part given back, which at rest is not zero.
   const Vector3d leader_velocity =
       hangs_from_head(i) ? step.head_velocity_at(leader) : Vector3d((leader - before_[parent(i)]) / step.dt);
   const Vector3d foreseen =

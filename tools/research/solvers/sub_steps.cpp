@@ -19,9 +19,9 @@ Vector3d hermite(const Vector3d& to, const Vector3d& slope, const Vector3d& end_
   return (3 * s2 - 2 * s3) * to + (s3 - 2 * s2 + share) * slope + (s3 - s2) * end_slope;
 }
 
-/// The way of a head between poses as the runtime makes it (runtime/docs/MODEL.md, "The step", 1): a cubic whose slopes
-/// are those of the parabola through three poses. So that sub-steps of others do not stumble over corners that those of
-/// the runtime are spared.
+/// The way of a head between poses, as in the runtime (runtime/docs/MODEL.md, "The step", 1): a cubic whose slopes are
+/// those of the parabola through three poses. So the sub-steps of other solvers have no corners that the runtime's
+/// lack.
 class SmoothWay {
  public:
   void begin(const HeadPose& head) {
@@ -65,7 +65,7 @@ class SmoothWay {
  private:
   HeadPose head_;
   double dt_ = 0, last_dt_ = 0;  ///< Seconds; 0: there was no frame before.
-  // World axes, and the head's own for turns; m, rad, 1/s of them.
+  // World axes, and the head's own for turns; m, rad, and these per second.
   Vector3d way_ = Vector3d::Zero(), turn_ = Vector3d::Zero();
   Vector3d velocity_ = Vector3d::Zero(), end_velocity_ = Vector3d::Zero(), last_mean_ = Vector3d::Zero();
   Vector3d spin_ = Vector3d::Zero(), end_spin_ = Vector3d::Zero(), last_mean_spin_ = Vector3d::Zero();
@@ -84,7 +84,7 @@ class SubSteps final : public lab::ChainSolver {
     // A cubic makes finite poses of some that are not.
     if (!(dt > 0) || !std::isfinite(dt) || !is_finite(head)) return false;
     if (jumps(way_.head(), head)) {
-      // Nobody goes there through what lies between.
+      // After a jump there is no way in between.
       if (!solver_->step(head, dt)) return false;
       way_.begin(head);
       return true;
@@ -92,7 +92,7 @@ class SubSteps final : public lab::ChainSolver {
     SmoothWay aimed = way_;
     aimed.aim(head, dt);
     for (int i = 1; i <= count_; ++i) {
-      // What is refused is refused at the first of them, with nothing moved: NaN has no finite share.
+      // Invalid input is refused in the first of them, with nothing moved: NaN has no finite share.
       if (!solver_->step(i < count_ ? aimed.at(double(i) / count_) : head, dt / count_)) return false;
     }
     aimed.arrive(head);

@@ -12,8 +12,8 @@ MassSpringSolver::MassSpringSolver(const lab::Rig& rig, const lab::SolverScene& 
     : PosedSolver(rig, scene), forces_(rig.bones.size()), springs_(segment_springs(rig)) {}
 
 void MassSpringSolver::advance(const ParticleStep& step) {
-  // Forces are those of the step's start, seen from where the head was then: judged by where it now is, one at 8 m/s
-  // would have left its hair a step's way behind.
+  // Forces are those of the step's start, relative to the head's place then: relative to its present place, a head at 8
+  // m/s would have left its hair behind by a step's way.
   const Vector3d head_way = step.head_velocity * step.dt;
   for (Vector3d& position : positions_) position += head_way;
   ParticleStep begun = step;

@@ -11,7 +11,8 @@ namespace coif::view {
 namespace {
 
 constexpr double kSameResistance = 1.0e-5,
-                 kSameDamping = 1.0e-3;  ///< Shares, of what went through floats once or twice.
+                 /// Tolerance of shares that went through floats once or twice.
+    kSameDamping = 1.0e-3;
 constexpr float kWorldsAir = 0.99f;
 
 double mean_of(std::size_t count, const auto& value) {
@@ -57,8 +58,8 @@ void AssetMotion::find_places(const Asset& asset) {
   for (std::size_t i = 0; i < bones_.size(); ++i) bones_[i].place /= farthest[bone_records_[i].chain];
 }
 
-/// By the resistance that goes with the stiffness of its bending length, which nothing else comes to. Of two presets of
-/// one bending length it is the one whose friction, of loose or of tied hair, is nearer.
+/// Recognises a preset by the resistance that goes with the stiffness of its bending length, which nothing else gives.
+/// Between two presets of one bending length, the one with the nearer friction (of loose or tied hair) is taken.
 void AssetMotion::find_preset(std::size_t i) {
   Bone& bone = bones_[i];
   double nearest = 0;
@@ -140,7 +141,7 @@ void AssetMotion::bake(std::size_t i, const MotionTuning& tuning, lab::Rig& rig,
   cook::bake_natural(rig, carried_, i, {preset.bending_length, ratio.value_or(preset.damping_ratio), is_tied}, record);
 }
 
-/// As much more as the cook found to be needed, or the chain might move as nothing does.
+/// Adds what the cook added; otherwise the chain's motion might not be well-defined.
 void AssetMotion::add_conditioning(std::size_t i, DynamicsRecord& record) const {
   const DynamicsRecord &given = records_[rig_.rigid_count + i], &asked = bones_[i].own;
   record.friction += std::max(given.friction - asked.friction, 0.0f);

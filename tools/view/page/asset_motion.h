@@ -1,6 +1,7 @@
 #pragma once
-// How an asset's hair moves, as recipes say it, and what becomes of it when somebody says something else: what the cook
-// would make of the same recipe, as far as the asset tells, by the cook's own formulas.
+
+// The motion of an asset's hair in the words of recipes, and the effect of changes. The cook's own formulas give, as
+// far as the asset shows it, the result that a cook of the same recipe would have.
 
 #include "cook/dynamics/bone_motion.h"
 #include "cook/recipe/hair_preset.h"
@@ -17,9 +18,9 @@
 
 namespace coif::view {
 
-/// What somebody changed; what is absent is as the asset has it.
+/// A user's changes; absent values are the asset's.
 struct MotionTuning {
-  std::vector<cook::CurvePoint> resistance{}, damping_ratio{};  ///< Empty: as it is.
+  std::vector<cook::CurvePoint> resistance{}, damping_ratio{};  ///< Empty: the asset's.
   const cook::HairPreset* preset = nullptr;
   std::optional<double> liveliness{}, friction{}, gravity_scale{}, air_follow{};
   std::optional<double> angle_limit{};  ///< Degrees.
@@ -35,24 +36,24 @@ struct MeanMotion {
 
 class AssetMotion {
  public:
-  AssetMotion() = default;  ///< Of hair that does not move.
+  AssetMotion() = default;  ///< For hair that does not move.
   /// Copies what it needs.
   explicit AssetMotion(const Asset& asset);
 
   [[nodiscard]] bool is_empty() const { return bones_.empty(); }
   [[nodiscard]] const MeanMotion& mean() const { return mean_; }
-  /// That moves all of it; null: resistances or springs do, or several.
+  /// The preset that moves all of it; null: resistances or springs do, or several presets.
   [[nodiscard]] const cook::HairPreset* preset() const { return preset_; }
 
-  /// One for each bone of the asset, rigid ones included; its own to the bit where nothing is said. Neither chooses
-  /// models, sub-steps or twist anew nor looks whether chains have one motion: what the cook changed for that is kept.
+  /// One for each bone of the asset, rigid ones included; without changes its own to the bit. Does not choose models,
+  /// sub-steps or twists anew, and does not check whether chains have a well-defined motion: the cook's changes for
+  /// that are kept.
   [[nodiscard]] std::vector<DynamicsRecord> tuned(const MotionTuning& tuning) const;
   /// SkeletonRecord::air_lag.
   [[nodiscard]] float air_lag(const MotionTuning& tuning) const;
 
-  /// The "dynamics" of a recipe that cooks to that, as a JSON object: what was changed, and what a cook would else
-  /// choose anew beside it.
-  /// "{}" where nothing is said.
+  /// The "dynamics" of a recipe that cooks to that, as a JSON object: the changes, and values that a cook would
+  /// otherwise choose anew. "{}" without changes.
   [[nodiscard]] std::string recipe(const MotionTuning& tuning) const;
 
   /// For the page: {"moves", "preset", "springs", "conditioned": bool, "resistance", "damping_ratio": {"points",
@@ -60,15 +61,15 @@ class AssetMotion {
   [[nodiscard]] std::string json() const;
 
  private:
-  /// What a bone's numbers tell of who said them.
+  /// The source of a bone's numbers.
   struct Bone {
-    DynamicsRecord own{};  ///< As asked for: before the cook made its chain have one motion.
-    double place = 0;      ///< Where its middle is along its chain, which takes the values of curves.
-    const cook::HairPreset* preset = nullptr;  ///< By which it has its stiffness.
-    bool is_tied = false;                      ///< With a preset: as tied hair swings.
-    std::optional<double> said_ratio;  ///< Share of critical damping; none: what its resistance or its preset brings.
-    double shown_ratio = 0;            ///< By its preset's measure where it has one.
-    double curve_ratio = 0;            ///< By that of bones with a resistance.
+    DynamicsRecord own{};  ///< The artist's numbers, before the cook made its chain's motion well-defined.
+    double place = 0;      ///< Place of its middle along its chain, where it takes the values of curves.
+    const cook::HairPreset* preset = nullptr;  ///< The preset that gives its stiffness.
+    bool is_tied = false;                      ///< With a preset: it swings like tied hair.
+    std::optional<double> said_ratio;          ///< Share of critical damping; none: from its resistance or its preset.
+    double shown_ratio = 0;                    ///< In its preset's unit, if it has one.
+    double curve_ratio = 0;                    ///< In the unit of bones with a resistance.
     bool leans = false;
   };
 
@@ -85,19 +86,19 @@ class AssetMotion {
   void add_conditioning(std::size_t i, DynamicsRecord& record) const;
 
   std::vector<DynamicsRecord> records_;   ///< The asset's, of all bones.
-  std::vector<BoneRecord> bone_records_;  ///< Of the simulated ones, as all that follows.
+  std::vector<BoneRecord> bone_records_;  ///< For the simulated bones, like all that follows.
   std::vector<Bone> bones_;
   lab::Rig rig_;
   std::vector<lab::Carried> carried_;
   MeanMotion mean_;
   const cook::HairPreset* preset_ = nullptr;
   float air_lag_ = 0;
-  bool has_springs_ = false;  ///< As far as can be told.
+  bool has_springs_ = false;  ///< As far as the asset shows.
 };
 
-/// A curve from 0 to 1 of few points through many `values`, in any order: bones of one place count by their mean. Up to
-/// `most` points, 2 or more, fewer where those are as near as nobody sees, where values are seen by their `power`.
-/// Values are >= 0. Empty for none.
+/// A curve of few points from 0 to 1 through many `values`, in any order; bones at one place count with their mean. Up
+/// to `most` points, 2 or more; fewer where nobody sees the difference, with values shown by their `power`. Values are
+/// >= 0. Empty for no values.
 [[nodiscard]] std::vector<cook::CurvePoint> reduced_curve(std::span<const cook::CurvePoint> values, double power,
                                                           std::size_t most);
 

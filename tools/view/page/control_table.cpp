@@ -1,4 +1,4 @@
-// What the page offers to set, row by row. Numbers of a recipe have its ranges, or those that look like hair.
+// The page's controls, row by row. Numbers of a recipe have its ranges, or those that look like hair.
 
 #include "base/hair_runtime.h"
 #include "view/page/view_settings.h"
@@ -11,14 +11,14 @@ namespace {
 
 struct Control {
   const char* name;
-  const char* group;  ///< "": without a control of its own.
+  const char* group;  ///< "": no control of its own.
   const char* label;
   const char* hint;
   const char* unit;
   const char* kind;
   std::size_t at;  ///< Bytes, in ViewSettings.
   float low, high, step;
-  const char* words = "";         ///< Of a choice, separated by '|'.
+  const char* words = "";         ///< Words of a choice, separated by '|'.
   const char* recipe = "";        ///< Its key in a recipe; "": the recipe has none.
   const char* recipe_words = "";  ///< Those that the recipe knows; "": all.
 };

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::uint32_t kHeads = 64;
 constexpr double kRate = 60;
-// Clocks of browsers tell tenths of a millisecond; what else the machine does only makes a batch longer.
+// Milliseconds. Browsers' clocks have a resolution of tenths of a millisecond; other work on the machine only makes a
+// batch longer.
 constexpr double kShortestBatch = 3, kLongestTrial = 60;  // ms
 constexpr int kBatches = 5;
 
@@ -29,7 +30,7 @@ class ShakenCrowd {
     works_ = memory_ && hair_.create(asset, desc, {memory_.get(), need.bytes}) == Status::kOk;
   }
 
-  /// Milliseconds that so many steps took.
+  /// Milliseconds for this many steps.
   double time(int steps) {
     const double begin = emscripten_get_now();
     for (int i = 0; i < steps && works_; ++i) {

@@ -8,16 +8,16 @@
 
 namespace coif::view {
 
-/// Where the page draws light, and how that becomes the canvas's pixels: as develop() does it for pictures. With no
-/// more than 8 bits a channel where the browser cannot draw into half floats.
+/// The target for light, and its conversion to the canvas's pixels, like develop() for pictures. With at most 8 bits
+/// per channel where the browser cannot draw into half floats.
 class DevelopedTarget {
  public:
   /// kUnsupported where the driver refuses the shader.
   static tl::expected<DevelopedTarget, ToolError> create();
   void destroy();
 
-  /// Pixels of the canvas; `finer` samples of each, each way, which the driver makes `covered` samples of: 0, 4. What
-  /// has the size already stays. False where there is no memory for it.
+  /// Pixels of the canvas; `finer` samples of each in each direction, each with `covered` samples of the driver: 0, 4.
+  /// Does nothing if the size is unchanged. False where there is no memory for it.
   [[nodiscard]] bool resize(std::uint32_t width, std::uint32_t height, std::uint32_t finer, std::uint32_t covered);
 
   void bind() const;

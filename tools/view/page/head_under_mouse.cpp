@@ -1,4 +1,4 @@
-// The visitor's hand: which head is under it, and what it does to that.
+// The visitor's hand: the head under it, and its effect on that head.
 
 #include "view/page/view_session.h"
 
@@ -13,7 +13,7 @@ struct Ball {
   double radius = 0.12;  // metres: an adult's head
 };
 
-/// The largest of what hair collides with on the head; without any what hair surrounds.
+/// The largest collider on the head; without one a ball that hair surrounds.
 Ball head_of(const Asset& asset, const std::vector<Eigen::Vector3d>& points) {
   Ball ball;
   double largest = 0;

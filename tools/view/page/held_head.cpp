@@ -33,7 +33,7 @@ void HeldHead::step(double dt) {
   offset_.step(wanted_, quickness, dt);
   turn_.step(turned_, quickness, dt);
   if (!is_at_rest()) return;
-  offset_ = {wanted_, Eigen::Vector3d::Zero()};  // else the hair would never fall asleep
+  offset_ = {wanted_, Eigen::Vector3d::Zero()};  // Otherwise the hair would never fall asleep.
   turn_ = {turned_, Eigen::Vector3d::Zero()};
 }
 

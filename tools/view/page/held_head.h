@@ -6,7 +6,7 @@
 
 namespace coif::view {
 
-/// A head under the visitor's mouse: follows it, and springs back when it is let go. World axes, metres, radians,
+/// A head under the visitor's mouse: follows it, and springs back when it is released. World axes, metres, radians,
 /// seconds.
 class HeldHead {
  public:
@@ -25,7 +25,7 @@ class HeldHead {
   [[nodiscard]] const Eigen::Vector3d& offset() const { return offset_.place; }
 
  private:
-  /// Follows what is wanted without overshooting.
+  /// Follows the wanted value without overshooting.
   struct Follower {
     Eigen::Vector3d place = Eigen::Vector3d::Zero(), rate = Eigen::Vector3d::Zero();
     void step(const Eigen::Vector3d& wanted, double quickness, double dt);

@@ -9,10 +9,10 @@
 
 namespace coif::view {
 
-/// Where layers of hair are counted, up to 255 in a pixel, and how the counts become kLayerColors.
+/// Counts layers of hair, up to 255 per pixel, and converts the counts to kLayerColors.
 class LayerCount {
  public:
-  /// What a layer adds to a pixel of its target.
+  /// Added to a pixel of its target by each layer.
   static constexpr float kStep = 1 / 255.0f;
 
   /// kUnsupported where the driver refuses the shader.
@@ -21,11 +21,11 @@ class LayerCount {
   LayerCount(const LayerCount&) = delete;
   LayerCount& operator=(const LayerCount&) = delete;
 
-  /// Binds the target, empty, with a depth buffer, in pixels. What has the size already stays. False where there is no
-  /// memory for it.
+  /// Binds the cleared target, in pixels, with a depth buffer. Does not reallocate if the size is unchanged. False
+  /// where there is no memory for it.
   [[nodiscard]] bool begin(std::uint32_t width, std::uint32_t height);
 
-  /// Over what is in the bound framebuffer of that size, where there is a layer at least.
+  /// Draws over the bound framebuffer of that size, where there is at least one layer.
   void color() const;
 
  private:

@@ -7,38 +7,39 @@
 
 namespace coif::view {
 
-/// How hair is simulated, of which the asset may know how wrong it is.
+/// A way to simulate hair, for which the asset may know the error.
 struct SimulatedSo {
   float rate = 60;             ///< Steps a second.
-  std::uint32_t substeps = 1;  ///< Of a step.
+  std::uint32_t substeps = 1;  ///< Per step.
   const Solver* solver = &kCoifSolver;
   bool is_tuned = false;  ///< Bones move by other numbers than the asset's own.
 };
 
-/// Where a number comes from, or why there is none.
+/// The source of a number, or the reason why there is none.
 enum class TipErrorSource : std::uint8_t {
-  kMeasured,       ///< In this very way.
-  kCoarser,        ///< At a slower rate with sub-steps no shorter: it is no larger than that.
+  kMeasured,       ///< Measured with these settings.
+  kCoarser,        ///< Measured at a slower rate with sub-steps that are not shorter: an upper bound.
   kDraft,          ///< Drafts are not measured.
-  kNotMeasured,    ///< This asset was not.
-  kOtherSolver,    ///< What was measured is kCoifSolver.
-  kOtherDynamics,  ///< What was measured is how the asset moves by its own numbers.
+  kNotMeasured,    ///< The asset was not measured.
+  kOtherSolver,    ///< kCoifSolver was measured.
+  kOtherDynamics,  ///< The asset's own dynamics were measured.
   kTooCoarse,      ///< Nothing as slow was measured.
 };
 
-/// Of tips against the converged solution, shares of the chain's length, by the asset's own records (QualityRecord).
+/// Errors of tips against the converged solution, shares of the chain's length, from the asset's own records
+/// (QualityRecord).
 struct RecordedTipError {
   TipErrorSource source = TipErrorSource::kNotMeasured;
-  float rms = 0;  ///< Of the worst motion. 0 without a number.
+  float rms = 0;  ///< In the worst motion. 0 without a number.
   float max = 0;  ///< Largest of all.
 };
 [[nodiscard]] inline bool is_known(const RecordedTipError& error) { return error.source <= TipErrorSource::kCoarser; }
 
-/// Of the rows that are no finer in either, rate and sub-step, the fastest with the shortest sub-steps.
+/// From the rows that are not finer in rate or sub-step: the fastest one with the shortest sub-steps.
 [[nodiscard]] RecordedTipError tip_error_of(const Asset& asset, const SimulatedSo& so);
 
-/// Nanoseconds that a sub-step of one simulated bone takes in this browser, in a crowd of heads that shake: what a game
-/// would pay, where all lanes are full. Takes some milliseconds; 0 where nothing is simulated.
+/// Nanoseconds per sub-step and simulated bone in this browser, in a crowd of heads that shake: the price in a game,
+/// where all lanes are full. Takes some milliseconds; 0 where nothing is simulated.
 [[nodiscard]] double crowd_cost(const Asset& asset, const Solver& solver);
 
 }  // namespace coif::view

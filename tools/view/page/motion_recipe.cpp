@@ -1,4 +1,4 @@
-// What asset_motion.h says in words of recipes and of the page.
+// asset_motion.h in the words of recipes and of the page.
 
 #include "view/page/asset_motion.h"
 
@@ -13,11 +13,11 @@ namespace coif::view {
 namespace {
 
 constexpr std::size_t kMostPoints = 6;
-/// How the page draws both, so that what looks the same is: control_curve.js.
+/// The page draws both curves by these exponents (control_curve.js); equal looks must mean equal values.
 constexpr double kResistanceSeen = 1.0 / 3, kRatioSeen = 0.5;
 constexpr std::size_t kMostShown = 400;
 
-/// So many digits that count.
+/// A number with this many significant digits.
 std::string digits(double value, int count) {
   char text[32];
   std::snprintf(text, sizeof text, "%.*g", count, value);
@@ -36,7 +36,7 @@ std::string in_json(std::span<const cook::CurvePoint> points) {
   return text + "]";
 }
 
-/// Those of different places or values.
+/// Removes points with equal places and values.
 std::vector<cook::CurvePoint> told_apart(std::vector<cook::CurvePoint> points) {
   for (cook::CurvePoint& point : points) {
     point.at = std::round(point.at * 500) / 500;
@@ -87,7 +87,7 @@ std::vector<cook::CurvePoint> AssetMotion::ratios(double Bone::*ratio) const {
   return values;
 }
 
-/// With what the cook would choose anew beside a resistance.
+/// Adds the values that the cook would choose anew beside a resistance.
 MotionTuning AssetMotion::completed(MotionTuning tuning) const {
   if (!goes_by_curve(tuning)) return tuning;
   if (tuning.resistance.empty()) tuning.resistance = reduced_curve(resistances(), kResistanceSeen, kMostPoints);
@@ -114,7 +114,7 @@ std::string AssetMotion::recipe(const MotionTuning& said) const {
     recipe.add("resistance", in_json(tuning.resistance));
     if (has_springs_) recipe.add("sags", true);
   } else if (tuning.preset != nullptr) {
-    if (preset_ == nullptr) {  // or what moves it now would go on
+    if (preset_ == nullptr) {  // Otherwise the present preset would stay in force.
       recipe.add("source", std::string_view("\"curves\""));
       recipe.add("resistance", std::string_view("[]"));
     }

@@ -6,7 +6,7 @@
 namespace coif::view {
 namespace {
 
-/// Of the choice's number; null: none.
+/// The preset with the choice's number; null: none.
 const cook::HairPreset* preset_of(const ViewSettings& settings) {
   const auto presets = cook::hair_presets();
   const bool is_one = settings.preset >= 1 && settings.preset <= float(presets.size());

@@ -1,5 +1,5 @@
-// What the page's scripts call. One asset, one canvas, one view of it or several. Functions that may fail return null
-// or a sentence that lives until the next call.
+// The functions that the page's scripts call. One asset, one canvas, one or several views of it. Functions that may
+// fail return null or a sentence that is valid until the next call.
 
 #include "motion/head_path.h"
 #include "view/page/hair_views.h"
@@ -39,7 +39,7 @@ const char* outcome(const tl::expected<void, coif::ToolError>& done) {
   return done ? nullptr : say(done.error().message);
 }
 
-/// In place of all views that there were.
+/// Replaces all existing views.
 const char* show(std::unique_ptr<coif::view::ViewSession> session) {
   page().session = session.get();
   page().views.clear();
@@ -68,19 +68,19 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_start() {
   return nullptr;
 }
 
-/// Where the script writes a file of so many bytes before coif_view_open().
+/// Memory of this size, into which the script writes a file before coif_view_open().
 EMSCRIPTEN_KEEPALIVE void* coif_view_room(std::size_t bytes) {
   page().incoming.assign(bytes, std::byte{});
   return page().incoming.data();
 }
 
-/// Takes what was written there, clip_bytes(), as a motion of the assets that are opened from now on.
+/// Takes the written clip_bytes() as a motion for all assets that are opened from now on.
 EMSCRIPTEN_KEEPALIVE const char* coif_view_clip() {
   page().clip = coif::motion::clip_keys(std::exchange(page().incoming, {}));
   return page().clip.empty() ? say("the page's clip is damaged; make the page again") : nullptr;
 }
 
-/// Opens what was written there. A file that is refused leaves the one that is shown.
+/// Opens the written file. If it is refused, the one that is shown stays.
 EMSCRIPTEN_KEEPALIVE const char* coif_view_open() {
   auto session = coif::view::ViewSession::open(std::exchange(page().incoming, {}));
   if (!session) return say(session.error().message);
@@ -88,8 +88,8 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_open() {
   return show(std::move(*session));
 }
 
-/// The same for another cook of what is shown, which goes on where it was. The settings become what the asset says; the
-/// script lays over them what stays.
+/// Replaces the asset by another cook of it, at the same time of the motion. The settings become the asset's; the
+/// script then restores those that stay.
 EMSCRIPTEN_KEEPALIVE const char* coif_view_replace() {
   auto session = coif::view::ViewSession::open(std::exchange(page().incoming, {}));
   if (!session) return say(session.error().message);
@@ -102,13 +102,13 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_replace() {
   return show(std::move(*session));
 }
 
-/// Another view of what was opened. Its number; the page's own is 0.
+/// Adds another view of the open asset. Returns its number; the page's own is 0.
 EMSCRIPTEN_KEEPALIVE std::uint32_t coif_view_add() {
   if (page().views.empty()) return 0;
   page().views.push_back(page().views.front()->another());
   return std::uint32_t(page().views.size() - 1);
 }
-/// From here on all functions are about this one.
+/// From here on all functions use this view.
 EMSCRIPTEN_KEEPALIVE void coif_view_choose(std::uint32_t number) {
   if (number < page().views.size()) page().session = page().views[number].get();
 }
@@ -133,7 +133,7 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_controls() {
   return page().session ? say(coif::view::controls_json(page().session->asset(), !page().clip.empty())) : say("[]");
 }
 
-/// What the colours of the view mean: legend_json().
+/// The meaning of the view's colours: legend_json().
 EMSCRIPTEN_KEEPALIVE const char* coif_view_legend() {
   if (!page().session) return nullptr;
   const coif::view::ViewSettings& settings = page().session->settings();
@@ -141,12 +141,12 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_legend() {
                                      std::uint32_t(settings.lod)));
 }
 
-/// How the asset's hair moves as it came: AssetMotion::json().
+/// The motion of the asset as it was opened: AssetMotion::json().
 EMSCRIPTEN_KEEPALIVE const char* coif_view_motion() {
   return page().session ? say(page().session->motion().json()) : say("{}");
 }
 
-/// So many points, place and value by turns, in place of the asset's own resistances (`which` 0) or damping ratios (1);
+/// Replaces the asset's own resistances (`which` 0) or damping ratios (1) by `points` points, place and value in turn;
 /// 0 points: its own.
 EMSCRIPTEN_KEEPALIVE void coif_view_curve(int which, const double* numbers, int points) {
   if (!page().session) return;
@@ -156,12 +156,12 @@ EMSCRIPTEN_KEEPALIVE void coif_view_curve(int which, const double* numbers, int 
   which == 0 ? motion.set_resistance(std::move(curve)) : motion.set_damping_ratio(std::move(curve));
 }
 
-/// The settings as they are now are what the asset was cooked with; the recipe says so, or does not have to.
+/// The present settings are those of the asset's cook. `recipe_says_it`: its recipe contains them.
 EMSCRIPTEN_KEEPALIVE void coif_view_accept(bool recipe_says_it) {
   if (page().session) page().session->motion().accept(page().session->settings(), recipe_says_it);
 }
 
-/// What was changed of how hair moves, as a recipe's "dynamics".
+/// The changes of the motion as a recipe's "dynamics".
 EMSCRIPTEN_KEEPALIVE const char* coif_view_dynamics() {
   return page().session ? say(page().session->motion().recipe(page().session->settings())) : say("{}");
 }

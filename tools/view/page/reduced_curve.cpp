@@ -7,9 +7,9 @@
 namespace coif::view {
 namespace {
 
-constexpr double kPlaces = 48;     ///< That are told apart along a chain.
-constexpr double kSeen = 0.005;    ///< Of the largest value, as it is seen.
-constexpr double kSlack = 1.0e-9;  ///< Of places.
+constexpr double kPlaces = 48;     ///< Places that are distinguished along a chain.
+constexpr double kSeen = 0.005;    ///< Visible difference, as a share of the largest value.
+constexpr double kSlack = 1.0e-9;  ///< Tolerance of places.
 
 std::vector<cook::CurvePoint> means_of_places(std::span<const cook::CurvePoint> values) {
   struct Sum {
@@ -27,7 +27,7 @@ std::vector<cook::CurvePoint> means_of_places(std::span<const cook::CurvePoint> 
   return means;
 }
 
-/// Along the line through both, as far out as values stay positive; else where it is.
+/// On the line through both, as long as its values are positive; else unchanged.
 cook::CurvePoint led_to(double at, const cook::CurvePoint& end, const cook::CurvePoint& before) {
   const double value = end.value + (at - end.at) / (end.at - before.at) * (end.value - before.value);
   const double least = std::min(end.value, before.value), most = std::max(end.value, before.value);

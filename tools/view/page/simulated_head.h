@@ -11,19 +11,19 @@
 
 namespace coif::view {
 
-/// One head's hair and the memory that it lives in.
+/// One head's hair and its memory.
 class SimulatedHead {
  public:
-  /// The asset must outlive this object. In gusts the solver coif gives way to kCharacterSolver, which is the same
-  /// beside that.
+  /// The asset must outlive this object. In gusts kCharacterSolver replaces the solver coif; without them both are
+  /// equal.
   Status create(const Asset& asset, const Solver& solver, bool in_gusts);
 
-  /// At this pose, as it hangs there after two seconds: what `coif render` shows of a head at rest.
+  /// Puts the head at this pose with its hair after two seconds of hanging, as `coif render` shows a head at rest.
   Status settle(const HeadPose& pose, const StepSettings& step);
 
   enum class Way : std::uint8_t {
-    kMoves,  ///< The head goes to its pose.
-    kNone,   ///< It is put there, with its hair as it is.
+    kMoves,  ///< The head moves to its pose.
+    kNone,   ///< It is put there, and its hair keeps its shape.
   };
   Status step(const HeadPose& pose, Way way, const StepSettings& step, const Gusts& gusts);
 
@@ -35,7 +35,7 @@ class SimulatedHead {
  private:
   HairMemory memory_{nullptr, &std::free};
   Hair hair_;
-  std::vector<Mat34> rest_;  ///< Of an asset without dynamics.
+  std::vector<Mat34> rest_;  ///< For an asset without dynamics.
   bool in_gusts_ = false;
 };
 

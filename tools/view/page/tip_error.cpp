@@ -5,7 +5,7 @@
 namespace coif::view {
 namespace {
 
-constexpr double kRounding = 1.0001;  // of rates
+constexpr double kRounding = 1.0001;  // Factor on rates.
 
 /// Frames and sub-steps a second.
 std::pair<double, double> rates_of(const QualityRecord& row) {

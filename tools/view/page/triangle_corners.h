@@ -12,15 +12,15 @@
 
 namespace coif::view {
 
-/// One corner of a triangle as the GPU gets it.
+/// One corner of a triangle in the GPU's form.
 struct TriangleCorner {
   Vec3 position;  ///< Head space, metres.
   float uv[2];
   std::uint8_t color[4];  ///< sRGB, the whole triangle's; the last is not used.
 };
 
-/// Triangles of an asset, each with corners of its own, which is what one colour for each takes: WebGL 2 does not tell
-/// a shader which triangle it draws. Takes its memory once.
+/// Triangles of an asset, each with its own corners, so that each can have a colour: WebGL 2 does not give a shader the
+/// triangle's number. Allocates its memory once.
 class TriangleCorners {
  public:
   /// The asset must outlive this object and have a mesh.
@@ -30,7 +30,7 @@ class TriangleCorners {
   /// Valid until the next call; empty where the palette is not the asset's.
   [[nodiscard]] std::span<const TriangleCorner> of(HairView view, const HairInstance& head, std::uint32_t order);
 
-  /// That of() ever gives.
+  /// The largest number that of() returns.
   [[nodiscard]] std::size_t most() const { return corners_.size(); }
   [[nodiscard]] const DrawnHair& hair() const { return hair_; }
 
@@ -39,7 +39,7 @@ class TriangleCorners {
 
   const Asset& asset_;
   DrawnHair hair_;
-  std::vector<ScreenColor> patch_colors_;  ///< Of each triangle, in stored order.
+  std::vector<ScreenColor> patch_colors_;  ///< One per triangle, in stored order.
   std::vector<SkinnedVertex> skinned_;
   std::vector<TriangleCorner> corners_;
 };

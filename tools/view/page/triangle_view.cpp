@@ -64,7 +64,7 @@ GLint wrap_of(const Asset& asset) {
 
 void set_state(const TrianglePass& pass) {
   glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);  // of cards in one place the later one wins, as in HairRenderer
+  glDepthFunc(GL_LEQUAL);  // Among cards in one place the later one wins, as in HairRenderer.
   glDepthMask(pass.counts ? GL_FALSE : GL_TRUE);
   if (!pass.both_faces) glEnable(GL_CULL_FACE);
   if (!pass.counts) return;
@@ -85,7 +85,7 @@ void leave_state() {
   glUseProgram(0);
 }
 
-/// In which of the asset's orders HairRenderer draws this head; none where it leaves it out.
+/// The asset's order in which HairRenderer draws this head; none where it leaves it out.
 std::optional<std::uint32_t> order_of(const DrawnHair& hair, const HairInstance& head, const render::Camera& camera) {
   Eigen::Matrix4f clip_from_view = Eigen::Matrix4f::Identity();
   clip_from_view.topRightCorner<3, 1>() = camera.eye.cast<float>();

@@ -12,7 +12,7 @@
 
 namespace coif::view {
 
-/// What of the hair is drawn, and from where on it counts as hair.
+/// The part of the hair to draw, and the alpha from which on it counts as hair.
 struct TrianglePass {
   HairView view = HairView::kPatches;
   float alpha = 1, least_alpha = 0;  ///< The material's own; texels with less, times that, are holes.
@@ -20,8 +20,8 @@ struct TrianglePass {
   bool counts = false;  ///< Adds LayerCount::kStep to each channel in place of colours, whatever is in front.
 };
 
-/// Draws the triangles of heads in plain colours, without light, over the depth that is there. Beside HairRenderer,
-/// with objects of its own: what games link knows nothing of it.
+/// Draws the triangles of heads in plain colours, without light, over the existing depth. Separate from HairRenderer,
+/// with its own objects: games do not link it.
 class TriangleView {
  public:
   /// The asset must outlive this object. kUnsupported where the driver refuses the shader.

@@ -10,54 +10,53 @@
 
 namespace coif::view {
 
-/// What a visitor changed of how an asset's hair moves: in the asset's memory, at once, and as a recipe.
+/// A visitor's changes of the motion of an asset's hair: applied in the asset's memory at once, and as a recipe.
 class TunableMotion {
  public:
   TunableMotion() = default;
-  /// Of an asset and its settings, as they came.
+  /// Takes the motion and the settings of the opened asset.
   TunableMotion(AssetMotion motion, const ViewSettings& settings);
 
-  /// Take the place of the asset's own; empty: its own.
+  /// Replaces the asset's own curve; empty: its own.
   void set_resistance(std::vector<cook::CurvePoint> curve) { curves_.resistance = std::move(curve); }
   void set_damping_ratio(std::vector<cook::CurvePoint> curve) { curves_.damping_ratio = std::move(curve); }
 
-  /// The asset is another cook of the one that `before` tuned: recipes tell the changes of both.
+  /// The asset is another cook of the one that `before` tuned: recipes contain the changes of both.
   void go_on(const TunableMotion& before);
-  /// After go_on(). Either what is set now is what the asset was cooked with, by a recipe that says so; or it was
-  /// cooked without any changes, and those are told from how it came.
+  /// Call it after go_on(). Either the asset was cooked with the present settings, by a recipe that contains them; or
+  /// it was cooked without any changes, and changes count from there.
   void accept(const ViewSettings& settings, bool recipe_says_it);
 
-  /// What is set is in the asset's memory already.
+  /// The present settings are already in the asset's memory.
   [[nodiscard]] bool is_applied(const ViewSettings& settings) const;
-  /// Writes it there: into an asset whose memory is the caller's own, and which is the one whose motion this was made
-  /// of, or its copy.
+  /// Writes them into an asset in the caller's own memory: the one whose motion this was made of, or its copy.
   void apply(const ViewSettings& settings, const Asset& asset);
-  /// What was written last is not what the asset came with.
+  /// The values written last differ from the asset's own.
   [[nodiscard]] bool is_tuned() const { return written_ != MotionTuning{}; }
 
-  /// "dynamics" of a recipe of what is set; AssetMotion::recipe().
+  /// The "dynamics" of a recipe with the settings; AssetMotion::recipe().
   [[nodiscard]] std::string recipe(const ViewSettings& settings) const;
-  /// As the asset came; AssetMotion::json().
+  /// The asset as it was opened; AssetMotion::json().
   [[nodiscard]] std::string json() const { return motion_.json(); }
 
  private:
-  /// What changes are told against.
+  /// The reference of changes.
   struct Base {
     ViewSettings settings;
     MotionTuning curves;
     [[nodiscard]] MotionTuning to(const ViewSettings& settings, const MotionTuning& curves) const;
   };
 
-  AssetMotion motion_, first_motion_;  ///< The asset's, and that of the one which recipes tell changes of.
+  AssetMotion motion_, first_motion_;  ///< The asset's motion, and that of the asset from which recipes count changes.
   Base cooked_, first_;
   MotionTuning curves_;   ///< Nothing else.
   MotionTuning written_;  ///< In the asset's memory.
 };
 
-/// The settings with what the asset itself says of how hair moves.
+/// The settings with the asset's own motion.
 [[nodiscard]] ViewSettings with_motion(ViewSettings settings, const AssetMotion& motion);
 
-/// What `settings` say of how hair moves that `before` do not.
+/// The differences of `settings` from `before` that concern motion.
 [[nodiscard]] MotionTuning tuning_between(const ViewSettings& before, const ViewSettings& settings);
 
 }  // namespace coif::view

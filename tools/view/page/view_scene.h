@@ -23,7 +23,7 @@
 
 namespace coif::view {
 
-/// Draws the views other than HairView::kHair. Makes what it needs when it is first asked for.
+/// Draws the views other than HairView::kHair. Makes its objects when they are first needed.
 class ViewPainter {
  public:
   /// The asset must outlive this object, and the context its last use.
@@ -44,7 +44,7 @@ class ViewPainter {
   std::unique_ptr<LayerCount> layers_;
 };
 
-/// One asset in one WebGL context: all that the GPU holds of the page.
+/// One asset in one WebGL context: all GPU objects of the page.
 class ViewScene {
  public:
   /// The asset must outlive this object. kUnsupported where the browser refuses something, kBadInput for an asset
@@ -54,10 +54,10 @@ class ViewScene {
   ViewScene(const ViewScene&) = delete;
   ViewScene& operator=(const ViewScene&) = delete;
 
-  /// As `coif render` frames so many heads, and then larger by the settings' zoom.
+  /// Frames this many heads like `coif render`, enlarged by the settings' zoom.
   [[nodiscard]] const render::CrowdView& view(const ViewSettings& settings, double aspect, std::uint32_t heads);
 
-  /// Pixels of the canvas. Of each head, as many as `view` has places, its pose and palette, where it is placed.
+  /// Pixels of the canvas. For each of `view`'s places one head with its pose and palette.
   tl::expected<void, ToolError> draw(const ViewSettings& settings, const render::CrowdView& view,
                                      std::span<const HairInstance> heads, std::uint32_t width, std::uint32_t height);
 
@@ -66,7 +66,7 @@ class ViewScene {
  private:
   explicit ViewScene(const Asset& asset) : asset_(asset), points_(render::framed_points(asset)), painter_(asset) {}
   tl::expected<void, ToolError> make();
-  /// The shadow of this technique, and a stage whose shader looks it up.
+  /// Makes the shadow of this technique, and a stage whose shader looks it up.
   tl::expected<void, ToolError> choose_shadow(const ShadowTechnique* technique);
   Status cast(const ShadowCrowd& crowd, std::span<const HairInstance> heads, const render::CrowdView& view,
               const Light& light);
@@ -95,8 +95,8 @@ class ViewScene {
   render::CrowdView view_;
 };
 
-/// Finds Emscripten's OpenGL ES functions that the renderer and its shadows call. By name from a list, because its own
-/// search links every function that there is.
+/// Finds Emscripten's OpenGL ES functions that the renderer and its shadows call, by name in a list: Emscripten's own
+/// search links every function.
 [[nodiscard]] GlLoader web_gl_loader();
 
 }  // namespace coif::view

@@ -90,7 +90,7 @@ tl::expected<void, ToolError> ViewSession::seek(double seconds) {
 
 tl::expected<void, ToolError> ViewSession::start_drawing() {
   scene_.reset();
-  shown_.samples = -1;  // of nothing: the next frame is drawn
+  shown_.samples = -1;  // Invalid, so that the next frame is drawn.
   auto scene = ViewScene::create(asset_);
   if (!scene) return tl::unexpected(scene.error());
   scene_ = std::move(*scene);
@@ -121,7 +121,7 @@ StepSettings ViewSession::step_settings() const {
   return step;
 }
 
-/// Heads of the solvers that are asked for, settled where the old ones were.
+/// Makes the heads of the chosen solvers, settled at the old ones' places.
 tl::expected<void, ToolError> ViewSession::choose_heads() {
   std::vector<float> worn{settings_.gusts > 0 ? 1.0f : 0.0f, settings_.solver};
   if (settings_.beside > 0) worn.push_back(settings_.beside - 1);
@@ -197,7 +197,7 @@ tl::expected<void, ToolError> ViewSession::step(double seconds) {
     if (settings_.plays != 0) time_ += dt;
     held_.step(dt);
     pose_ = held_.moved(pose_in_motion());
-    // From a clip's end to its beginning nobody moves: hair goes along instead of being thrown.
+    // From a clip's end to its beginning the head does not move: its hair is carried along instead of being thrown.
     const bool is_put = std::exchange(is_put_, false) || time_in_motion() < before;
     const auto way = is_put ? SimulatedHead::Way::kNone : SimulatedHead::Way::kMoves;
     for (const auto& head : heads_) {

@@ -20,17 +20,17 @@
 
 namespace coif::view {
 
-/// What the page shows beside the picture.
+/// The numbers that the page shows beside the picture.
 struct ViewNumbers {
-  float step_ns_of_bone =
-      0;                ///< Nanoseconds that a sub-step of one bone took, mean of the last steps; 0: nothing moved yet.
-  float substeps = 0;   ///< Of a step.
+  /// Nanoseconds that a sub-step of one bone took, mean of the last steps; 0: nothing moved yet.
+  float step_ns_of_bone = 0;
+  float substeps = 0;   ///< Per step.
   float bones = 0;      ///< Simulated, of one head.
-  float triangles = 0;  ///< Of the level that is shown, one head.
+  float triangles = 0;  ///< Triangles of the shown level, one head.
   float asset_bytes = 0;
   float drawn = 0;             ///< Frames since the asset was opened.
-  float asleep = 0;            ///< All hair rests.
-  float levels = 0;            ///< Of detail.
+  float asleep = 0;            ///< 1 if all hair is at rest.
+  float levels = 0;            ///< Number of levels of detail.
   float time = 0;              ///< Seconds into the motion.
   float tip_error_source = 0;  ///< TipErrorSource of these two, shares of the chain's length.
   float tip_rms = 0, tip_max = 0;
@@ -44,14 +44,14 @@ struct LoadedAsset {
   std::size_t bytes = 0;
   Asset asset;
 
-  /// Copies the bytes. The error is what the command line says of such a file.
+  /// Copies the bytes. The error is the command line's for such a file.
   static tl::expected<LoadedAsset, ToolError> load(std::span<const std::byte> bytes);
 };
 
-/// An open asset, one or two heads that wear it, and what the visitor does to them.
+/// An open asset, one or two heads that wear it, and the visitor's actions on them.
 class ViewSession {
  public:
-  /// `bytes` are taken over. The error is what the command line says of such a file.
+  /// Takes over `bytes`. The error is the command line's for such a file.
   static tl::expected<std::unique_ptr<ViewSession>, ToolError> open(std::vector<std::byte> bytes);
 
   ViewSession(const ViewSession&) = delete;
@@ -61,51 +61,50 @@ class ViewSession {
   [[nodiscard]] ViewSettings& settings() { return settings_; }
   [[nodiscard]] const ViewNumbers& numbers() const { return numbers_; }
 
-  /// One more motion after motion_words(false), which begins again where it ends; keys as path_of() wants them, or
-  /// none.
+  /// Sets one more motion after motion_words(false), which repeats; keys as for path_of(), or none.
   void set_clip(std::vector<motion::ClipKey> keys) { clip_ = std::move(keys); }
-  /// Another view of the same asset, which has its own settings, heads and time. What the GPU holds is of all of them,
-  /// and drawn with by one after the other. Its heads are made when it is first drawn.
+  /// Another view of the same asset, with its own settings, heads and time. All views share the GPU objects and are
+  /// drawn one after the other. Its heads are made when it is first drawn.
   [[nodiscard]] std::unique_ptr<ViewSession> another() const;
 
-  /// Makes what the GPU holds: after open(), and when the browser has given a lost context back.
+  /// Makes the GPU objects: after open(), and when the browser has restored a lost context.
   tl::expected<void, ToolError> start_drawing();
   /// While the context is lost, which forgets its objects without complaint.
   void stop_drawing() { scene_.reset(); }
 
-  /// The heads go on by `seconds` of wall time. True: something was drawn; false: nothing has changed.
+  /// Moves the heads on by `seconds` of wall time. True: something was drawn; false: nothing has changed.
   tl::expected<bool, ToolError> frame(std::uint32_t width, std::uint32_t height, double seconds);
 
   /// Head and hair to where the motion begins, at rest.
   tl::expected<void, ToolError> restart();
-  /// ... and then on to the step nearest to so many seconds into it. Of settings that play.
+  /// Moves on to the step nearest to this many seconds. For settings that play.
   tl::expected<void, ToolError> seek(double seconds);
   /// The next frame() draws, though nothing has changed: the canvas was another view's.
   void redraw() { shown_.samples = -1; }
 
-  /// Another asset takes the place of the one that `before` shows: what is set stays, time goes on, and the heads are
-  /// where they were, with hair that hangs.
+  /// Replaces the asset that `before` shows: settings stay, time goes on, and the heads are where they were, with hair
+  /// that hangs.
   tl::expected<void, ToolError> go_on(const ViewSession& before);
 
   [[nodiscard]] TunableMotion& motion() { return motion_; }
 
   /// Whether a head is there; then it follows drag() and turn() until release(). 0..1 of the canvas, from its top left.
   bool grab(double x, double y);
-  void drag(double across, double down);  ///< Of the canvas.
+  void drag(double across, double down);  ///< In shares of the canvas.
   void turn(double across, double down);  ///< Radians.
   void release() { held_.release(); }
 
  private:
-  /// Of all views of one asset.
+  /// Shared by all views of one asset.
   struct Shared {
     LoadedAsset loaded;
-    AssetMotion motion;  ///< As the asset came.
+    AssetMotion motion;  ///< The motion of the asset as it was opened.
     std::unique_ptr<ViewScene> scene;
   };
 
   explicit ViewSession(std::shared_ptr<Shared> shared);
-  /// Writes what is tuned into a copy of the asset, which the heads have from then on: other views have the asset as it
-  /// came.
+  /// Writes the tuned values into a copy of the asset, which the heads use from then on; other views keep the asset as
+  /// it was opened.
   tl::expected<void, ToolError> tune();
   [[nodiscard]] const Asset& simulated_asset() const { return tuned_ ? tuned_->asset : asset_; }
   tl::expected<void, ToolError> choose_heads();
@@ -128,11 +127,12 @@ class ViewSession {
   std::optional<LoadedAsset> tuned_;
   bool measures_cost_ = true;
   std::vector<std::unique_ptr<SimulatedHead>> heads_;
-  std::vector<float> worn_;  ///< Solvers of the heads, and whether there are gusts.
+  std::vector<float> worn_;  ///< The heads' solvers, and whether there are gusts.
   std::vector<motion::ClipKey> clip_;
   std::unique_ptr<motion::HeadPath> path_;
-  double length_ = 0;    ///< Of a clip, seconds, after which it begins again; 0: `path_` is no clip, or has one key.
-  bool is_put_ = false;  ///< In the next step heads are put where they belong: clips begin anywhere.
+  /// Length of a clip, seconds, after which it repeats; 0: `path_` is not a clip, or has one key.
+  double length_ = 0;
+  bool is_put_ = false;  ///< The next step puts the heads at their poses: clips may begin anywhere.
   float moved_by_ = -1;  ///< The motion that `path_` is.
   float timed_ = -1;     ///< The solver that the cost was measured of.
   HeldHead held_;

@@ -13,7 +13,7 @@
 namespace coif::view {
 namespace {
 
-// The same words as on the command line; exact order is not to be had in WebGL 2.
+// The words of the command line; WebGL 2 has no exact order.
 constexpr std::array<const TransparencyMode*, 9> kModes{&kBlendMode,        &kOpaqueMode,   &kCoverageMode,
                                                         &kProportionalMode, &kJitteredMode, &kScreenDoorMode,
                                                         &kCheckerboardMode, &kBayerMode,    &kHashedMode};
@@ -27,7 +27,7 @@ const Entry& chosen(const std::array<Entry, kCount>& all, float number) {
   return all[number >= 0 && number < float(kCount) ? std::size_t(number) : 0];
 }
 
-/// For assets without a material, as the renderer takes it.
+/// The renderer's default for assets without a material.
 MaterialRecord own_material(const Asset& asset) {
   return asset.material() != nullptr ? *asset.material() : drawn_hair_of(asset).material;
 }
@@ -87,7 +87,7 @@ MaterialRecord material_of(const Asset& asset, const ViewSettings& s) {
   std::copy_n(s.secondary_color, 3, material.secondary_color);
   material.secondary_exponent = s.secondary_exponent;
   material.secondary_shift = s.secondary_shift;
-  // What nobody touched keeps its bits, which degrees would round.
+  // An untouched value keeps its bits, which degrees would round.
   if (s.tilt != own.tilt) material.tilt = s.tilt / kDegreesOfRadian;
   if (s.roughness != own.roughness) material.roughness = s.roughness / kDegreesOfRadian;
   if (s.scatter != own.scatter) material.scatter = s.scatter;

@@ -15,8 +15,8 @@
 
 namespace coif::view {
 
-/// All that a visitor of the page can set. Floats without gaps, so that the page's scripts see one array; a choice is
-/// the number of its word. A control_table() row tells what each is called, its range, and the recipe's key for it.
+/// All settings of a visitor of the page. Floats without padding, so that the page's scripts see one array; a choice is
+/// the number of its word. The rows of control_table() give each setting's name, range, and recipe key.
 struct ViewSettings {
   float yaw = 30, pitch = 5;  ///< Degrees, as `coif render --view` takes them.
   float zoom = 1;             ///< 1: all is seen, as `coif render` frames it; 2: twice as large.
@@ -27,14 +27,14 @@ struct ViewSettings {
 
   float solver = 0, beside = 0;  ///< `beside`: of a second head, 0: none.
   float iterations = 1;
-  float preset = 0;  ///< 0: none, what moves the hair is its own.
+  float preset = 0;  ///< 0: none, the asset's own motion.
   float liveliness = 0, gravity_scale = 1, friction = 0, air_follow = 1;
   float angle_limit = 180;  ///< Degrees.
   float lod = 0;
 
   float shading = 0;
-  float base_color[3] = {1, 1, 1};    ///< Times the asset's own,
-  float cooked_color[3] = {1, 1, 1};  ///< in which this much of it is already.
+  float base_color[3] = {1, 1, 1};    ///< Factor on the asset's own colour.
+  float cooked_color[3] = {1, 1, 1};  ///< The part of this colour that is already in the asset's own.
   float ambient[3] = {};
   float transparency = 0;
   float opaque_threshold = 1, discard_threshold = 0;
@@ -49,14 +49,15 @@ struct ViewSettings {
   float view = 0;  ///< hair_view_of() it.
   float component = 0;
   float bones = 0, colliders = 0, contacts = 0, limits = 0;
-  float samples = 2;  ///< Of each pixel, each way.
+  float samples = 2;  ///< Samples per pixel in each direction.
 };
 inline constexpr std::uint32_t kViewSettings = sizeof(ViewSettings) / sizeof(float);
 
-/// How this material looks, but for its tint, which is told against an asset's own, and for what only fibres have.
+/// Sets the look of this material, except for its tint, which is relative to an asset's own, and for values that only
+/// fibres have.
 void set_look(const MaterialRecord& material, ViewSettings& settings);
 
-/// What the asset itself says of how hair looks; of how it moves: with_motion().
+/// The asset's own look; with_motion() adds its motion.
 [[nodiscard]] ViewSettings settings_of(const Asset& asset);
 
 /// The asset's material with the visitor's changes.
@@ -65,23 +66,23 @@ void set_look(const MaterialRecord& material, ViewSettings& settings);
 [[nodiscard]] const TransparencyMode& transparency_of(const ViewSettings& settings);
 /// Null: none.
 [[nodiscard]] const ShadowTechnique* shadows_of(const ViewSettings& settings);
-/// Of the choice's number.
+/// The solver with the choice's number.
 [[nodiscard]] const Solver& solver_of(float choice);
 [[nodiscard]] Component component_of(const ViewSettings& settings);
 
 /// The rows of the control table as JSON, for the page: [{"name", "group", "label", "hint", "unit", "kind": "number" |
-/// "choice" | "switch" | "color", "at", "count", "low", "high", "step", "words", "recipe", "recipe_words"}]. `at`: of
-/// the array, in floats. `has_clip`: "clip" is the last of the motions.
+/// "choice" | "switch" | "color", "at", "count", "low", "high", "step", "words", "recipe", "recipe_words"}]. `at`:
+/// place in the array, in floats. `has_clip`: "clip" is the last of the motions.
 [[nodiscard]] std::string controls_json(const Asset& asset, bool has_clip = false);
 
-/// The page's choice of a motion: the built-in ones by their numbers, those of head_looks(), and "clip" where the page
-/// has one. Separated by '|'.
+/// The page's motions: the built-in ones by their numbers, those of head_looks(), and "clip" if the page has one.
+/// Separated by '|'.
 [[nodiscard]] std::string motion_words(bool has_clip);
 
 /// Whether the choice's number is that of the clip.
 [[nodiscard]] bool is_clip(float choice);
 
-/// Of the choice's number; the last one for any that is larger. Never null.
+/// The path with the choice's number; the last one for any larger number. Never null.
 [[nodiscard]] std::unique_ptr<motion::HeadPath> chosen_path(float choice);
 
 }  // namespace coif::view

@@ -9,20 +9,21 @@
 
 namespace coif::view {
 
-/// Does a piece of work again whenever somebody asks, on a thread of its own: one at a time, and the last one that was
-/// asked for. Whoever asks makes what is being done obsolete, and what waits is never more than one piece.
+/// Repeats a piece of work on request, on a thread of its own: one at a time, and always the latest request. A new
+/// request makes the running work obsolete, and at most one request waits.
 class LatestWork {
  public:
-  /// `stop` is requested while the work is done, where somebody asked anew; the work should then return soon.
+  /// `stop` is requested while the work runs, if there is a new request; the work should then return soon.
   using Work = std::function<void(std::uint64_t number, const std::stop_token& stop)>;
 
   explicit LatestWork(Work work);
-  /// Makes obsolete what is being done, and waits for its end.
+  /// Stops the running work and waits for its end.
   ~LatestWork();
   LatestWork(const LatestWork&) = delete;
   LatestWork& operator=(const LatestWork&) = delete;
 
-  /// Returns the number that the work will have, unless another is asked for before it begins. Numbers ascend from 1.
+  /// Returns the number of the requested work, unless another request replaces it before it begins. Numbers ascend from
+  /// 1.
   std::uint64_t ask();
 
  private:

@@ -138,7 +138,7 @@ tl::expected<LiveResult, ToolError> LiveCook::cook(const Order& order, const std
   return file_failure(ToolError::Kind::kBadInput, order.source, "not enough memory for this");
 }
 
-/// Whether the model of the last cook is what this one begins with.
+/// Whether the model of the last cook can be reused for this one.
 bool LiveCook::is_imported(const LiveOrder& live, const std::string& values) {
   const bool is_stale = is_stale_.exchange(false);
   return !is_stale && imported_ && imported_->source == live.source && is_same(imported_->settings, live.import) &&

@@ -25,16 +25,16 @@
 
 namespace coif::view {
 
-/// Tells which of some files were written, appeared or went, by asking for their times. For one thread.
+/// Finds which of some files were written, appeared or were removed, by comparing their times. For one thread.
 class FileWatch {
  public:
   using Time = std::filesystem::file_time_type;
 
-  /// From now on these and no others. A file that was watched keeps what is known of it; a new one counts as changed
-  /// where it was written after `since`, when somebody began to read it.
+  /// Watches these files from now on, and no others. A file that was watched keeps its known state; a new one counts as
+  /// changed where it was written after `since`, the time at which somebody began to read it.
   void watch(std::span<const std::filesystem::path> files, Time since);
 
-  /// Those that differ from what they were at the last call.
+  /// The files that have changed since the last call.
   [[nodiscard]] std::vector<std::filesystem::path> changed();
 
  private:
@@ -53,23 +53,23 @@ class FileWatch {
   std::map<std::filesystem::path, Watched> files_;
 };
 
-/// A recipe's file and what somebody changed of it on the page.
+/// A recipe's file and a user's changes on the page.
 struct LiveRecipe {
   cook::Recipe recipe;  ///< The file's, with the changes.
   nlohmann::json file;  ///< The file alone; an empty object without one.
 };
 
-/// What the page sent: recipe keys and their values, null for "not as the file says". Errors (kBadInput): no JSON
-/// object, or it names a file, which a recipe on the disk alone may. That the keys are some, and their values in range,
-/// live_recipe() finds.
+/// Parses the page's message: recipe keys and their values, null for the default instead of the file's value. Errors
+/// (kBadInput): not a JSON object, or it names a file, which only a recipe on the disk may. live_recipe() checks keys
+/// and ranges.
 [[nodiscard]] tl::expected<nlohmann::json, ToolError> read_changes(std::string_view text);
 
-/// Reads the file, none where its path is empty, merges the changes into it (RFC 7396) and judges the result as a
-/// recipe's file is. Errors: those of read_recipe() for the file; of parse_recipe() for the changes.
+/// Reads the file (none for an empty path), merges the changes into it (RFC 7396) and checks the result like a recipe's
+/// file. Errors: those of read_recipe() for the file; of parse_recipe() for the changes.
 [[nodiscard]] tl::expected<LiveRecipe, ToolError> live_recipe(const std::filesystem::path& file,
                                                               const nlohmann::json& changes);
 
-/// What `coif view` wants to have cooked.
+/// A cook for `coif view`.
 struct LiveOrder {
   std::filesystem::path source;
   cook::Recipe recipe;
@@ -82,29 +82,30 @@ struct LiveOrder {
 
 struct LiveCooked {
   cook::CookResult result;
-  platform::Bytes model;  ///< As it was read, in a form that LiveCook does not look into; empty where the order had it.
+  /// The imported model, in a form that LiveCook does not look into; empty if the order had it.
+  platform::Bytes model;
 };
 
-/// How `coif view` cooks. The functions are called on the thread of LiveCook::run() alone.
+/// The cooking functions of `coif view`. Only the thread of LiveCook::run() calls them.
 struct LiveCooking {
   bool draft = true;
   std::vector<std::filesystem::path> roots;  ///< ImportSettings::roots.
   std::function<importer::ImportSettings(const cook::Recipe& recipe, const std::vector<std::filesystem::path>& roots)>
       import_settings;
-  /// Reads the source and cooks it in a process of its own, so that no source ends or fills the one that serves. Throws
-  /// Stopped where `stop` is requested.
+  /// Reads the source and cooks it in a process of its own, so that no source can end the server or fill its memory.
+  /// Throws Stopped where `stop` is requested.
   std::function<tl::expected<LiveCooked, ToolError>(const LiveOrder& order, const std::stop_token& stop)> cook;
-  // What became of a cook, unless it was obsolete. Always set.
+  // Receives the result of a cook, unless it was obsolete. Always set.
   std::function<void(const LiveResult& result)> cooked;
   std::function<void(const std::string& problem)> failed;
 };
 
-/// What is cooked: a source, its recipe's file, and what the page changed of that. Calls from any thread but where it
-/// says otherwise.
+/// The inputs of cooks: a source, its recipe's file, and the page's changes of that. Any thread may call, unless stated
+/// otherwise.
 class LiveCook {
  public:
-  /// `recipe`: none where it lies beside the source, if it is there (SOURCE's name with .recipe.json). `state` outlives
-  /// this object and gets what becomes of each cook.
+  /// `recipe`: none for the recipe beside the source, if it exists (SOURCE's name with .recipe.json). `state` must
+  /// outlive this object and receives the result of each cook.
   LiveCook(LiveCooking cooking, std::filesystem::path source, std::optional<std::filesystem::path> recipe,
            LiveState& state);
 
@@ -112,14 +113,13 @@ class LiveCook {
   /// for people.
   void take_source(std::filesystem::path source, std::string name);
 
-  /// From now on these changes, and no others. Errors: those of read_changes() and live_recipe(), and nothing is
-  /// changed.
+  /// Replaces the changes by these. Errors: those of read_changes() and live_recipe(); then nothing is changed.
   tl::expected<void, ToolError> change(std::string_view changes);
 
-  /// Files that were read and were written since; what must be read anew is. On one thread.
+  /// Checks whether files that were read have been written since, and marks them to be read again. On one thread.
   [[nodiscard]] bool files_changed();
 
-  /// Work of LatestWork. What becomes of a cook that was asked to stop is told to nobody.
+  /// The work of LatestWork. The result of a stopped cook is discarded.
   void run(std::uint64_t number, const std::stop_token& stop);
 
  private:
@@ -127,14 +127,14 @@ class LiveCook {
     std::filesystem::path source;
     std::optional<std::filesystem::path> recipe;
     std::string name;
-    bool is_taken = false;  ///< Nothing lies beside it.
+    bool is_taken = false;  ///< No recipe lies beside it.
     nlohmann::json changes = nlohmann::json::object();
 
     /// Empty: none.
     [[nodiscard]] std::filesystem::path recipe_file() const;
-    /// Where its paths start.
+    /// The folder of its relative paths.
     [[nodiscard]] std::filesystem::path recipe_directory() const;
-    /// Which is read once it appears.
+    /// The recipe is read once it appears.
     [[nodiscard]] std::filesystem::path recipe_place() const;
   };
   struct Imported {
@@ -152,11 +152,11 @@ class LiveCook {
 
   LiveCooking cooking_;
   LiveState& state_;
-  mutable std::mutex lock_;  ///< Of the two that follow.
+  mutable std::mutex lock_;  ///< Guards the next two.
   Order order_;
   FileWatch watch_;
-  std::atomic<bool> is_stale_ = false;  ///< What was imported is out of date.
-  std::optional<Imported> imported_;    ///< Of the thread that runs.
+  std::atomic<bool> is_stale_ = false;  ///< The imported model is out of date.
+  std::optional<Imported> imported_;    ///< Only the thread of run() uses it.
 };
 
 }  // namespace coif::view

@@ -10,10 +10,10 @@
 namespace coif::view {
 namespace {
 
-/// Tags of tools/view/page/script/page.html in their order, and what they become.
+/// Tags of tools/view/page/script/page.html in their order, and their replacements.
 struct Mark {
   std::string_view tag;
-  std::string_view begin;  ///< Of the new tag; the nonce follows where it does not end.
+  std::string_view begin;  ///< Beginning of the new tag; where it does not end, the nonce follows.
 };
 constexpr std::array<Mark, 4> kMarks{{{"<html lang=\"en\">", "<html lang=\"en\" data-live>"},
                                       {"<style>", "<style"},

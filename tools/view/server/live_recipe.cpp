@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kChanges = "changes of the page";
 
-/// Of a file that is a recipe by itself; empty where there is none.
+/// The JSON of a file that is a recipe; empty where there is none.
 tl::expected<nlohmann::json, ToolError> json_of(const std::filesystem::path& file) {
   if (file.empty()) return nlohmann::json::object();
   const auto text = cook::read_recipe_text(file);

@@ -21,11 +21,11 @@ namespace {
 using httplib::Request;
 using httplib::Response;
 
-constexpr std::size_t kThreads = 24;  // of connections
-constexpr int kMostStreams = 16;      // each has one of them for as long as a page is open
+constexpr std::size_t kThreads = 24;  // Threads for connections.
+constexpr int kMostStreams = 16;      // Each keeps a thread as long as a page is open.
 constexpr std::uint64_t kMostRecipeBytes = std::uint64_t{1} << 20;
-constexpr std::chrono::milliseconds kLook{500};  // how soon a page that was closed is noticed
-constexpr int kLooksOfSign = 20;                 // after so many a comment keeps what lies between awake
+constexpr std::chrono::milliseconds kLook{500};  // How soon a closed page is noticed.
+constexpr int kLooksOfSign = 20;                 // After this many a comment keeps proxies awake.
 constexpr const char* kJson = "application/json";
 
 std::optional<std::string> only_header(const Request& request, const char* name) {
@@ -33,7 +33,7 @@ std::optional<std::string> only_header(const Request& request, const char* name)
   return request.get_header_value(name);
 }
 
-/// One more than there may be where the request does not say.
+/// One byte beyond the limit where the request has no length, so that a body that is too long is noticed.
 std::uint64_t body_bytes(const Request& request) {
   const auto length = only_header(request, "Content-Length");
   std::uint64_t bytes = 0;
@@ -56,8 +56,8 @@ void answer(Response& response, const tl::expected<std::uint64_t, ToolError>& as
   answer(response, 400, {{"problem", asked.error().message}});
 }
 
-/// Bytes of known number are sent as they are; what is set as text would be compressed, which takes longer than sending
-/// it.
+/// Bytes of known number are sent directly. Content that is set as text would be compressed, which takes longer than
+/// sending it.
 void send(Response& response, const char* type, std::shared_ptr<const void> owner, const char* bytes,
           std::size_t count) {
   response.set_content_provider(
@@ -100,7 +100,7 @@ class LiveServer::Inside {
     guard_.emplace(std::uint16_t(port), random_token());
     set_up();
     thread_ = std::thread([this] { http_.listen_after_bind(); });
-    // A server that is told to stop before it runs never stops.
+    // A server that is stopped before it runs never stops.
     while (!http_.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     return {};
   }
@@ -110,7 +110,7 @@ class LiveServer::Inside {
  private:
   void set_up() {
     http_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
-    http_.set_keep_alive_max_count(1);  // what is left unread of one request can be taken for no other
+    http_.set_keep_alive_max_count(1);  // The unread rest of one request cannot be taken for another.
     http_.set_tcp_nodelay(true);
     http_.set_payload_max_length(settings_.most_model_bytes);
     http_.set_default_headers({{"X-Content-Type-Options", "nosniff"},

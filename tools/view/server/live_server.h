@@ -13,19 +13,19 @@
 
 namespace coif::view {
 
-/// What requests ask for. Called on threads of connections, several at once. They return the number of the cook that is
-/// asked for.
+/// The actions of requests. Called on threads of connections, several at once. They return the number of the requested
+/// cook.
 struct LiveRequests {
   std::function<tl::expected<std::uint64_t, ToolError>(std::string_view changes)> change;
-  /// `suffix` is the importer's, such as ".glb"; `name` is what the model is called, for people.
+  /// `suffix` is the importer's, such as ".glb"; `name` is the model's for people.
   std::function<tl::expected<std::uint64_t, ToolError>(const char* suffix, std::string name, std::string_view bytes)>
       drop;
 };
 
 struct LiveServerSettings {
   std::uint16_t port = 0;                                     ///< 0: the system's choice.
-  std::string page;                                           ///< As find_view_page() found it.
-  std::uint64_t most_model_bytes = std::uint64_t{256} << 20;  ///< Of a model that is dropped on the page.
+  std::string page;                                           ///< From find_view_page().
+  std::uint64_t most_model_bytes = std::uint64_t{256} << 20;  ///< Limit for a model that is dropped on the page.
 };
 
 /// Speaks HTTP on 127.0.0.1, to whom RequestGuard admits. Below the token's folder there are
@@ -35,7 +35,7 @@ struct LiveServerSettings {
 ///   GET  keys                 the table of a recipe's keys: recipe_keys_json()
 ///   POST recipe               a JSON object of what differs from the recipe's file -> 202 {"request": number}
 ///   POST model?format=glb&name=bob.glb   a model's bytes; the name is for people -> 202 {"request": number}
-/// and nothing else; no path of a file comes from a request. What is refused for what it says gets 400 and {"problem":
+/// and nothing else. No path of a file comes from a request. A request with bad content gets 400 and {"problem":
 /// sentence}.
 class LiveServer {
  public:
@@ -48,7 +48,7 @@ class LiveServer {
   LiveServer(const LiveServer&) = delete;
   LiveServer& operator=(const LiveServer&) = delete;
 
-  /// With the token: whoever knows it sees the page.
+  /// With the token: everybody who knows it sees the page.
   [[nodiscard]] std::string address() const;
 
  private:

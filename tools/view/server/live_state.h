@@ -19,17 +19,17 @@ struct LiveAsset {
   std::uint64_t revision = 0;  ///< Ascending from 1.
 };
 
-/// What a cook that went well has to say beside its asset.
+/// The result of a successful cook besides its asset.
 struct LiveResult {
-  std::string name;  ///< Of the source, for people.
+  std::string name;  ///< The source's name for people.
   std::vector<std::byte> asset;
-  nlohmann::json recipe_file = nlohmann::json::object();  ///< What lies on the disk.
-  nlohmann::json changes = nlohmann::json::object();      ///< What was cooked on top of it.
+  nlohmann::json recipe_file = nlohmann::json::object();  ///< The recipe on the disk.
+  nlohmann::json changes = nlohmann::json::object();      ///< The changes of it that were cooked.
   Diagnostics warnings;
   double seconds = 0;
 };
 
-/// What became of the cooks. The cooking side writes, connections read and wait; all calls from any thread.
+/// The results of cooks. The cooking side writes, connections read and wait; any thread may call.
 class LiveState {
  public:
   /// `quality`: "draft" or "full", for people.
@@ -39,20 +39,20 @@ class LiveState {
   void publish(std::uint64_t request, LiveResult result);
   /// The last good asset stays.
   void fail(std::uint64_t request, std::string problem);
-  /// Whoever waits is let go, now and from now on.
+  /// Releases all waiting threads, now and from now on.
   void close();
 
   /// Null before the first.
   [[nodiscard]] std::shared_ptr<const LiveAsset> asset() const;
 
   struct News {
-    std::uint64_t number = 0;  ///< Of the state; to wait for the next one.
-    std::string json;          ///< In one line; empty where nothing came in time.
+    std::uint64_t number = 0;  ///< Number of the state; pass it to wait for the next one.
+    std::string json;          ///< In one line; empty where there was no news in time.
     bool is_closed = false;
   };
-  /// The state as soon as it differs from the one of this number; 0: at once. {"revision", "request", "cooking",
-  /// "problem", "name", "quality", "seconds", "warnings", "recipe_file", "changes"}: the first is the asset's, the
-  /// second that of the last cook that ended; a problem is a sentence, or "".
+  /// Waits for a state with another number than `seen`; 0: returns at once. The JSON is {"revision", "request",
+  /// "cooking", "problem", "name", "quality", "seconds", "warnings", "recipe_file", "changes"}. "revision" is the
+  /// asset's, "request" that of the last cook that ended; "problem" is a sentence, or "".
   [[nodiscard]] News wait(std::uint64_t seen, std::chrono::milliseconds longest);
 
  private:

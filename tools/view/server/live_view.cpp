@@ -50,10 +50,10 @@ tl::expected<std::unique_ptr<LiveView>, ToolError> LiveView::start(LiveViewSetti
 
 LiveView::~LiveView() {
   watcher_ = {};
-  server_.reset();  // nobody asks any more; what cooks is ended by LatestWork
+  server_.reset();  // No more requests; LatestWork ends the running cook.
 }
 
-/// Only one of them lies there at a time, under a name of ours.
+/// Only one of them exists at a time, under a name of ours.
 tl::expected<std::uint64_t, ToolError> LiveView::drop(const char* suffix, std::string name, std::string_view bytes) {
   const std::lock_guard guard(dropping_);
   const std::filesystem::path place = scratch_.path() / fmt::format("model_{}{}", ++dropped_, suffix);

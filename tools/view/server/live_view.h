@@ -21,17 +21,17 @@ namespace coif::view {
 
 struct LiveViewSettings {
   std::filesystem::path source;
-  std::optional<std::filesystem::path> recipe;  ///< None: what lies beside the source, if anything does.
+  std::optional<std::filesystem::path> recipe;  ///< None: the recipe beside the source, if any.
   LiveCooking cooking;
   LiveServerSettings server;
 };
 
-/// A page that shows a source, and goes on showing it while source, recipe and sliders change. Works on threads of its
-/// own until it is destroyed, and leaves no file and no process behind, however this process ends.
+/// A page that shows a source and follows changes of source, recipe and sliders. Works on its own threads until it is
+/// destroyed, and leaves no file and no process behind, however this process ends.
 class LiveView {
  public:
-  /// The first cook has begun when this returns, not ended. Errors: kFileAccess
-  /// (no place for temporary files), and those of LiveServer::start().
+  /// When this returns the first cook has begun, but not ended. Errors: kFileAccess (no place for temporary files), and
+  /// those of LiveServer::start().
   static tl::expected<std::unique_ptr<LiveView>, ToolError> start(LiveViewSettings settings);
   ~LiveView();
   LiveView(const LiveView&) = delete;

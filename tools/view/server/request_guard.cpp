@@ -11,7 +11,7 @@
 namespace coif::view {
 namespace {
 
-/// Takes as long whichever character is wrong, so that no clock tells how much of a guess is right.
+/// Takes the same time whichever character is wrong, so that timing does not show how much of a guess is right.
 bool is_same_secret(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   unsigned difference = 0;
@@ -44,7 +44,7 @@ std::string RequestGuard::address() const { return fmt::format("http://{}/{}/", 
 bool RequestGuard::admits(const RequestOrigin& request) const {
   if (!request.host || !is_same_secret(first_segment(request.target), token_)) return false;
   if (std::ranges::find(hosts_, *request.host) == std::end(hosts_)) return false;
-  // A page that is opened as localhost has that as its origin; one that asks the other of the two is another site.
+  // A page that is opened as localhost has that as its origin; a request to 127.0.0.1 from it comes from another site.
   return !request.origin || *request.origin == fmt::format("http://{}", *request.host);
 }
 

@@ -37,7 +37,7 @@ void set_material(const Asset& asset, const MaterialRecord& material, ViewSettin
   set_look(material, s);
 }
 
-/// The number whose meaning is `wanted`; 0 where no number has it.
+/// The number that means `wanted`; 0 where none does.
 template <typename Meaning, typename Wanted>
 float choice_of(const Meaning& meaning, const Wanted& wanted) {
   constexpr int kMostChoices = 16;
@@ -63,7 +63,7 @@ ViewSettings tile_settings(const Asset& asset, const render::Gallery& gallery, c
   s.plays = gallery.motion.empty() ? 0 : 1;
   s.solver = choice_of([](float number) { return &solver_of(number); }, picture.solver);
   s.iterations = float(picture.step.iterations);
-  s.shadows = 0;  // as `coif gallery` draws
+  s.shadows = 0;  // As in `coif gallery`.
   s.component = choice_of(
       [](float number) {
         ViewSettings asked;
@@ -76,8 +76,7 @@ ViewSettings tile_settings(const Asset& asset, const render::Gallery& gallery, c
   return s;
 }
 
-/// How much smaller hair has to be than at rest so that its motion stays in the picture, whose middle stays that of
-/// hair at rest.
+/// Factor by which hair must be smaller than at rest so that its motion stays in the picture, with the same middle.
 tl::expected<float, ToolError> zoom_of_motion(const Asset& asset, const render::PictureSettings& picture) {
   const auto moving = render::frame_picture(asset, picture);
   if (!moving) return tl::unexpected(moving.error());
@@ -91,7 +90,7 @@ tl::expected<float, ToolError> zoom_of_motion(const Asset& asset, const render::
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& point : points) box.extend(Eigen::Vector3d(axes * point));
   const Eigen::Vector3d middle = axes.transpose() * box.center();
-  // What is as far on the other side makes no difference to a frame with this middle.
+  // A point that is as far on the other side does not change a frame with this middle.
   for (const Eigen::Vector3d& point : moving->points) {
     points.push_back(point);
     points.emplace_back(2 * middle - point);
@@ -101,7 +100,7 @@ tl::expected<float, ToolError> zoom_of_motion(const Asset& asset, const render::
   return float(std::min(distance(still) / distance(wide), 1.0));
 }
 
-/// One tile that plays what the gallery has moments of.
+/// One tile that plays the motion of the gallery's moments.
 tl::expected<LiveTile, ToolError> playing_tile(const Asset& asset, const render::Gallery& gallery) {
   const render::PictureSettings& last = gallery.pictures.back().settings;
   LiveTile tile{gallery.title, tile_settings(asset, gallery, last), {}};

@@ -24,7 +24,7 @@ struct LiveMoment {
 struct LiveTile {
   std::string caption;
   ViewSettings settings;
-  std::vector<LiveMoment> moments;  ///< Of a tile whose motion plays; empty: it holds still.
+  std::vector<LiveMoment> moments;  ///< For a tile whose motion plays; empty: it stands still.
 };
 
 struct LiveGallery {
@@ -32,13 +32,13 @@ struct LiveGallery {
   std::vector<LiveTile> tiles;
 };
 
-/// Galleries as far as the page of `coif view` can show them.
+/// Galleries in the form that the page of `coif view` can show.
 struct LiveSheet {
   std::vector<LiveGallery> galleries;
-  std::string
-      note;  ///< What became of pictures that have no tile of their own, in a sentence or two; empty: all have one.
+  /// What happened to pictures without a tile of their own, in a sentence or two; empty: all have one.
+  std::string note;
   std::size_t tiles = 0;
-  std::size_t pictures_left_out = 0;  ///< That no tile shows.
+  std::size_t pictures_left_out = 0;  ///< Pictures that no tile shows.
 };
 
 /// One tile for each picture, but one for all moments of a motion, framed so that all of it is seen. Errors: those of
@@ -46,14 +46,14 @@ struct LiveSheet {
 [[nodiscard]] tl::expected<LiveSheet, ToolError> live_sheet(const Asset& asset,
                                                             std::span<const render::Gallery> galleries);
 
-/// Of one tile, in pixels of the page.
+/// The size of one tile, in pixels of the page.
 struct TileSize {
   std::uint32_t width = 0, height = 0;
 };
 
-/// As JSON that may stand between the tags of a script: {"width", "height", "note", "galleries": [{"title", "tiles":
-/// [{"caption", "settings": {name: number, word or three numbers}, "moments": [{"caption", "seconds"}]}]}]}. `settings`
-/// has what differs from the asset's own, by the names of controls_json().
+/// JSON for a script element: {"width", "height", "note", "galleries": [{"title", "tiles": [{"caption", "settings":
+/// {name: number, word or three numbers}, "moments": [{"caption", "seconds"}]}]}]}. `settings` has the differences from
+/// the asset's own, by the names of controls_json().
 [[nodiscard]] std::string sheet_json(const Asset& asset, const LiveSheet& sheet, TileSize size);
 
 }  // namespace coif::view

@@ -24,7 +24,7 @@ std::string word_at(const std::string& words, float number) {
   return word;
 }
 
-/// Of one row of controls_json().
+/// The value for one row of controls_json().
 Json value_of(const nlohmann::json& control, const Numbers& numbers) {
   const std::size_t at = control["at"], count = control["count"];
   if (control["kind"] == "choice") return word_at(control["words"], numbers[at]);
@@ -44,7 +44,7 @@ Json changed_settings(const nlohmann::json& controls, const Numbers& own, const 
   return changed;
 }
 
-/// Where no text can end the script that the JSON stands in.
+/// Escapes text that would end the script element around the JSON.
 std::string within_script(const std::string& json) {
   std::string text;
   for (const char c : json) {

@@ -1,10 +1,10 @@
 #ifndef COIF_C_ASSET_H
 #define COIF_C_ASSET_H
-/* A cooked asset, read in place; a part of coif.h, which is what hosts include. What everything means is in
- * coif/asset.h and formats/SPECIFICATION.md; here is how to get at it without C++.
+/* A cooked asset, read in place; a part of coif.h, which hosts include. coif/asset.h and formats/SPECIFICATION.md say
+ * what everything means; this header gives access to it without C++.
  *
- * Lists are pointers into the asset's own bytes, which must stay where they are; *count may be a null pointer. Of an
- * asset that is not open, or null, and of a chunk that an asset does not have, lists are null with a count of 0. */
+ * Lists are pointers into the asset's own bytes, which must stay where they are; `count` may be null. If the asset is
+ * not open or null, or lacks the chunk, the list is null and its count 0. */
 
 #include <coif/c/types.h>
 
@@ -16,8 +16,8 @@ extern "C" {
 #define COIF_MAX_LODS 8
 #define COIF_VIEW_CELLS 96
 
-/* A view of an asset: plain data that may be copied, refers to the asset's bytes and has nothing to be destroyed. All
- * zero bytes are a view that is not open. */
+/* A view of an asset: plain data that may be copied, refers to the asset's bytes and has nothing to be destroyed. A
+ * view of all zero bytes is not open. */
 typedef struct coif_asset {
   uint64_t inside[128];
 } coif_asset;
@@ -31,14 +31,14 @@ typedef struct coif_skeleton {
   /* From the head bone's own axes to the model's. A host whose head bone has the world pose (p, q) gives the head pose
    * (p, q * conjugate(head_rotation)). */
   float head_rotation[4];
-  float air_lag; /* 0..1: of the head's velocity, what the air around it does not take on. */
+  float air_lag; /* 0..1: share of the head's velocity that the air around it does not take on. */
 } coif_skeleton;
 #define COIF_FACES_BACKWARDS 1u /* The face looks along -Z at rest; otherwise along +Z. */
 
 typedef enum coif_bone_kind { COIF_BONE_HEAD = 0, COIF_BONE_SCALP = 1, COIF_BONE_SIMULATED = 2 } coif_bone_kind;
 
-/* Parents come first: the head, then what is rigid with it, then what is simulated, chain by chain. At rest all bones
- * have the axes of head space. */
+/* Parents come first: the head, then bones that are rigid with it, then simulated bones, chain by chain. At rest all
+ * bones have the axes of head space. */
 typedef struct coif_bone {
   uint32_t parent;         /* COIF_NONE: bone 0 */
   uint32_t kind;           /* coif_bone_kind */
@@ -60,7 +60,7 @@ typedef struct coif_link {
   float longest;
 } coif_link;
 
-/* What bounds a bone's direction: LimitRecord in coif/asset_records.h. */
+/* Limits a bone's direction: LimitRecord in coif/asset_records.h. */
 typedef struct coif_limit {
   uint32_t kind;   /* coif_limit_kind */
   float angles[2]; /* Radians. */
@@ -86,25 +86,25 @@ typedef enum coif_collider_shape {
 /* Head space, metres: ColliderRecord in coif/asset_records.h. */
 typedef struct coif_collider {
   uint32_t shape; /* coif_collider_shape */
-  uint32_t bone;  /* A rigid one; of a body collider its place in coif_asset_body_bones(). */
+  uint32_t bone;  /* A rigid bone; of a body collider an index into coif_asset_body_bones(). */
   uint32_t flags; /* COIF_KEEPS_INSIDE */
   uint32_t reserved;
   float center[3], reserved_center;
   float radii[3], reserved_radii;
-  float rotation[4]; /* Of an ellipsoid. */
+  float rotation[4]; /* Ellipsoids: to head space. */
   float axis[3];     /* Capsules: to the segment's other end. Plane: unit normal. */
   float reserved_axis;
 } coif_collider;
 #define COIF_KEEPS_INSIDE 1u
 
-/* A bone of the body that wears the hair, which body colliders hang from; the host knows where it is. */
+/* A bone of the body that wears the hair. Body colliders hang from it; the host knows where it is. */
 typedef struct coif_body_bone {
   uint32_t name;     /* coif_asset_body_bone_name() */
   float joint[3];    /* Rest pose, head space, metres. */
   float rotation[4]; /* Rest pose: from the bone's own axes to head space. */
 } coif_body_bone;
 
-/* Rest pose, head space. Vertex attributes read it as it is: shaders/README.md. */
+/* Rest pose, head space. The layout of the vertex attributes: shaders/README.md. */
 typedef struct coif_vertex {
   float position[3];
   int16_t normal[4];  /* xyz: snorm16; w: share of the ambient light that reaches it */
@@ -117,18 +117,18 @@ typedef struct coif_skin {
   uint8_t weight[4]; /* Add up to 255. */
 } coif_skin;
 
-/* A strip, or what else was one piece in the source. */
+/* A strip, or another connected piece of the source's mesh. */
 typedef struct coif_patch {
-  uint32_t first_index, index_count; /* Of coif_asset_indices(). */
+  uint32_t first_index, index_count; /* Into coif_asset_indices(). */
   float head_distance;
-  uint32_t bone; /* The one with most weight. */
+  uint32_t bone; /* The one with the most weight. */
   uint32_t file_place;
 } coif_patch;
 
 typedef struct coif_lod {
   uint32_t first_patch, patch_count;
-  float screen_size; /* Fits where the head's height covers at least this share of the viewport's. */
-  float error;       /* Metres off the finest. */
+  float screen_size; /* Fits where the head's height covers at least this share of the viewport's height. */
+  float error;       /* Largest distance from the finest level's surface, metres. */
 } coif_lod;
 
 typedef enum coif_shading {
@@ -166,19 +166,19 @@ typedef struct coif_texture {
   uint64_t offset, bytes;
 } coif_texture;
 
-/* Opens `size` bytes at a multiple of 64: proves once that every later access is in range. COIF_ASSET_LACKS_DATA:
- * it is refused, the view is not open, and the reason is written to `why` (null: not wanted), ended by a zero byte, cut
- * at `capacity`. COIF_BAD_ARGUMENT: `asset` is null. */
+/* Opens `size` bytes at a multiple of 64 and proves once that every later access is in range. COIF_ASSET_LACKS_DATA:
+ * the asset is refused and the view is not open; the reason is written to `why` (may be null), ended by a zero byte,
+ * cut at `capacity`. COIF_BAD_ARGUMENT: `asset` is null. */
 coif_status coif_asset_open(coif_asset* asset, const void* bytes, size_t size, char* why, size_t capacity);
-/* Compares vertices, indices and texels with their hashes, which opening does not: 0.1 ms per MB, on any thread. 1:
- * they are what was cooked. 0: `why` as above. */
+/* Compares vertices, indices and texels with their hashes, which opening does not: 0.1 ms per MB, on any thread.
+ * Returns 1 where they are as they were cooked, else 0 with `why` as above. */
 int coif_asset_verify_draw_data(const coif_asset* asset, char* why, size_t capacity);
-/* Both at once, for a host that keeps no view. 1: sound. 0: `why` as above. */
+/* Opens and verifies, for a host that keeps no view. Returns 1 for a sound asset, else 0 with `why` as above. */
 int coif_check_asset(const void* asset, size_t bytes, char* why, size_t capacity);
 
 const coif_skeleton* coif_asset_skeleton(const coif_asset* asset); /* Null where it is not open. */
 const coif_bone* coif_asset_bones(const coif_asset* asset, uint32_t* count);
-/* Static for as long as the asset; empty where the asset has no names or no such bone. */
+/* Valid as long as the asset; empty where the asset has no names or no such bone. */
 const char* coif_asset_bone_name(const coif_asset* asset, uint32_t bone);
 const coif_chain* coif_asset_chains(const coif_asset* asset, uint32_t* count);
 const coif_limit* coif_asset_limits(const coif_asset* asset, uint32_t* count); /* One per bone, or none. */
@@ -187,37 +187,37 @@ const coif_collider* coif_asset_colliders(const coif_asset* asset, uint32_t* cou
 const coif_body_bone* coif_asset_body_bones(const coif_asset* asset, uint32_t* count);
 const char* coif_asset_body_bone_name(const coif_asset* asset, uint32_t body_bone); /* As coif_asset_bone_name(). */
 const coif_collider* coif_asset_body_colliders(const coif_asset* asset, uint32_t* count);
-/* Which of these each bone may touch, bit i: collider i. One per bone, or none. */
+/* The body colliders that each bone may touch, bit i: body collider i. One per bone, or none. */
 const uint32_t* coif_asset_body_sets(const coif_asset* asset, uint32_t* count);
-/* Sub-steps that the asset was tuned for at this dt (seconds): what coif_step_settings.substeps = 0 means. */
+/* Sub-steps that the asset was tuned for at this dt (seconds); coif_step_settings.substeps = 0 uses them. */
 uint32_t coif_asset_tuned_substeps(const coif_asset* asset, float dt);
 
 const coif_vertex* coif_asset_vertices(const coif_asset* asset, uint32_t* count);
 const coif_skin* coif_asset_skin(const coif_asset* asset, uint32_t* count);   /* One per vertex, or none: rigid hair. */
-const uint32_t* coif_asset_indices(const coif_asset* asset, uint32_t* count); /* Of all levels; keep their order. */
-const coif_patch* coif_asset_patches(const coif_asset* asset, uint32_t* count); /* Of all levels. */
+const uint32_t* coif_asset_indices(const coif_asset* asset, uint32_t* count); /* All levels'; keep their order. */
+const coif_patch* coif_asset_patches(const coif_asset* asset, uint32_t* count); /* All levels'. */
 
 /* Levels of detail, the finest first: 0 without a mesh. */
 uint32_t coif_asset_lod_count(const coif_asset* asset);
 const coif_patch* coif_asset_lod_patches(const coif_asset* asset, uint32_t lod, uint32_t* count);
 const uint32_t* coif_asset_lod_indices(const coif_asset* asset, uint32_t lod, uint32_t* count);
 const coif_lod* coif_asset_stored_lods(const coif_asset* asset, uint32_t* count); /* None where there is one level. */
-/* In how many levels, from the finest on, each bone is simulated. */
+/* For each bone the number of levels, from the finest on, in which it is simulated. */
 const uint8_t* coif_asset_lod_bones(const coif_asset* asset, uint32_t* count);
 /* Share of the viewport's height that `height` metres cover at `distance` metres, under a vertical field of view of
  * `fov` radians. */
 float coif_screen_share(float height, float distance, float fov);
-/* The level to draw for a head that covers such a share, and has been drawn as `current`: coif/lod.h. `hysteresis` 0.1
+/* The level to draw for a head that covers such a share and was last drawn as `current`: coif/lod.h. `hysteresis`: 0.1
  * suits most games, 0 chooses afresh. */
 uint32_t coif_asset_choose_lod(const coif_asset* asset, float share, uint32_t current, float hysteresis);
 
 const coif_material* coif_asset_material(const coif_asset* asset); /* Null where absent. */
 const coif_texture* coif_asset_textures(const coif_asset* asset, uint32_t* count);
 const coif_texture* coif_asset_reliefs(const coif_asset* asset, uint32_t* count); /* Normal and strand maps. */
-/* Of both lists; null where the asset has no texture of this role. */
+/* The texture of this role in either list; null where there is none. */
 const coif_texture* coif_asset_texture(const coif_asset* asset, uint32_t role);
-/* Texels of one mip, the first row first, and how many bytes they are (null: not wanted). Null for a texture that is
- * not of this asset's own lists, and for a mip that it does not have. */
+/* Texels of one mip, first row first. *bytes (may be null) is their size. Null for a texture that is not in this
+ * asset's own lists, and for a mip that it does not have. */
 const void* coif_asset_texels(const coif_asset* asset, const coif_texture* texture, uint32_t mip, size_t* bytes);
 
 #ifdef __cplusplus

@@ -1,8 +1,8 @@
 #ifndef COIF_C_CHARACTER_H
 #define COIF_C_CHARACTER_H
-/* What a character that wears hair brings along, and the air around it; a part of coif.h, which is what hosts include.
- * The rules are those of the methods of coif::Hair of that name (coif/hair.h, coif/character.h, coif/air.h). Structs
- * are filled with their defaults by the function beside them. */
+/* Colliders, body and poses of a character that wears hair; a part of coif.h, which hosts include. The rules are those
+ * of the methods of coif::Hair of that name (coif/hair.h, coif/character.h). Structs are filled with their defaults by
+ * the function beside them. */
 
 #include <coif/c/asset.h>
 #include <coif/c/types.h>
@@ -19,7 +19,7 @@ typedef struct coif_quat {
 /* World space, metres, at the end of the coming step. */
 typedef struct coif_moving_collider {
   double center[3];
-  coif_quat rotation;     /* world from the collider's own axes, in which the next ones are */
+  coif_quat rotation;     /* world from the collider's own axes; the next two members are in these axes */
   coif_vec3 axis;         /* capsules: to the segment's other end; plane: normal */
   coif_vec3 half_extents; /* box; ellipsoid: semi-axes */
   float radius;
@@ -36,16 +36,16 @@ typedef struct coif_body_pose {
   coif_quat rotation;
 } coif_body_pose;
 
-/* These need COIF_SOLVER_CHARACTER and the named member of coif_hair_desc, else COIF_NOT_ASKED. COIF_BAD_ARGUMENT for a
- * null list that has a count. */
+/* These functions need COIF_SOLVER_CHARACTER and the named member of coif_hair_desc, else COIF_NOT_ASKED.
+ * COIF_BAD_ARGUMENT for a null list with a count. */
 
-/* At most coif_hair_desc.moving_colliders; none are never too many. */
+/* At most coif_hair_desc.moving_colliders; an empty list is always allowed. */
 coif_status coif_hair_set_colliders(coif_hair* hair, uint32_t instance, const coif_moving_collider* colliders,
                                     uint32_t count);
-/* ... coif_hair_desc.follows_body; one pose for each body bone of the asset, in their order. */
+/* Needs coif_hair_desc.follows_body. One pose for each body bone of the asset, in their order. */
 coif_status coif_hair_set_body(coif_hair* hair, uint32_t instance, const coif_body_pose* bones, uint32_t count);
-/* ... coif_hair_desc.follows_poses; a rotation for each bone, a weight for each chain or one for all. None of either:
- * the rest pose again. */
+/* Needs coif_hair_desc.follows_poses. A rotation for each bone, and a weight for each chain or one for all. Neither of
+ * them: back to the rest pose. */
 coif_status coif_hair_set_pose(coif_hair* hair, uint32_t instance, const coif_quat* rotations, uint32_t rotation_count,
                                const float* weights, uint32_t weight_count);
 

@@ -1,8 +1,8 @@
 #ifndef COIF_C_DRAWING_H
 #define COIF_C_DRAWING_H
 /* What a renderer of hair computes before it calls its graphics interface, whichever that is; a part of coif.h, which
- * is what hosts include. Rules and reasons are in coif/drawing.h, what to draw with it in shaders/README.md, and a
- * renderer that stands on nothing else in runtime/examples/draw_in_c. */
+ * hosts include. Rules and reasons are in coif/drawing.h, what to draw with it in shaders/README.md.
+ * runtime/examples/draw_in_c is a renderer that uses this header alone. */
 
 #include <coif/c/asset.h>
 
@@ -22,16 +22,16 @@ typedef struct coif_reach {
   float radius;
 } coif_reach;
 
-/* Between which values the base texture's alpha lies, 0..1, before the material's base colour. */
+/* The range of the base texture's alpha, 0..1, before the material's base colour. */
 typedef struct coif_alpha_range {
   float lowest, highest;
 } coif_alpha_range;
 
 typedef enum coif_skinning { COIF_RIGID = 0, COIF_ONE_BONE = 1, COIF_FOUR_BONES = 2 } coif_skinning;
 
-/* What has to be known of an asset to draw it when it is gone itself: its buffers and textures are on the GPU then. */
+/* Everything that drawing needs of an asset once its buffers and textures are on the GPU; the asset may go then. */
 typedef struct coif_drawn_hair {
-  coif_index_range lods[COIF_MAX_LODS]; /* Of the stored order. */
+  coif_index_range lods[COIF_MAX_LODS]; /* In the stored order. */
   uint32_t lod_count;
   uint32_t order_count;      /* Draw orders: copies of all levels' indices, one after the other. */
   uint32_t indices_of_order; /* Level l of order k begins at index k * indices_of_order + lods[l].first. */
@@ -41,29 +41,29 @@ typedef struct coif_drawn_hair {
   coif_alpha_range alpha;
   uint32_t bone_count;
   uint32_t skinning;      /* coif_skinning */
-  coif_material material; /* The asset's own, or a brown where it has none. */
+  coif_material material; /* The asset's own, or a brown one where it has none. */
 } coif_drawn_hair;
 
-/* COIF_ASSET_LACKS_DATA without a mesh. Reads every vertex: once when the hair is loaded. */
+/* COIF_ASSET_LACKS_DATA without a mesh. Reads every vertex: call it once, when the hair is loaded. */
 coif_status coif_drawn_hair_of(const coif_asset* asset, coif_drawn_hair* hair);
-/* The indices of all draw orders as they are uploaded: exactly order_count * indices_of_order * index_bytes bytes, else
- * COIF_SIZE_MISMATCH. `hair` is of this asset, else COIF_BAD_ARGUMENT. */
+/* Writes the indices of all draw orders as they are uploaded: exactly order_count * indices_of_order * index_bytes
+ * bytes, else COIF_SIZE_MISMATCH. `hair` must be of this asset, else COIF_BAD_ARGUMENT. */
 coif_status coif_write_draw_orders(const coif_asset* asset, const coif_drawn_hair* hair, void* out, size_t bytes);
 
-/* Which order suits a head that is seen from there: `direction` is from the head to the eye in head space, of any
- * length. 0, the stored order, where there is no other. */
+/* The best order for a head seen from one side: `direction` is from the head to the eye in head space, of any length.
+ * Returns 0, the stored order, where there is no other. */
 uint32_t coif_choose_order(const coif_drawn_hair* hair, const float direction[3]);
-/* The cell, below COIF_VIEW_CELLS, that a direction lies in, and a cell's middle. A cell that does not exist has none.
- */
+/* The cell, below COIF_VIEW_CELLS, of a direction; and the direction of a cell's middle (COIF_BAD_INDEX for a cell
+ * that does not exist). */
 uint32_t coif_view_cell(const float direction[3]);
 coif_status coif_view_cell_direction(uint32_t cell, float direction[3]);
-/* As the asset stores them: triangles by their number, order after order, without the stored one; the order of each
- * cell. */
+/* The stored tables: triangles by their number, order after order, without order 0; and the order of each cell. */
 const uint32_t* coif_asset_orders(const coif_asset* asset, uint32_t* count);
 const uint8_t* coif_asset_order_views(const coif_asset* asset, uint32_t* count);
 
-/* 1: something of this head may be in view, and *order (null: not wanted) is how it is to be drawn. 0: nothing is, or
- * an argument is null or a pose is bad. `eye`: world, metres. `clip_from_view` as coif_draw_block has it. */
+/* Returns 1 where this head may be in view; *order (may be null) is then the order to draw it in. Returns 0 where it
+ * is not, or where an argument is null or a pose is bad. `eye`: world, metres. `clip_from_view` as in coif_draw_block.
+ */
 int coif_is_in_view(const coif_drawn_hair* hair, const coif_head_pose* head, const coif_vec3* eye,
                     const float clip_from_view[16], uint32_t* order);
 
@@ -71,9 +71,9 @@ typedef enum coif_light_kind { COIF_DIRECTIONAL = 0, COIF_POINT = 1, COIF_SPOT =
 
 typedef struct coif_light {
   uint32_t kind;       /* coif_light_kind */
-  coif_vec3 from;      /* Directional: towards where light comes from, of any length. Else the place: world, metres. */
-  coif_vec3 color;     /* Linear; what a white matte surface that faces the light sends out, of others at one metre. */
-  coif_vec3 spot_axis; /* The way it shines, of any length. */
+  coif_vec3 from;      /* Directional: direction towards the light, any length. Else its position: world, metres. */
+  coif_vec3 color;     /* Linear radiance of a white matte surface that faces it; point and spot: at one metre. */
+  coif_vec3 spot_axis; /* The direction in which it shines, of any length. */
   float inner_cosine, outer_cosine;
 } coif_light;
 
@@ -103,45 +103,47 @@ typedef struct coif_draw_block {
   float clip_from_view[16];
   float base_color[4], ambient[4], primary[4], secondary[4], shift[4], component[4], fiber[4], strands[4];
   float light_position[COIF_MAX_LIGHTS][4], light_color[COIF_MAX_LIGHTS][4], light_spot[COIF_MAX_LIGHTS][4];
-  float shadow_from_view[16], shadow_depth[4], shadow_map[4]; /* The host's own, for shaders that look a shadow up. */
+  float shadow_from_view[16], shadow_depth[4], shadow_map[4]; /* For the host's own shaders that look up a shadow. */
 } coif_draw_block;
 
 void coif_light_init(coif_light* light);
 void coif_draw_view_init(coif_draw_view* view);
-/* COIF_BAD_ARGUMENT for values that are not finite or out of their range; *block is then as it was. */
+/* COIF_BAD_ARGUMENT for values that are not finite or out of their range; *block is unchanged then. */
 coif_status coif_fill_draw_block(const coif_draw_view* view, const coif_material* material, uint32_t rows_of_head,
                                  coif_draw_block* block);
 
 /* How the matrices of many heads lie in uniform blocks: PaletteBlock of the shaders. */
 typedef struct coif_matrix_layout {
   uint32_t rows_of_head;     /* Rows of four floats: the head's own matrix, then those of its bones. */
-  uint32_t heads_of_batch;   /* Most that one block holds. */
-  uint32_t bones_in_texture; /* 1: the bones are too many for a block, which has the head's matrix alone. */
+  uint32_t heads_of_batch;   /* The most heads that one block holds. */
+  uint32_t bones_in_texture; /* 1: the bones do not fit into a block, which then has the head's matrix alone. */
 } coif_matrix_layout;
 
-/* For blocks of so many bytes, at least 16384: else COIF_BAD_ARGUMENT. */
+/* `block_bytes`: bytes of a uniform block, at least 16384, else COIF_BAD_ARGUMENT. */
 coif_status coif_matrix_layout_of(const coif_drawn_hair* hair, uint32_t block_bytes, coif_matrix_layout* layout);
-/* Writes rows_of_head rows, the head's place as seen from `eye` first. `bytes` are exactly those, and `palette`, from
- * coif_hair_palette(), has one matrix per bone (rigid hair may have none): else COIF_SIZE_MISMATCH. */
+/* Writes rows_of_head rows, first the head's own matrix relative to `eye`. COIF_SIZE_MISMATCH unless `bytes` is
+ * exactly the rows' size and `palette`, from coif_hair_palette(), has one matrix per bone (rigid hair may have none).
+ */
 coif_status coif_write_head(const coif_drawn_hair* hair, const coif_matrix_layout* layout, const coif_head_pose* head,
                             const coif_mat34* palette, uint32_t palette_count, const coif_vec3* eye, void* out,
                             size_t bytes);
 
-/* Bones sorted in each frame, instead of the orders that the asset has: for hair that moves far from how it was
- * modelled. Any number of heads of one asset may share one, in one thread at a time; coif/triangle_order.h has the
- * rules. Lives in memory that the caller gave. */
+/* Sorts bones in each frame, in place of the asset's own orders: for hair that moves far from its rest pose. Any
+ * number of heads of one asset may share one, in one thread at a time; coif/triangle_order.h has the rules. Lives in
+ * the caller's memory. */
 typedef struct coif_bone_order coif_bone_order;
 
 /* Bytes that coif_bone_order_create() needs, at a multiple of 64; 0 for an asset without mesh, bones or skin. */
 size_t coif_bone_order_memory_need(const coif_asset* asset);
 /* *order points into `memory`; null on an error. */
 coif_status coif_bone_order_create(const coif_asset* asset, void* memory, size_t bytes, coif_bone_order** order);
-/* The indices of this level, far bones first: exactly lods[lod].count * index_bytes bytes, else COIF_SIZE_MISMATCH. */
+/* Writes the indices of this level, far bones first: exactly lods[lod].count * index_bytes bytes, else
+ * COIF_SIZE_MISMATCH. */
 coif_status coif_bone_order_write(coif_bone_order* order, const coif_drawn_hair* hair, const coif_head_pose* head,
                                   const coif_mat34* palette, uint32_t palette_count, uint32_t lod, const coif_vec3* eye,
                                   void* out, size_t bytes);
 
-/* What moves of a vertex: head space, metres; normal and tangent as long as the bones' blend makes them. */
+/* The parts of a vertex that move: head space, metres; normal and tangent are not normalised. */
 typedef struct coif_skinned_vertex {
   coif_vec3 position, normal, tangent;
 } coif_skinned_vertex;

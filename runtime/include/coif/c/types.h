@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-/* coif::Status, number by number. */
+/* The same numbers as coif::Status. */
 typedef enum coif_status {
   COIF_OK = 0,
   COIF_BAD_TIME_STEP,
@@ -36,8 +36,8 @@ typedef struct coif_mat34 {
   float m[3][4];
 } coif_mat34;
 
-/* World from head space: metres; unit quaternion x, y, z, w; uniform scale, 0.05..20 (1: the asset's own size;
- * COIF_BAD_SCALE for any other, 0 too). */
+/* World from head space: metres; unit quaternion x, y, z, w; uniform scale, 0.05..20, else COIF_BAD_SCALE (0 too).
+ * Scale 1 is the asset's own size. */
 typedef struct coif_head_pose {
   double position[3];
   float rotation[4];
@@ -51,15 +51,14 @@ typedef struct coif_head_velocity {
   float angular[3];
 } coif_head_velocity;
 
-/* A crowd of heads that wear one asset. Lives in memory that the caller gave, as long as that does; there is nothing to
- * destroy. */
+/* A crowd of heads that wear one asset. Lives in the caller's memory and has nothing to be destroyed. */
 typedef struct coif_hair coif_hair;
 
-/* Of the library: as COIF_VERSION is of its headers. Static storage. */
+/* The version of the linked library, where COIF_VERSION is that of the headers. Static storage. */
 const char* coif_version(void);
 /* One sentence, static storage, never null. */
 const char* coif_describe(coif_status status);
-/* At the world's origin, as the asset was modelled. */
+/* A head at the world's origin, at the asset's own size. */
 void coif_head_pose_init(coif_head_pose* pose);
 
 #ifdef __cplusplus

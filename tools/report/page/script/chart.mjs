@@ -1,14 +1,14 @@
-// Charts of a report, drawn by Chart.js: hover tells a point's values, a dragged box zooms in, the legend's buttons switch series.
+// Charts of a report, drawn by Chart.js: hovering shows a point's values, a dragged box zooms in, the legend's buttons switch series.
 
 import { chartData } from './chart_data.mjs';
 import { numberText, valueText } from './format.mjs';
 import { filledText } from './rows.mjs';
 import { element } from './table.mjs';
 
-// Bright enough for a dark page, dark enough for a light one; told apart by the shape of the points as well.
+// Bright enough for a dark page, dark enough for a light one; the shapes of points distinguish them as well.
 const COLORS = ['#2f8fd8', '#e0662f', '#2aa876', '#c05fb5', '#c79a1e', '#d9486e', '#4fb3c8', '#8f7be0', '#a5744a', '#7fa832', '#d98cae', '#5d86a8'];
 const SHAPES = ['circle', 'rect', 'triangle', 'rectRot', 'rectRounded', 'star'];
-const GREY = '#8a93a3';  // whatever is not data
+const GREY = '#8a93a3';  // everything that is not data
 const FONT = { family: 'system-ui, sans-serif', size: 12.5 };
 
 const colorOf = (one) => (one.style === 'dashed' ? GREY : COLORS[one.color % COLORS.length]);
@@ -25,7 +25,7 @@ function dataset(one) {
   };
 }
 
-/** 1, 2 and 5 of every decade, or powers of ten alone where there are many. */
+/** Ticks at 1, 2 and 5 of every decade, or only at powers of ten if there are many. */
 function logTicks(low, high) {
   const first = Math.floor(Math.log10(low)), last = Math.ceil(Math.log10(high)), step = 1 + Math.floor((last - first) / 12);
   const ticks = [];
@@ -35,7 +35,7 @@ function logTicks(low, high) {
   return ticks;
 }
 
-/** `drawn`: all values on the axis, those of lines across the chart too; `wanted`: ticks, or nothing. */
+/** `drawn`: all values on the axis, including lines across the chart; `wanted`: ticks, or nothing. */
 function scaleOf(axis, drawn, wanted) {
   const scale = {
     type: axis.log ? 'logarithmic' : 'linear', beginAtZero: !axis.log, title: { display: true, text: axis.label, font: FONT }, grid: {},
@@ -52,7 +52,7 @@ function scaleOf(axis, drawn, wanted) {
   return axis.log ? { ...scale, min: least, max: most } : { ...scale, suggestedMin: least, suggestedMax: most };
 }
 
-/** Lines across the chart, with what they are; rings around points that stand out; the box that is being dragged. */
+/** Draws lines across the chart with their names, rings around marked points, and the box that is being dragged. */
 const marks = {
   id: 'marks',
   afterDatasetsDraw(chart, _, { lines, ink }) {
@@ -87,7 +87,7 @@ const marks = {
   },
 };
 
-/** By a box that the mouse drags. `reset` ends it, and so does a double click. */
+/** Zooms into a box that the mouse drags. `reset` or a double click ends the zoom. */
 function addZoom(chart, canvas, reset) {
   let begin;
   const set = (name, from, to) => Object.assign(chart.options.scales[name], { min: from, max: to });
@@ -143,7 +143,7 @@ function sampleOf(one) {
   return canvas;
 }
 
-/** A button for each series: a click switches it, a double click shows it alone, or all again. */
+/** A button for each series: a click switches it on or off, a double click shows it alone, or all again. */
 function legendOf(chart, series) {
   const buttons = series.map((one) => element('button', { type: 'button', 'aria-pressed': String(one.isOn) }, sampleOf(one), one.name));
   const set = (i, isOn) => {
@@ -161,7 +161,7 @@ function legendOf(chart, series) {
   return element('div', { class: 'legend', role: 'group', 'aria-label': 'Series: click switches one, double click shows it alone' }, ...buttons);
 }
 
-/** The chart's points, for those who do not see it. */
+/** The chart's points as text, for readers who cannot see it. */
 function pointsTable(chart, series) {
   const rows = series.flatMap((one) => one.points.map((point) => element('tr', {}, element('td', {}, one.name),
     element('td', { class: 'number' }, numberText(point.x)), element('td', { class: 'number' }, numberText(point.y)))));
@@ -172,7 +172,7 @@ function pointsTable(chart, series) {
 
 const drawn = [];
 
-/** Colours of what is not data, as the page has them now; on paper it is light. */
+/** The page's present colours for everything that is not data; paper is light. */
 function theme(chart) {
   const style = getComputedStyle(document.documentElement), isPaper = document.documentElement.classList.contains('paper');
   const ink = isPaper ? '#000000' : style.getPropertyValue('--text').trim(), line = isPaper ? '#cfd4da' : style.getPropertyValue('--line').trim();
@@ -184,7 +184,7 @@ function theme(chart) {
   chart.update('none');
 }
 
-/** All charts again, after the screen became dark or light, or for paper. */
+/** Draws all charts again after the colours changed to dark, light or paper. */
 export function drawAgain() {
   drawn.forEach(theme);
 }
@@ -196,7 +196,7 @@ function tooltipOf(spec) {
       title: ([item]) => item?.dataset.label ?? '',
       label: ({ raw }) => [`${spec.x.label}: ${numberText(raw.x)}`, `${spec.y.label}: ${numberText(raw.y)}`, ...more(raw.row)],
     },
-    filter: (item) => item.dataset.borderDash.length === 0,  // what joins others' points stands for no more than they do
+    filter: (item) => item.dataset.borderDash.length === 0,  // leaves out series that only join the points of others
     displayColors: false, borderColor: GREY, borderWidth: 1, bodyFont: FONT, titleFont: FONT,
   };
 }

@@ -1,4 +1,4 @@
-// From what a layout says of a chart to the points of its series.
+// Turns a layout's chart into the points of its series.
 
 import { filledText, namesOf, rowsOf, valueAt } from './rows.mjs';
 
@@ -11,7 +11,7 @@ const valueOn = (row, axis) => {
   return typeof value === 'number' ? value * (axis.scale ?? 1) : NaN;
 };
 
-/** Of several points at one x the worst, the largest; one that has no number is worse than all. */
+/** Keeps the worst of several points at one x: the largest. One without a number is worse than all. */
 function worstPoints(points) {
   const worst = new Map();
   for (const point of points) {
@@ -31,7 +31,7 @@ function pointsOf(rows, of, chart) {
   return { points: shown, leftOut: points.length - shown.length };
 }
 
-/** One series of the layout: as many as its key "by" has values, or one that has a name. */
+/** The series of one entry of the layout: one for each value of its key "by", or a single one with a name. */
 function seriesOf(of, chart, report, scope) {
   const rows = rowsOf(of, report, scope);
   if (of.by === undefined) return [{ name: filledText(of.name, report, scope), of, rows }];
@@ -43,7 +43,7 @@ function seriesOf(of, chart, report, scope) {
   });
 }
 
-/** Those lines across the chart that are near what is drawn; "rows" of a line: one for each of its records. */
+/** The lines across the chart that are near the drawn points; a line with "rows" stands for one line per record. */
 function linesOf(chart, series, report, scope) {
   const drawn = series.flatMap((one) => one.points.map((point) => point.y)).filter((y) => y > 0);
   const least = Math.min(...drawn), most = Math.max(...drawn);
@@ -56,7 +56,7 @@ function linesOf(chart, series, report, scope) {
   });
 }
 
-/** {series: [{name, points, style, color, isOn}], lines, leftOut, ticks}. Series without points are not there. */
+/** {series: [{name, points, style, color, isOn}], lines, leftOut, ticks}. Leaves out series without points. */
 export function chartData(chart, report, scope) {
   let leftOut = 0;
   const series = chart.series.flatMap((of) => seriesOf(of, chart, report, scope)).map((one, place) => {

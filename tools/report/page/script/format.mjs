@@ -1,4 +1,4 @@
-// Values as text, by the patterns of report_format.h; as base/text.h writes numbers, so that terminal and page say the same.
+// Values as text, by the patterns of report_format.h; with numbers as in base/text.h, so that terminal and page agree.
 
 export function numberText(number) {
   if (!Number.isFinite(number)) return '-';
@@ -12,7 +12,7 @@ export function numberText(number) {
 
 const percentText = (number) => (Number.isFinite(number) ? `${numberText(number)} %` : numberText(number));
 
-/** 1000 of a unit are one of the next. */
+/** Units; 1000 of one are one of the next. */
 function scaledText(number, units) {
   let unit = 0;
   for (; number >= 1000 && unit + 1 < units.length; ++unit) number /= 1000;
@@ -35,7 +35,7 @@ function numberAs(place, number) {
   }
 }
 
-/** `format`: a column, or whatever else has "pattern", "missing" and "scale". */
+/** `format`: a column or another object with "pattern", "missing" and "scale". */
 export function valueText(value, format = {}) {
   if (value === null || value === undefined) return format.missing ?? '-';
   const pattern = format.pattern ?? (typeof value === 'boolean' ? 'yes|no' : '{}');

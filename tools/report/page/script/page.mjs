@@ -1,4 +1,4 @@
-// The page: what its layout says, filled with its report. Both lie in it as JSON.
+// The page: its layout, filled with its report. It contains both as JSON.
 
 import { drawAgain, drawChart } from './chart.mjs';
 import { filledText, isThere, namesOf, rowsOf } from './rows.mjs';
@@ -15,7 +15,7 @@ function linksOf(of, report, scope) {
 
 const figureOf = ({ png, caption }) => element('figure', {}, pictureOf(png, caption), element('figcaption', {}, caption));
 
-/** For each record of a list, or with "by" for each of its values, the parts within. */
+/** Repeats the inner parts for each record of a list, or with "by" for each value. */
 function partsOfEach(of, report, scope) {
   const rows = rowsOf({ ...of, rows: of.each }, report, scope);
   const scopes = of.by ? namesOf(rows, of.by).map((name) => ({ [of.by]: name })) : rows;

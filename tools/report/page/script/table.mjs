@@ -3,7 +3,7 @@
 import { lookOf, valueText } from './format.mjs';
 import { namesOf, rowsOf } from './rows.mjs';
 
-/** An element with this text and these children; no text ever becomes markup. */
+/** An element with this text and these children; text never becomes markup. */
 export function element(tag, attributes = {}, ...children) {
   const made = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
@@ -40,7 +40,7 @@ function tableOf(titles, bodyRows) {
   return element('div', { class: 'table', role: 'region', 'aria-label': 'table', tabindex: 0 }, table);
 }
 
-/** `of`: "rows" with "where" and "not", and "columns" where the report has none for that list. */
+/** `of`: "rows" with "where" and "not", and "columns" if the report has none for that list. */
 export function drawTable(of, report, scope) {
   const columns = of.columns ?? report.columns[of.rows];
   const rows = rowsOf(of, report, scope).map((row) => element('tr', {}, ...columns.map((column) => cellOfRow(row, column))));

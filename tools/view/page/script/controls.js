@@ -1,4 +1,4 @@
-// The panel: a control for each row of the table that the asset's controls come in.
+// The panel: a control for each row of the asset's table of controls.
 
 const toSrgb = (v) => (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055);
 const toLinear = (v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4);
@@ -24,7 +24,7 @@ export function element(name, attributes = {}, ...children) {
 
 const shown = (value) => String(Number(value.toPrecision(4)));
 
-/** Two inputs of one number: a slider, and a box for what the slider's range leaves out. */
+/** Two inputs of one number: a slider, and a box for values outside of the slider's range. */
 function numberInputs(control, id, set) {
   const range = { min: control.low, max: control.high, step: control.step };
   const slider = element('input', { type: 'range', id, ...range });
@@ -53,7 +53,7 @@ function switchInput(control, id, set) {
   return { nodes: [box], show: (values) => { box.checked = values[0] !== 0; } };
 }
 
-/** A colour and how bright it is, for light that a screen's colours do not reach. */
+/** A colour and its brightness, for light that is brighter than a screen's colours. */
 function colorInputs(control, id, set) {
   const color = element('input', { type: 'color', id });
   const slider = element('input', { type: 'range', min: 0, max: control.high, step: control.step, 'aria-label': `${control.label}, brightness` });
@@ -77,7 +77,7 @@ function colorInputs(control, id, set) {
 
 const INPUTS = { number: numberInputs, choice: choiceInput, switch: switchInput, color: colorInputs };
 
-/** Fills `panel`. `wasm` holds the settings; `original` is how the asset came. */
+/** Fills `panel`. `wasm` holds the settings; `original` has the asset's own settings. */
 export class Controls {
   constructor(panel, wasm, controls, original, changed) {
     this.wasm = wasm;
@@ -131,7 +131,7 @@ export class Controls {
     row.line.classList.toggle('changed', values.some((v, i) => v !== row.original[row.control.at + i]));
   }
 
-  /** After the settings were changed elsewhere. */
+  /** Shows settings that were changed elsewhere. */
   show() {
     for (const row of this.rows) {
       row.show(this.values(row.control));

@@ -1,9 +1,9 @@
-// A curve from root to tip, whose points are dragged, or moved by keys. Heights are drawn by a power of the value, so that small ones can be told apart.
+// A curve from root to tip, whose points are dragged or moved by keys. A height is a power of the value, so that small values look different.
 
 const PLOT = { width: 276, height: 132, left: 34, right: 10, top: 12, bottom: 20 };
 const LEAST_GAP = 0.01;  // between places
-const KEY_STEP = 0.02, PLACE_STEP = 0.01, FARTHER = 5;  // of the height, of the chain; times, with Shift or by pages
-const PIECES_OF_LINE = 12;  // between two points: straight in values is not straight here
+const KEY_STEP = 0.02, PLACE_STEP = 0.01, FARTHER = 5;  // shares of the height and of the chain; factor with Shift or by pages
+const PIECES_OF_LINE = 12;  // between two points: a line that is straight in values is curved here
 
 const within = (value, low, high) => Math.min(Math.max(value, low), high);
 const digits = (value, count = 3) => Number(value.toPrecision(count));
@@ -15,7 +15,7 @@ function drawn(name, attributes, ...children) {
   return made;
 }
 
-/** As recipes mean it: straight between points, constant beyond them. */
+/** The curve's value as in recipes: linear between points, constant beyond them. */
 export function curveAt(points, place) {
   if (place <= points[0][0]) return points[0][1];
   for (let i = 1; i < points.length; ++i) {
@@ -25,8 +25,8 @@ export function curveAt(points, place) {
   return points[points.length - 1][1];
 }
 
-/** `about`: { name, label, hint, top, most, power, marks }: values up to `top` are drawn, up to `most` allowed; `marks` have lines.
- *  `changed(points)` is called whenever the visitor changed them. */
+/** `about`: { name, label, hint, top, most, power, marks }: values up to `top` are drawn, values up to `most` are allowed; a line marks each of `marks`.
+ *  `changed(points)` is called after each change by the visitor. */
 export class CurveEditor {
   constructor(about, changed) {
     this.about = about;
@@ -48,14 +48,14 @@ export class CurveEditor {
     this.svg.addEventListener('dblclick', (event) => this.double(event));
   }
 
-  /** `points` and `dots` are [place, value]; dots are bones, shown behind. */
+  /** `points` and `dots` are [place, value]; dots are bones, drawn behind the curve. */
   show(points, dots = this.dots) {
     this.dots = dots;
     this.points = points.map(([place, value]) => [place, value]);
     this.top = Math.max(this.about.top, ...this.points.map((p) => p[1]), ...dots.map((p) => p[1]));
     this.drawGrid();
     this.faint.replaceChildren(...dots.map(([place, value]) => drawn('circle', { cx: this.x(place), cy: this.y(value), r: 2.2 })));
-    if (this.handles.childNodes.length !== this.points.length) this.drawHandles();  // else one may be held, or have the focus
+    if (this.handles.childNodes.length !== this.points.length) this.drawHandles();  // otherwise keeps them: one may be held or have the focus
     this.drawCurve();
   }
 
@@ -121,7 +121,7 @@ export class CurveEditor {
     return at < 0 ? null : at;
   }
 
-  /** Beside a point, what it says; null: nothing. */
+  /** Shows a point's values beside it; null: shows nothing. */
   tell(i) {
     this.told.textContent = '';
     if (i === null || !this.points[i]) return;
@@ -133,7 +133,7 @@ export class CurveEditor {
     this.told.setAttribute('text-anchor', isLeft ? 'start' : 'end');
   }
 
-  /** A point where it may go: between its neighbours, in the value's range. */
+  /** Limits a point to places between its neighbours and to the value's range. */
   move(i, place, value) {
     const low = i > 0 ? this.points[i - 1][0] + LEAST_GAP : 0;
     const high = i + 1 < this.points.length ? this.points[i + 1][0] - LEAST_GAP : 1;
@@ -195,7 +195,7 @@ export class CurveEditor {
     this.changed(this.points);
   }
 
-  /** Half way to the next point, or from the last one to the one before. */
+  /** Adds a point half way to the next one, or behind the last point half way to the one before. */
   addBeside(i) {
     const [a, b] = i + 1 < this.points.length ? [i, i + 1] : [i - 1, i];
     const place = this.points.length === 1 ? (this.points[0][0] < 0.5 ? 1 : 0) : (this.points[a][0] + this.points[b][0]) / 2;

@@ -66,7 +66,7 @@ export class Hands {
     this.page.wake();
   }
 
-  /** Of two fingers, in shares of the canvas. */
+  /** How far two fingers are apart, in shares of the canvas; 1 for a single one. */
   spread() {
     const [a, b] = [...this.pointers.values()];
     return b ? Math.max(Math.hypot(a[0] - b[0], a[1] - b[1]), 1e-3) : 1;

@@ -1,10 +1,10 @@
-// Settings in the page's address, behind '#': names and numbers or words of the controls, "motion=turn&rate=30&beside=thesis". Whoever
-// wrote the address may be anybody; nothing of it but a number within a control's range goes any further.
+// Settings in the page's address, behind '#': names and numbers or words of the controls, "motion=turn&rate=30&beside=thesis". The
+// address is untrusted: only numbers within a control's range are used.
 
 const MOST_NAMED = 4;
 const LONGEST_NAME = 40;
 
-/** The control's numbers, or null for what is none of them. */
+/** The control's numbers, or null for an invalid text. */
 function numbersOf(control, text) {
   if (control.kind === 'choice') {
     const number = control.words.split('|').indexOf(text);
@@ -15,7 +15,7 @@ function numbersOf(control, text) {
   return numbers.length === control.count && numbers.every(fits) ? numbers : null;
 }
 
-/** { settings: {name: numbers}, ignored: what is unknown or out of range, as text that is fit to be shown }. */
+/** { settings: {name: numbers}, ignored: unknown or invalid settings, as harmless text }. */
 function settingsOfHash(hash, table) {
   const settings = {};
   const ignored = [];
@@ -28,7 +28,7 @@ function settingsOfHash(hash, table) {
   return { settings, ignored };
 }
 
-/** '' where nothing was ignored. */
+/** The message about ignored settings; '' if there are none. */
 function noteOfHash(ignored) {
   if (ignored.length === 0) return '';
   const more = ignored.length > MOST_NAMED ? ` and ${ignored.length - MOST_NAMED} more` : '';
@@ -44,7 +44,7 @@ function takeAddress(page) {
   page.changed('beside');
 }
 
-/** Sets what the address of a page that shows an asset asks for, whenever that changes. */
+/** Applies the settings of the page's address, whenever it changes. */
 export function followAddress(page) {
   takeAddress(page);
   addEventListener('hashchange', () => takeAddress(page));

@@ -1,4 +1,4 @@
-// What the colours of a view mean, as text beside each.
+// The legend: the meaning of a view's colours.
 
 let legendShown = '';
 

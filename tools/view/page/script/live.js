@@ -1,4 +1,4 @@
-// What the page does beside that where a server cooks for it: it shows each new asset, and tells the server what sliders say.
+// The part of the page that talks to a cooking server: it shows each new asset, and sends slider values to the server.
 
 import { RecipeKeys } from './recipe_keys.js';
 
@@ -15,7 +15,7 @@ export function merged(recipe, changes) {
 /** The colour of a recipe's file. */
 const ownColor = (recipeFile) => (Array.isArray(recipeFile.material?.base_color) ? recipeFile.material.base_color : [1, 1, 1, 1]);
 
-/** What the page says, for a server: its tint is a factor of the file's colour. */
+/** The page's recipe for the server, where the tint is a factor of the file's colour. */
 export function forFile(tuned, recipeFile) {
   const factor = tuned.material?.base_color;
   if (!factor) return tuned;
@@ -23,17 +23,17 @@ export function forFile(tuned, recipeFile) {
   return { ...tuned, material: { ...tuned.material, base_color: color } };
 }
 
-/** The whole recipe of what is seen: the file's, with what sliders say. */
+/** The whole recipe of the shown hair: the file's, with the sliders' values. */
 export const wholeRecipe = (recipeFile, tuned) => withoutNulls(merged(recipeFile, forFile(tuned, recipeFile)));
 
-/** A null takes a key out, as the server reads it. */
+/** For the server, null removes a key. */
 function withoutNulls(recipe) {
   const kept = Object.entries(recipe).filter(([, value]) => value !== null);
   return Object.fromEntries(kept.map(([key, value]) => [key, isObject(value) ? withoutNulls(value) : value]));
 }
 
 export class Live {
-  /** `title`: where the page says what it shows. */
+  /** `title`: the element for the name of the shown asset. */
   constructor(page, title) {
     this.page = page;
     this.line = document.createElement('span');
@@ -49,7 +49,7 @@ export class Live {
     this.timer = 0;
   }
 
-  /** Resolves once something is shown, or cannot be. */
+  /** Resolves when an asset is shown or cannot be shown. */
   async begin() {
     this.keys = new RecipeKeys(await (await fetch('keys')).json(), () => { this.page.wake(); this.changed(); });
     return new Promise((shown) => {
@@ -69,7 +69,7 @@ export class Live {
     this.line.classList.toggle('problem', isProblem);
   }
 
-  /** A state of the server. True where nothing is being cooked for the first time. */
+  /** Handles a state of the server. False while the first cook runs. */
   async take(state) {
     this.state = state;
     this.keys.isDraft = state.quality === 'draft';
@@ -91,7 +91,7 @@ export class Live {
   async replace(state) {
     const response = await fetch('asset');
     const revision = Number(response.headers.get('Coif-Revision'));
-    if (!response.ok || revision !== state.revision) return;  // a newer one, of which the server is about to tell
+    if (!response.ok || revision !== state.revision) return;  // there is a newer one, which the server will announce
     const bytes = new Uint8Array(await response.arrayBuffer());
     this.revision = revision;
     this.recipeFile = state.recipe_file;
@@ -117,10 +117,10 @@ export class Live {
     await this.post('recipe', text);
   }
 
-  /** Models are the server's to cook; assets are shown as they are. */
+  /** The server cooks models; assets are shown directly. */
   takes(file) { return !file.name.endsWith('.coif'); }
 
-  /** A model that was dropped on the page is cooked in place of the one that is shown, with the defaults. */
+  /** Cooks a model that was dropped on the page, in place of the shown one and with the defaults. */
   async drop(file) {
     const format = file.name.split('.').pop().toLowerCase();
     this.sent = '{}';

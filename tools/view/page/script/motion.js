@@ -1,6 +1,6 @@
-// How the head moves when the page opens: what `coif view --motion` put into it.
+// The head's motion when the page opens, from `coif view --motion`.
 
-/** What `text` says, {"motion": name, "keys": base64 of a clip}; '' where nobody has filled it in. Gives the clip to `wasm`. */
+/** The motion in `text`, {"motion": name, "keys": base64 of a clip}; '' if the page has none. Gives the clip to `wasm`. */
 export function takeMotion(wasm, text) {
   if (!text.startsWith('{')) return '';
   const { motion, keys } = JSON.parse(text);
@@ -10,7 +10,7 @@ export function takeMotion(wasm, text) {
   return 'clip';
 }
 
-/** Of an asset that was opened just now. */
+/** Plays the motion that the page was made with, for an asset that was just opened. */
 export function beginMotion(page) {
   if (!page.motion) return;
   page.set('motion', page.motion);

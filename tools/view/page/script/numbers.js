@@ -20,7 +20,7 @@ function tipError(n) {
   return ['tip error', n.tipErrorSource > 1 ? '-' : known, TIP_TITLES[n.tipErrorSource]];
 }
 
-/** Into `strip`: `n` as WasmPage.numbers() has them, and how many pictures a second there are. */
+/** Writes into `strip` the numbers `n` of WasmPage.numbers(), and the pictures per second. */
 export function showNumbers(strip, n, rate) {
   const cost = n.stepNsOfBone > 0 ? `${n.stepNsOfBone.toFixed(0)} ns` : '-';
   const numbers = [

@@ -1,4 +1,4 @@
-// The page: opens its asset, draws while something moves, and lets others in.
+// The page: opens its asset, draws while something moves, and has functions for other scripts.
 
 import { Controls } from './controls.js';
 import { Hands } from './hands.js';
@@ -14,7 +14,7 @@ import { MOTION_KEYS, Tuning } from './tuning.js';
 import { WasmPage } from './wasm_page.js';
 
 const at = (id) => document.getElementById(id);
-const MOST_PIXELS = 2;  // of the canvas for one of the page, each way
+const MOST_PIXELS = 2;  // canvas pixels per pixel of the page, each way
 
 class Page {
   constructor(wasm) {
@@ -26,7 +26,7 @@ class Page {
     this.isLost = false;
   }
 
-  /** An asset's bytes, and what the file is called. */
+  /** Opens an asset's bytes; `name` is the file's name. */
   open(bytes, name) {
     this.wasm.open(bytes);
     this.sheet?.leave();
@@ -46,7 +46,7 @@ class Page {
     this.wake();
   }
 
-  /** Another cook of what is shown: camera, motion and what was tuned stay. `cooked`: the recipe's keys that came from this page. */
+  /** Shows another cook of the same hair: camera, motion and tuned values stay. `cooked`: the recipe's keys that came from this page. */
   replace(bytes, name, cooked) {
     const before = this.wasm.settings().slice();
     this.wasm.replace(bytes);
@@ -54,7 +54,7 @@ class Page {
     if (JSON.stringify(table) !== JSON.stringify(this.table)) return this.open(bytes, name);
     const settings = this.wasm.settings();
     const saysMotion = MOTION_KEYS.some((key) => cooked.has(key));
-    if (saysMotion) MOTION_KEYS.forEach((key) => cooked.add(key));  // they are told together
+    if (saysMotion) MOTION_KEYS.forEach((key) => cooked.add(key));  // the server gets them together
     for (const { at: place, count, recipe } of table) {
       for (let i = place; i < place + count; ++i) {
         const isTuned = before[i] !== this.original[i];
@@ -96,7 +96,7 @@ class Page {
 
   word(name) { return this.control(name).words.split('|')[this.get(name)]; }
 
-  /** By the visitor. */
+  /** Handles a change by the visitor. */
   changed(name) {
     if (name === 'motion' && this.word('motion') !== 'still') {
       this.set('plays', 1);
@@ -109,7 +109,7 @@ class Page {
     this.live?.changed();
   }
 
-  /** {section: {key: value}} of what was changed. */
+  /** The changes as {section: {key: value}}. */
   recipe() {
     const recipe = recipeOf(this.table.filter((c) => !MOTION_KEYS.includes(c.recipe)), this.wasm.settings(), this.original);
     const dynamics = { ...this.wasm.dynamics(), ...recipe.dynamics };
@@ -117,7 +117,7 @@ class Page {
     return this.live ? merged(recipe, this.live.keys.recipe()) : recipe;
   }
 
-  /** A red line of text; '': none. */
+  /** Shows a red line of text; '': hides it. */
   say(problem) {
     at('problem').textContent = problem;
     at('problem').hidden = problem === '';
@@ -146,7 +146,7 @@ class Page {
     this.showNumbers();
   }
 
-  /** True where something new was drawn. */
+  /** Returns true if something new was drawn. */
   draw(width, height, seconds) {
     if (this.canvas.width !== width) this.canvas.width = width;
     if (this.canvas.height !== height) this.canvas.height = height;
@@ -176,7 +176,7 @@ class Page {
     return pixels;
   }
 
-  /** The browser may take the graphics card away, and gives it back. */
+  /** The browser may take the WebGL context away and give it back. */
   watchContext() {
     this.canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
@@ -271,7 +271,7 @@ async function begin() {
     return page;
   }
   const name = at('asset').dataset.name;
-  if (name === '@' + 'NAME@') {  // nobody has filled the page in
+  if (name === '@' + 'NAME@') {  // the page has not been filled in
     page.say('Drop a .coif file here.');
     return page;
   }
@@ -282,7 +282,7 @@ async function begin() {
   return page;
 }
 
-/** For whoever drives the page from outside: the Page, once it is there. */
+/** For other scripts: resolves to the Page when it is ready. */
 window.coif = begin();
 window.coif.catch((error) => {
   at('problem').textContent = error.message;

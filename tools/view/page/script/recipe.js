@@ -1,4 +1,4 @@
-// What was changed on the page, as a recipe for `coif cook`.
+// The changes made on the page, as a recipe for `coif cook`.
 
 const rounded = (value) => Number(value.toPrecision(6));
 
@@ -16,7 +16,7 @@ function isChanged(control, settings, original) {
   return false;
 }
 
-/** Only what differs from `original`, the settings as the asset came, and what recipes have a key for. */
+/** Only settings that have a key in recipes and differ from `original`, the asset's own. */
 export function recipeOf(controls, settings, original) {
   const recipe = {};
   for (const control of controls) {

@@ -1,11 +1,11 @@
-// The recipe of what was changed, to copy.
+// The dialog with the recipe of all changes, to copy.
 
 import { wholeRecipe } from './live.js';
 import { recipeText } from './recipe.js';
 
 const part = (id) => document.getElementById(id);
 
-/** Wires the dialog that shows a recipe of what was changed, and copies it. */
+/** Connects the dialog that shows a recipe of all changes and copies it. */
 export function offerRecipe(page) {
   const dialog = part('recipe');
   part('copy-recipe').addEventListener('click', () => {

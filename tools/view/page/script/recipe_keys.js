@@ -1,24 +1,24 @@
-// Every key of a recipe that has no control of its own, from the table of keys that the cook reads recipes by. Only where a server cooks.
+// Inputs for all keys of a recipe that have no control of their own, from the cook's table of keys. Only if a server cooks.
 
 import { element } from './controls.js';
 
 const KINDS = ['number', 'whole', 'choice', 'switch'];
-const CROWDED = 0.1;  // of the range; a default below has a slider with more room for small numbers
+const CROWDED = 0.1;  // share of the range; a default below it gets a slider with more room for small numbers
 
 const rangeOf = (key) => (key.low < key.high ? `${key.low} to ${key.high}${key.unit ? ` ${key.unit}` : ''}` : '');
 
-/** null is what the cook chooses by itself. */
+/** null: the cook chooses. */
 const told = (value) => (value === null ? 'chosen by the cook' : String(value));
 
 export class RecipeKeys {
-  /** `table`: as the server sends it. `changed()` is called after a change. */
+  /** `table`: from the server. `changed()` is called after each change. */
   constructor(table, changed) {
     this.table = table;
     this.changed = changed;
-    this.values = new Map();  // of paths, what the visitor changed
+    this.values = new Map();  // the visitor's changes, by path
     this.file = {};
     this.rows = [];
-    this.isDraft = false;  // what is shown does without some of them
+    this.isDraft = false;  // the shown draft ignores some of them
   }
 
   /** [section, [key, value]...] as a recipe. */
@@ -31,7 +31,7 @@ export class RecipeKeys {
     return recipe;
   }
 
-  /** What the recipe's file says, which is how a key came. */
+  /** Takes the values of the recipe's file, to which keys are reset. */
   takeFile(file) {
     this.file = file;
     this.rows.forEach((row) => this.show(row));
@@ -47,7 +47,7 @@ export class RecipeKeys {
     this.changed();
   }
 
-  /** Into the panel, behind its groups; `controls` has those that are there already. */
+  /** Adds the inputs to the panel, behind its groups, except those that `controls` already has. */
   enter(panel, controls) {
     const taken = new Set(controls.map((c) => c.recipe));
     this.rows = [];

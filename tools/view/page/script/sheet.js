@@ -10,7 +10,7 @@ const GAP = 10;  // pixels, as in sheet.css
 const ofPage = (id) => document.getElementById(id);
 
 export class Sheet {
-  /** `page` shows the asset; `plan` is as sheet_json.cpp writes it. */
+  /** `page` shows the asset; `plan` is the JSON of sheet_json.cpp. */
   constructor(page, plan) {
     this.page = page;
     this.plan = plan;
@@ -19,8 +19,8 @@ export class Sheet {
     this.waiting = 0;
     this.clock = 0;  // seconds that motions have played
     this.round = [];  // tiles that are still to be drawn
-    this.begun = 0;  // milliseconds, of the round; 0: none
-    this.seconds = 0;  // that the round takes motions on
+    this.begun = 0;  // when the round began, milliseconds; 0: there is none
+    this.seconds = 0;  // seconds by which the round advances motions
     this.tiles = [];
     ofPage('sheet-name').textContent = page.name;
     ofPage('sheet-note').textContent = plan.note;
@@ -63,7 +63,7 @@ export class Sheet {
     });
   }
 
-  /** As many tiles beside each other as there is room for, so that a gallery's six fill their rows. */
+  /** Puts as many tiles side by side as fit, so that a gallery of six fills its rows. */
   layOut() {
     const { width, height } = this.plan;
     const room = ofPage('galleries').clientWidth;
@@ -74,13 +74,13 @@ export class Sheet {
     style.setProperty('--shape', `${width} / ${height}`);
     for (const section of ofPage('galleries').children) {
       section.style.setProperty('--span', Math.min(section.dataset.tiles, columns));
-      section.classList.toggle('in-a-row', section.dataset.tiles <= columns);  // whose titles and tiles begin where those beside it do
+      section.classList.toggle('in-a-row', section.dataset.tiles <= columns);  // a gallery in a single row: its titles and tiles align with those beside it
     }
     for (const tile of this.tiles) tile.isStale = true;
     this.wake();
   }
 
-  /** All from their beginnings, or at a moment that tells them apart from hair at rest. */
+  /** `on`: starts all motions at their beginnings. Else stops them, at a moment at which hair is not at rest. */
   playAll(on) {
     this.clock = 0;
     for (const tile of this.tiles.filter((t) => t.moves())) {
@@ -123,7 +123,7 @@ export class Sheet {
     else this.begun = 0;
   }
 
-  /** As many tiles of a round as a frame has time for. In a round all motions go on by the same time, so that they stay beside each other. */
+  /** Draws as many tiles of the round as a frame has time for. A round advances all motions by the same time, so that they stay in step. */
   drawSome(now) {
     if (this.round.length === 0) {
       this.seconds = this.begun ? Math.min((now - this.begun) / 1000, LONGEST_ROUND) : 0;
@@ -138,7 +138,7 @@ export class Sheet {
     } while (this.round.length > 0 && performance.now() < end);
   }
 
-  /** The tile as the whole page, with all controls. */
+  /** Opens the tile as the whole page, with all controls. */
   open(tile) {
     const { page } = this;
     if (page.isLost) return;
@@ -177,7 +177,7 @@ export class Sheet {
     ofPage('leave-tile').hidden = !on;
   }
 
-  /** When another asset is shown, of which there is no sheet. */
+  /** Leaves the sheet when another asset is shown, which has none. */
   leave() {
     this.isShown = false;
     this.opened = null;
@@ -186,7 +186,7 @@ export class Sheet {
   }
 }
 
-/** What the page was filled in with; null: no sheet. */
+/** The plan that the page contains; null: no sheet. */
 export function sheetPlan() {
   const text = ofPage('sheet-plan').textContent.trim();
   return text.startsWith('{') ? JSON.parse(text) : null;

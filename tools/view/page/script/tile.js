@@ -2,10 +2,10 @@
 
 const DEGREES_OF_TILE = 220;  // of a drag from one side to the other
 const HELD_SECONDS = 1;  // from a motion's last moment until it begins again
-const MOST_TILE_PIXELS = 2;  // of the canvas for one of the page, each way
+const MOST_TILE_PIXELS = 2;  // canvas pixels per pixel of the page, each way
 
 export class Tile {
-  /** `plan`: as sheet_json.cpp writes it; `figure`: the element, as the template has it. */
+  /** `plan`: from sheet_json.cpp; `figure`: the element, from the template. */
   constructor(sheet, plan, figure) {
     this.sheet = sheet;
     this.plan = plan;
@@ -19,7 +19,7 @@ export class Tile {
     this.time = 0;  // seconds into the motion
     this.wanted = undefined;  // the same, before it is drawn
     this.held = undefined;  // the moment that it stands still at
-    this.turned = [0, 0];  // degrees around and above what the plan says
+    this.turned = [0, 0];  // degrees around and above, added to the plan's
     this.drawn = 0;
     const last = plan.moments.at(-1);
     this.length = last ? last.seconds + HELD_SECONDS : 0;
@@ -75,7 +75,7 @@ export class Tile {
     act();
   }
 
-  /** `on`: from where the other tiles are in their motions. */
+  /** `on`: starts to play, in step with the other tiles. Else stops. */
   play(on) {
     if (!this.moves()) return;
     this.plays = on;
@@ -85,7 +85,7 @@ export class Tile {
     this.change();
   }
 
-  /** Stands still at this time. */
+  /** Shows the motion at this time and stops there. */
   hold(seconds) {
     this.plays = false;
     this.wanted = this.held = seconds;
@@ -122,7 +122,7 @@ export class Tile {
 
   wantsDrawing() { return this.isSeen && (this.isStale || this.plays); }
 
-  /** The tile's view is the chosen one while `act` runs. */
+  /** Runs `act` while the tile's view is the chosen one. */
   within(act) {
     const { page } = this.sheet;
     const isNew = this.view === 0;
@@ -131,7 +131,7 @@ export class Tile {
     try {
       if (isNew) {
         for (const [name, value] of Object.entries(this.plan.settings)) page.set(name, value);
-        page.set('samples', 1);  // and those of the driver, as pictures of a sheet have
+        page.set('samples', 1);  // besides the driver's own samples, as in pictures of a sheet
       }
       return act(page);
     } finally {
@@ -146,7 +146,7 @@ export class Tile {
     page.set('pitch', Math.min(Math.max(pitch + this.turned[1], -89), 89));
   }
 
-  /** Goes on by so many seconds where it plays. */
+  /** Advances by so many seconds if it plays. */
   draw(seconds) {
     this.isStale = false;
     this.within((page) => {

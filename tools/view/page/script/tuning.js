@@ -1,9 +1,9 @@
-// How hair moves, as the visitor changes it: two curves beside the sliders, and what a recipe says of all that.
+// The visitor's tuning of the motion: two curves beside the sliders, and the recipe of all changes.
 
 import { element } from './controls.js';
 import { CurveEditor } from './curve.js';
 
-/** The recipe's keys that the program itself writes, since some of them hang together. */
+/** The recipe's keys that the WebAssembly program writes, since some of them depend on each other. */
 export const MOTION_KEYS = ['preset', 'liveliness', 'resistance', 'damping_ratio', 'friction', 'air_follow', 'gravity_scale', 'angle_limit'].map((key) => `dynamics.${key}`);
 const MOTION_CONTROLS = ['preset', 'liveliness', 'gravity_scale', 'friction', 'air_follow', 'angle_limit'];
 
@@ -33,7 +33,7 @@ export class Tuning {
     return editor;
   }
 
-  /** Into the panel: behind the slider of liveliness. Rows of what does not move are left out. */
+  /** Adds the curves to the panel, behind the slider of liveliness. Leaves out rows for hair that does not move. */
   enter(controls) {
     const row = (name) => controls.rows.find((r) => r.control.name === name);
     for (const name of MOTION_CONTROLS) {
@@ -45,7 +45,7 @@ export class Tuning {
     this.offerPreset(row('preset'));
   }
 
-  /** A preset takes the place of numbers only where a cook can. */
+  /** Disables the choice of presets if the hair has numbers, which only a cook can replace by a preset. */
   offerPreset(row) {
     const select = row.line.querySelector('select');
     select.options[0].disabled = this.own.preset;
@@ -55,7 +55,7 @@ export class Tuning {
     row.line.after(element('p', { class: 'help' }, 'To choose a kind in their place: ', element('code', {}, 'coif view SOURCE')));
   }
 
-  /** Curves as the asset has them, where nothing was drawn. */
+  /** Shows the asset's curves, unless the visitor has drawn others. */
   takeOwn() {
     this.own = this.page.wasm.motion();
     if (!this.own.moves) return;
@@ -68,7 +68,7 @@ export class Tuning {
 
   mark(which) { this.editors[which].node.classList.toggle('changed', Boolean(this.drawn[which])); }
 
-  /** Null: as the asset has it. */
+  /** Null: the asset's own. */
   draw(which, points) {
     this.drawn[which] = points && points.map((point) => [...point]);
     this.page.wasm.curve(which, points ?? []);
@@ -76,7 +76,7 @@ export class Tuning {
     if (which === 0 && !this.drawn[1]) this.editors[1].show(this.page.wasm.dynamics().damping_ratio ?? this.own.damping_ratio.points);
     this.mark(which);
     if (!points) return;
-    if (which === 1) this.page.reset('liveliness');  // which is the same, for all of the hair
+    if (which === 1) this.page.reset('liveliness');  // which sets the same for all of the hair
     this.page.changed(CURVES[which].name);
   }
 
@@ -86,7 +86,7 @@ export class Tuning {
     if (name === 'preset' && this.drawn[0]) this.draw(0, null);
   }
 
-  /** What the recipe's dialog has to say beside it; '': nothing. */
+  /** The note in the recipe's dialog; '': none. */
   note() {
     const dynamics = this.page.wasm.dynamics();
     const springs = dynamics.source === 'curves' ? " The file's springs give way to the curve, and the bones at their ends and their limits go with them." : '';
