@@ -7,8 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace coif {
-namespace {
+namespace coif::diagnostic_test {
 
 TEST(Diagnostic, NamesFileAndPlaceOnce) {
   const Diagnostic here("S203", "no texture coordinates", Severity::kInfo, "mesh 'a'");
@@ -43,5 +42,4 @@ TEST(Diagnostic, IsNotReadFromAnythingElse) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::diagnostic_test

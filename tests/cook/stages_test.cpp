@@ -1,7 +1,9 @@
 // The stages of a cook, each called alone.
+
 #include "cook/stages/stages.h"
 #include "cook/built_models.h"
 #include "cook/cook.h"
+#include "lab/rig.h"
 
 #include <coif/asset.h>
 

@@ -48,7 +48,7 @@ bool is_obeyed(std::string_view character) {
 
 std::string numbers_text(std::span<const std::uint32_t> numbers, std::size_t most) {
   const std::size_t named = std::min(numbers.size(), most);
-  const std::string rest =
+  std::string rest =
       numbers.size() > named ? fmt::format("{} more", numbers.size() - named) : fmt::format("{}", numbers[named - 1]);
   const std::size_t listed = numbers.size() > named ? named : named - 1;
   if (listed == 0) return rest;

@@ -116,7 +116,7 @@ tl::expected<Requests, ToolError> batch_requests(const CookOptions& options) {
   if (auto checked = check_options(options); !checked) return tl::unexpected(checked.error());
   const auto share = parse_share(options.share);
   if (!share) return tl::unexpected(share.error());
-  const auto all =
+  auto all =
       options.manifest.empty() ? named_requests(options) : cache::read_manifest(options.manifest, options.output);
   if (!all) return all;
   return cache::share_of(*all, *share);

@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "gltf/document.h"
 #include "import/shown_meshes.h"
+#include "import/source_warnings.h"
 #include "import/vrm_springs.h"
 
 #include <iterator>

@@ -1,6 +1,7 @@
 #include "base/srgb.h"
 #include "mannequin/portrait.h"
 #include "mannequin/portrait_head.h"
+#include "mannequin/solid_shapes.h"
 
 #include <algorithm>
 #include <array>

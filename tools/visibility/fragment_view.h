@@ -32,8 +32,8 @@ struct GridFrame {
 
   /// A point of a line, head space.
   [[nodiscard]] Eigen::Vector3f place(std::size_t line, float depth) const {
-    return (left + float(line % columns) * spacing) * right + (bottom + float(line / columns) * spacing) * up -
-           depth * towards_eye;
+    const std::size_t column = line % columns, row = line / columns;
+    return (left + float(column) * spacing) * right + (bottom + float(row) * spacing) * up - depth * towards_eye;
   }
 };
 

@@ -26,7 +26,8 @@ static void rotate(const float* q, const float* v, float* out) {
 
 void head_vertex(const coif_collider* ball, int vertex, float* position, float* normal) {
   const double pi = 3.14159265358979323846;
-  const double polar = pi * (vertex / ROW) / RINGS, around = 2 * pi * (vertex % ROW) / SECTORS;
+  const int ring = vertex / ROW;
+  const double polar = pi * ring / RINGS, around = 2 * pi * (vertex % ROW) / SECTORS;
   const double unit[3] = {sin(polar) * sin(around), cos(polar), sin(polar) * cos(around)};
   float at[3], out[3], length;
   int i;

@@ -210,7 +210,7 @@ void studio_draw(const studio* drawn, const coif_asset* asset) {
 /* Adds the sample to `sum`. Light above three quarters of white approaches white without reaching it; hues stay. */
 static void add_shown(const float* sample, double* sum) {
   const double shoulder = 0.75, room = 1 - shoulder;
-  const double most = fmax(sample[0], fmax(sample[1], sample[2]));
+  const double most = fmaxf(sample[0], fmaxf(sample[1], sample[2]));
   const double share = most > shoulder ? (shoulder + room * (1 - exp((shoulder - most) / room))) / most : 1;
   int i;
   for (i = 0; i < 3; ++i) sum[i] += share * fmax(sample[i], 0);
