@@ -12,6 +12,7 @@ namespace {
 constexpr int kBeliefRounds = 16;
 constexpr float kNeighbourWeight = 1.0f;  ///< Weight of the directions of neighbouring patches.
 /// Weight of the roots of other patches in the same part of the texture.
+constexpr float kMirrorWeight = 1.5f;  ///< What it counts how the patches at the mirror image run.
 constexpr float kIslandWeight = 1.0f;
 constexpr float kCommonWeight = 0.5f;  ///< Weight of the roots of other patches anywhere in the texture.
 constexpr std::uint32_t kCells = 64;   ///< Cells on each side of the texture.
@@ -88,8 +89,8 @@ class TextureConsensus {
 }  // namespace
 
 std::vector<float> settle_beliefs(const HairMesh& mesh, const std::vector<PatchView>& views,
-                                  std::span<const RootVote> votes,
-                                  const std::vector<std::vector<Neighbour>>& neighbours, const std::stop_token& stop) {
+                                  std::span<const RootVote> votes, const PatchCompany& company,
+                                  const std::stop_token& stop) {
   TextureConsensus texture(mesh, views, votes);
   std::vector<float> belief(votes.size()), next(votes.size());
   for (std::size_t p = 0; p < votes.size(); ++p) belief[p] = std::tanh(votes[p].evidence);
@@ -98,7 +99,8 @@ std::vector<float> settle_beliefs(const HairMesh& mesh, const std::vector<PatchV
     texture.gather(belief);
     for (std::size_t p = 0; p < votes.size(); ++p) {
       float sum = votes[p].evidence + texture.about(p, belief[p]);
-      for (const Neighbour& other : neighbours[p]) sum += kNeighbourWeight * other.agreement * belief[other.patch];
+      for (const Neighbour& other : company.beside[p]) sum += kNeighbourWeight * other.agreement * belief[other.patch];
+      for (const Neighbour& other : company.mirrored[p]) sum += kMirrorWeight * other.agreement * belief[other.patch];
       next[p] = std::tanh(sum);
     }
     belief.swap(next);

@@ -37,13 +37,19 @@ class SurfaceGraph {
     }
   }
 
-  /// Shortest way along sides from `start` to each node, metres (Dijkstra).
   [[nodiscard]] std::vector<float> distances_from(std::uint32_t start) const {
+    return distances_from(std::vector<std::uint32_t>{start});
+  }
+
+  /// Shortest way along sides from any of `starts` to each node, metres (Dijkstra).
+  [[nodiscard]] std::vector<float> distances_from(const std::vector<std::uint32_t>& starts) const {
     std::vector<float> distance(points_.size(), std::numeric_limits<float>::infinity());
     using Entry = std::pair<float, std::uint32_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-    distance[start] = 0;
-    open.emplace(0.0f, start);
+    for (const std::uint32_t start : starts) {
+      distance[start] = 0;
+      open.emplace(0.0f, start);
+    }
     while (!open.empty()) {
       const auto [at, node] = open.top();
       open.pop();
@@ -58,6 +64,17 @@ class SurfaceGraph {
     // A patch by position may hold pieces that only share a place with each other through others.
     for (float& d : distance) d = std::isfinite(d) ? d : 0;
     return distance;
+  }
+
+  /// The highest `share` of the patch's height.
+  [[nodiscard]] std::vector<std::uint32_t> top(float share) const {
+    const auto height = [](const Vector3f& p) { return p.y(); };
+    const auto [low, high] = std::ranges::minmax(points_, {}, height);
+    std::vector<std::uint32_t> nodes;
+    for (std::uint32_t n = 0; n < points_.size(); ++n) {
+      if (points_[n].y() >= high.y() - share * (high.y() - low.y())) nodes.push_back(n);
+    }
+    return nodes;
   }
 
   [[nodiscard]] std::uint32_t node_of(std::size_t vertex_in_view) const { return node_of_vertex_[vertex_in_view]; }
@@ -147,6 +164,16 @@ void scale_to_unit(std::vector<float>& values) {
 
 }  // namespace
 
+StrandAxis falling_axis(const HairStrips& hair, const PatchView& patch) {
+  constexpr float kTop = 0.08f;
+  const SurfaceGraph graph(hair, patch);
+  const std::vector<float> from_top = graph.distances_from(graph.top(kTop));
+  StrandAxis axis;
+  for (std::size_t i = 0; i < patch.vertices.size(); ++i) axis.coordinate.push_back(from_top[graph.node_of(i)]);
+  scale_to_unit(axis.coordinate);
+  return axis;
+}
+
 std::array<Vector3f, 2> texture_axes(const HairMesh& mesh, std::size_t t) {
   const std::uint32_t a = mesh.triangles[t], b = mesh.triangles[t + 1], c = mesh.triangles[t + 2];
   const Vector3f e1 = mesh.positions[b] - mesh.positions[a], e2 = mesh.positions[c] - mesh.positions[a];
@@ -187,6 +214,31 @@ Vector3f gradient(const HairMesh& mesh, std::size_t t, std::span<const float> co
   const float d1 = coordinate[mesh.triangles[t + 1]] - coordinate[mesh.triangles[t]];
   const float d2 = coordinate[mesh.triangles[t + 2]] - coordinate[mesh.triangles[t]];
   return (e2.cross(normal) * d1 + normal.cross(e1) * d2) / square;
+}
+
+float mirror_agreement(const HairMesh& mesh, const PatchView& patch, const StrandAxis& axis, float middle,
+                       float reach) {
+  constexpr std::size_t kMost = 256;
+  std::vector<float> coordinate(mesh.positions.size(), 0.0f);
+  for (std::size_t i = 0; i < patch.vertices.size(); ++i) coordinate[patch.vertices[i]] = axis.coordinate[i];
+  std::vector<std::array<Vector3f, 2>> samples;  // middles and directions
+  const std::size_t step = std::max<std::size_t>(1, patch.triangles.size() / kMost);
+  for (std::size_t i = 0; i < patch.triangles.size(); i += step) {
+    const std::size_t t = patch.triangles[i];
+    const Vector3f along = gradient(mesh, t, coordinate);
+    if (!(along.norm() > 0)) continue;
+    const Vector3f sum = mesh.positions[mesh.triangles[t]] + mesh.positions[mesh.triangles[t + 1]] +
+                         mesh.positions[mesh.triangles[t + 2]];
+    samples.push_back({sum / 3, along.normalized()});
+  }
+  float agreement = 0;
+  for (const auto& [place, along] : samples) {
+    const Vector3f image(2 * middle - place.x(), place.y(), place.z());
+    const auto distance = [&](const auto& other) { return (other[0] - image).squaredNorm(); };
+    const auto& nearest = *std::ranges::min_element(samples, {}, distance);
+    if (distance(nearest) < reach * reach) agreement += nearest[1].dot(Vector3f(-along.x(), along.y(), along.z()));
+  }
+  return samples.empty() ? 0 : agreement / float(samples.size());
 }
 
 StrandAxis strand_axis(const HairStrips& hair, const PatchView& patch, int texture_axis) {

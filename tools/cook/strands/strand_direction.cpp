@@ -9,6 +9,9 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 
 namespace coif::cook {
 namespace {
@@ -24,8 +27,11 @@ constexpr float kPainted = 0.1f;       ///< Ends whose colours differ by this mu
 constexpr float kHabit = 0.25f;        ///< Weight of the others' roots where nothing is painted.
 /// Share of the head's radius: patches that are nearer than this are neighbours.
 constexpr double kBeside = 0.15;
-constexpr float kUnsure = 0.2f;     ///< Beliefs below this are reported.
-constexpr double kBackwards = 0.5;  ///< Share of the mean strand along -Z.
+constexpr double kMirrored = 0.08;      ///< Patches nearer than this to a mirror image are it.
+constexpr float kMirroredAxis = 2.0f;   ///< What it counts that a shell's strands run alike on both sides of the head.
+constexpr double kMirroredShell = 0.2;  ///< As kMirrored, on a shell, whose triangles are large.
+constexpr float kUnsure = 0.2f;         ///< Beliefs below this are reported.
+constexpr double kBackwards = 0.5;      ///< Share of the mean strand along -Z.
 
 struct PatchStrands {
   float preference = 0;  ///< texture_preference().
@@ -69,21 +75,47 @@ int common_texture_axis(std::span<const PatchStrands> patches) {
   return sum >= 0 ? 1 : 0;
 }
 
-/// Finds the texture axis along which the strands run: the one along which the patch is longer, the images have lines,
-/// the ends differ like roots and tips, and other patches run; -1 where texture coordinates are of no use. Fills axis
-/// and evidence.
-void choose_axis(const HairStrips& hair, const PatchView& view, const Surroundings& around, int common,
-                 PatchStrands& patch) {
-  const bool textured = patch.preference != 0;
+/// Whether a patch goes around a good part of the head, seen from above: then it is a shell of many locks.
+bool is_shell(const HairMesh& mesh, const PatchView& view, const FittedHead& head) {
+  constexpr std::size_t kSectors = 12, kFewest = 7;
+  constexpr double kTurn = 2 * std::numbers::pi;
+  std::array<bool, kSectors> has{};
+  for (const std::uint32_t v : view.vertices) {
+    const Eigen::Vector3d from = (mesh.positions[v].cast<double>() - head.center).cwiseQuotient(head.radii);
+    const double turn = std::atan2(from.x(), from.z()) / kTurn + 0.5;
+    has[std::min(kSectors - 1, std::size_t(turn * double(kSectors)))] = true;
+  }
+  return std::size_t(std::ranges::count(has, true)) >= kFewest;
+}
+
+/// Along what the strands may run: the axes of the texture, or, where it says nothing, a walk over the surface; on a
+/// shell also down from its top.
+std::vector<StrandAxis> possible_axes(const HairStrips& hair, const PatchView& view, bool is_textured, bool is_shell) {
+  std::vector<StrandAxis> axes;
+  if (is_textured) {
+    for (const int candidate : {0, 1}) axes.push_back(strand_axis(hair, view, candidate));
+  } else {
+    axes.push_back(strand_axis(hair, view, -1));
+  }
+  if (is_shell) axes.push_back(falling_axis(hair, view));
+  return axes;
+}
+
+/// Along what the strands run: the axis the patch is longer along, along which the images have lines, whose ends differ
+/// more as roots and tips do, which the other patches have, and which is the same on both sides of the head; no texture
+/// axis where texture coordinates say nothing. Fills axis and evidence.
+void choose_axis(const HairStrips& hair, const PatchView& view, std::uint32_t number, const Surroundings& around,
+                 int common, PatchStrands& patch) {
+  const bool shell = is_shell(hair.mesh, view, around.head);
+  const auto reach = float(kMirroredShell * around.head.radii.mean());
   float best = -10;
-  for (int candidate = textured ? 0 : -1; candidate < (textured ? 2 : 0); ++candidate) {
-    StrandAxis axis = strand_axis(hair, view, candidate);
-    const RootEvidence evidence = weigh_ends(hair.mesh, view, axis, patch.seen, around);
-    const float longer = candidate == 1 ? patch.preference : -patch.preference;
-    const float ends = std::min(std::abs(evidence.of_axis()), kClearEnds);
-    const float seen = candidate == 1 ? patch.seen.lines : -patch.seen.lines;
-    const float score =
-        kLongerWeight * longer + kLinesWeight * seen + ends + (candidate == common ? kCommonAxis : 0.0f);
+  for (StrandAxis& axis : possible_axes(hair, view, patch.preference != 0, shell)) {
+    const int of_texture = axis.texture_axis;
+    const RootEvidence evidence = weigh_ends(hair.mesh, view, number, axis, patch.seen, around);
+    const float side = of_texture < 0 ? 0.0f : of_texture == 1 ? 1.0f : -1.0f;
+    float score = side * (kLongerWeight * patch.preference + kLinesWeight * patch.seen.lines) +
+                  std::min(std::abs(evidence.of_axis()), kClearEnds) + (of_texture == common ? kCommonAxis : 0.0f);
+    if (shell) score += kMirroredAxis * mirror_agreement(hair.mesh, view, axis, float(around.head.center.x()), reach);
     if (score <= best) continue;
     best = score;
     patch.axis = std::move(axis);
@@ -187,15 +219,17 @@ StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head
     if (declared[p].texture_axis >= 0 && strands[p].preference != 0) {
       strands[p].axis = strand_axis(hair, views[p], declared[p].texture_axis);
     } else {
-      choose_axis(hair, views[p], around, common, strands[p]);
+      choose_axis(hair, views[p], std::uint32_t(p), around, common, strands[p]);
     }
   });
   parallel_for(views.size(), settings.threads,
                [&](std::size_t p) { write_patch(mesh, views[p], strands[p].axis, field); });
   const std::stop_token& stop = settings.threads.stop;
-  const std::vector<float> belief =
-      settle_beliefs(mesh, views, votes_of(strands),
-                     find_neighbours(mesh, views, field.tangent, kBeside * head.radii.mean(), stop), stop);
+  const double size = head.radii.mean();
+  const PatchCompany company{
+      find_neighbours(mesh, views, field.tangent, kBeside * size, stop),
+      find_mirror_images(mesh, views, field.tangent, float(head.center.x()), kMirrored * size, stop)};
+  const std::vector<float> belief = settle_beliefs(mesh, views, votes_of(strands), company, stop);
   std::size_t sure = 0, known = 0;
   float along_u = 0;
   for (std::uint32_t p = 0; p < views.size(); ++p) {

@@ -62,46 +62,101 @@ void for_each_near(const Grid& grid, const Cell& home, const Visit& visit) {
 
 }  // namespace
 
-std::vector<std::vector<Neighbour>> find_neighbours(const HairMesh& mesh, const std::vector<PatchView>& views,
-                                                    std::span<const Eigen::Vector3f> tangents, double reach,
-                                                    const std::stop_token& stop) {
+namespace {
+
+/// Whose neighbours are sought: a sample itself, or its image in a plane.
+struct Image {
+  bool is_mirrored = false;
+  float middle = 0;
+
+  [[nodiscard]] Eigen::Vector3f place(Eigen::Vector3f p) const {
+    if (is_mirrored) p.x() = 2 * middle - p.x();
+    return p;
+  }
+  [[nodiscard]] Eigen::Vector3f direction(Eigen::Vector3f d) const {
+    if (is_mirrored) d.x() = -d.x();
+    return d;
+  }
+};
+
+/// What the samples of one patch met.
+struct Meetings {
+  std::vector<float> sum;  ///< Per patch, of cosines.
+  std::vector<std::uint32_t> patches;
+  float total = 0;
+  std::size_t samples = 0, with_any = 0;
+
+  void add(std::uint32_t patch, float cosine) {
+    patches.push_back(patch);
+    sum[patch] += cosine;
+    total += std::abs(cosine);
+  }
+
+  /// `share_counts`: a patch of which only a part met anything says less.
+  std::vector<Neighbour> take(bool share_counts) {
+    std::vector<Neighbour> neighbours;
+    std::ranges::sort(patches);
+    patches.erase(std::ranges::unique(patches).begin(), patches.end());
+    const float share = share_counts ? float(with_any) / float(samples) : 1.0f;
+    for (const std::uint32_t patch : patches) {
+      neighbours.push_back({patch, share * sum[patch] / total});
+      sum[patch] = 0;
+    }
+    patches.clear();
+    total = 0;
+    samples = with_any = 0;
+    return neighbours;
+  }
+};
+
+std::vector<std::vector<Neighbour>> find_beside(const HairMesh& mesh, const std::vector<PatchView>& views,
+                                                std::span<const Eigen::Vector3f> tangents, const Image& image,
+                                                double reach, const std::stop_token& stop) {
   const std::vector<Sample> samples = take_samples(views);
   const Grid grid = fill_grid(mesh, samples, reach);
   std::vector<std::vector<Neighbour>> neighbours(views.size());
-  std::vector<float> sum(views.size(), 0.0f);
-  std::vector<std::uint32_t> met;
-  float total = 0;
+  Meetings met{std::vector<float>(views.size(), 0.0f), {}};
   for (std::size_t i = 0; i < samples.size(); ++i) {
     platform::throw_if_stopped(stop);
     const Sample& sample = samples[i];
-    const Eigen::Vector3f& at = mesh.positions[sample.vertex];
+    const Eigen::Vector3f at = image.place(mesh.positions[sample.vertex]),
+                          tangent = image.direction(tangents[sample.vertex]);
+    const std::size_t before = met.patches.size();
     for_each_near(grid, cell_of(at, reach), [&](const Sample& other) {
       if (other.patch == sample.patch || (mesh.positions[other.vertex] - at).norm() > float(reach)) return;
-      const float cosine = tangents[sample.vertex].dot(tangents[other.vertex]);
-      if (std::abs(cosine) < kParallel) return;
-      met.push_back(other.patch);
-      sum[other.patch] += cosine;
-      total += std::abs(cosine);
+      const float cosine = tangent.dot(tangents[other.vertex]);
+      if (std::abs(cosine) >= kParallel) met.add(other.patch, cosine);
     });
+    ++met.samples;
+    met.with_any += met.patches.size() > before ? 1 : 0;
     if (i + 1 < samples.size() && samples[i + 1].patch == sample.patch) continue;
-    std::ranges::sort(met);
-    met.erase(std::ranges::unique(met).begin(), met.end());
-    for (std::uint32_t patch : met) {
-      neighbours[sample.patch].push_back({patch, sum[patch] / total});
-      sum[patch] = 0;
-    }
-    met.clear();
-    total = 0;
+    neighbours[sample.patch] = met.take(image.is_mirrored);
   }
   return neighbours;
+}
+
+}  // namespace
+
+std::vector<std::vector<Neighbour>> find_neighbours(const HairMesh& mesh, const std::vector<PatchView>& views,
+                                                    std::span<const Eigen::Vector3f> tangents, double reach,
+                                                    const std::stop_token& stop) {
+  return find_beside(mesh, views, tangents, {}, reach, stop);
+}
+
+std::vector<std::vector<Neighbour>> find_mirror_images(const HairMesh& mesh, const std::vector<PatchView>& views,
+                                                       std::span<const Eigen::Vector3f> tangents, float middle,
+                                                       double reach, const std::stop_token& stop) {
+  return find_beside(mesh, views, tangents, {true, middle}, reach, stop);
 }
 
 namespace {
 
 constexpr double kMostHeight = 1.5;  ///< Share of the head's radius: hair that hangs farther adds nothing.
 /// Share of the head's radius: side of the cells in which free hair is counted.
+constexpr double kOnSkull = 1.5;  ///< How much more height says where nothing else does.
 constexpr double kAround = 0.45;
 /// Share of the head's radius: hair this far off the head hangs free.
+constexpr double kRaised = 0.2;  ///< By the head's radius: hair this far off the head may only be thick,
 constexpr double kFree = 0.5;
 constexpr double kTied = 3;    ///< A third more of the hair around free: no doubt.
 constexpr float kEnd = 0.25f;  ///< Share of the patch at each end that is looked at.
@@ -149,26 +204,32 @@ FreeHair::FreeHair(const HairMesh& mesh, const std::vector<PatchView>& views, co
     : cell_size_(kAround * head.radii.mean()) {
   for (const Sample& sample : take_samples(views)) {
     const Eigen::Vector3f& p = mesh.positions[sample.vertex];
-    Amount& amount = cells_[cell_of(p, cell_size_)];
-    amount.free += std::clamp(head.distance(p.cast<double>()) / (kFree * head.radii.mean()), 0.0, 1.0);
+    std::vector<Amount>& cell = cells_[cell_of(p, cell_size_)];
+    if (cell.empty() || cell.back().patch != sample.patch) cell.push_back({sample.patch});
+    Amount& amount = cell.back();
+    amount.free +=
+        std::clamp((head.distance(p.cast<double>()) / head.radii.mean() - kRaised) / (kFree - kRaised), 0.0, 1.0);
     amount.all += 1;
   }
 }
 
-double FreeHair::at(const Eigen::Vector3d& point) const {
+double FreeHair::beside(std::uint32_t patch, const Eigen::Vector3d& point) const {
   const Cell home = cell_of(point.cast<float>(), cell_size_);
   Amount sum;
   for (int n = 0; n < 27; ++n) {
     const auto found = cells_.find({home[0] + n % 3 - 1, home[1] + n / 3 % 3 - 1, home[2] + n / 9 - 1});
     if (found == cells_.end()) continue;
-    sum.free += found->second.free;
-    sum.all += found->second.all;
+    for (const Amount& amount : found->second) {
+      if (amount.patch == patch) continue;
+      sum.free += amount.free;
+      sum.all += amount.all;
+    }
   }
   return sum.all > 0 ? sum.free / sum.all : 0;
 }
 
-RootEvidence weigh_ends(const HairMesh& mesh, const PatchView& patch, const StrandAxis& axis, const SeenStrands& seen,
-                        const Surroundings& around) {
+RootEvidence weigh_ends(const HairMesh& mesh, const PatchView& patch, std::uint32_t number, const StrandAxis& axis,
+                        const SeenStrands& seen, const Surroundings& around) {
   const FittedHead& head = around.head;
   End low, high;
   for (std::size_t i = 0; i < patch.vertices.size(); ++i) {
@@ -187,9 +248,12 @@ RootEvidence weigh_ends(const HairMesh& mesh, const PatchView& patch, const Stra
   const double away = std::clamp(std::max(high.distance, low.distance) / (0.5 * size), 0.0, 1.0);
   evidence.distance = limited(away * (high.distance - low.distance) / (0.5 * size));
   evidence.bones = limited(high.depth - low.depth);
-  evidence.height = float(std::clamp((low.height - high.height) / size, -kMostHeight, kMostHeight));
+  // There its height is all that the ends say: hair is combed down more often than up.
+  const double says = 1 + kOnSkull * (1 - away);
+  evidence.height = float(says * std::clamp((low.height - high.height) / size, -kMostHeight, kMostHeight));
   evidence.taper = limited((low.spread() - high.spread()) / std::max(low.spread() + high.spread(), 1.0e-9));
-  evidence.tied = limited(kTied * (around.free_hair.at(high.sum) - around.free_hair.at(low.sum)));
+  evidence.tied =
+      limited(kTied * (around.free_hair.beside(number, high.sum) - around.free_hair.beside(number, low.sum)));
   if (axis.texture_axis >= 0) evidence.fade = seen.fade[std::size_t(axis.texture_axis)];
   return evidence;
 }

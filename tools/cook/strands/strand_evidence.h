@@ -37,6 +37,14 @@ inline constexpr float kLonger = 0.33f;
 /// one that is farthest from everything else.
 [[nodiscard]] StrandAxis strand_axis(const HairStrips& hair, const PatchView& patch, int texture_axis);
 
+/// For hair that is one shell: the distance over the surface from its highest parts.
+[[nodiscard]] StrandAxis falling_axis(const HairStrips& hair, const PatchView& patch);
+
+/// How alike strands along `axis` run on both sides of the plane x = `middle`, of the patch with itself: 1 where all of
+/// it has a mirror image within `reach` that runs as its own does, -1 where all run the other way, 0 without images.
+[[nodiscard]] float mirror_agreement(const HairMesh& mesh, const PatchView& patch, const StrandAxis& axis, float middle,
+                                     float reach);
+
 /// The strands of one patch, as images show them.
 struct SeenStrands {
   float lines = 0;  ///< -1 where lines run along U .. 1 where they run along V; 0: nothing or neither is seen.
@@ -60,25 +68,35 @@ struct Neighbour {
                                                                   std::span<const Eigen::Vector3f> tangents,
                                                                   double reach, const std::stop_token& stop);
 
+/// The same with the patches beside each one's image in the plane x = `middle`: styles are about symmetric, and where a
+/// lock has a mirror image the two run alike. Agreements are scaled by the share of the patch that has such an image.
+[[nodiscard]] std::vector<std::vector<Neighbour>> find_mirror_images(const HairMesh& mesh,
+                                                                     const std::vector<PatchView>& views,
+                                                                     std::span<const Eigen::Vector3f> tangents,
+                                                                     float middle, double reach,
+                                                                     const std::stop_token& stop);
+
 /// Hair off the head. Strands that are combed over the skull to a tail or a bun end beside hair that hangs free;
 /// strands that grow from the scalp do not start there.
 class FreeHair {
  public:
   FreeHair(const HairMesh& mesh, const std::vector<PatchView>& views, const FittedHead& head);
 
-  /// How free the hair around a point is: 0 on the head .. 1 half a radius away from it; 0 where there is none.
-  [[nodiscard]] double at(const Eigen::Vector3d& point) const;
+  /// How free the hair of other patches than `patch` is around a point: 0 on the head .. 1 half a radius away from it;
+  /// 0 where there is none.
+  [[nodiscard]] double beside(std::uint32_t patch, const Eigen::Vector3d& point) const;
 
  private:
   struct Amount {
+    std::uint32_t patch = 0;
     double free = 0, all = 0;
   };
   double cell_size_;
-  std::map<std::array<std::int64_t, 3>, Amount> cells_;
+  std::map<std::array<std::int64_t, 3>, std::vector<Amount>> cells_;  ///< One amount for each patch in a cell.
 };
 
-/// Evidence of the two ends of a patch for the root. Each from -1 (the high end of the coordinate) to 1 (the low end),
-/// 0 for none; height up to 1.5 either way.
+/// What the two ends of a patch say about which one is the root. Each from -1 (the high end of the coordinate is it) to
+/// 1 (the low end), 0 where it says nothing; height up to 4 either way.
 struct RootEvidence {
   float distance = 0;  ///< Roots are nearer to the head's surface.
   float bones = 0;     ///< Roots follow bones that are nearer to the head bone.
@@ -100,8 +118,9 @@ struct Surroundings {
   std::span<const float> depth_of_node;  ///< Bones between each node of the source and the head.
 };
 
-[[nodiscard]] RootEvidence weigh_ends(const HairMesh& mesh, const PatchView& patch, const StrandAxis& axis,
-                                      const SeenStrands& seen, const Surroundings& around);
+/// `number`: the patch's among all.
+[[nodiscard]] RootEvidence weigh_ends(const HairMesh& mesh, const PatchView& patch, std::uint32_t number,
+                                      const StrandAxis& axis, const SeenStrands& seen, const Surroundings& around);
 
 /// One patch's vote about its root.
 struct RootVote {
@@ -111,13 +130,19 @@ struct RootVote {
   float painted = 1;  ///< Weight of other patches' roots in the texture, 0..1.
 };
 
-/// For each patch the belief that its low end is the root, -1 (the high end) .. 1. It combines the patch's own evidence
-/// with the beliefs about neighbouring patches, since hair that is combed one way runs one way; about patches that show
-/// the same part of the texture, since one picture of strands has one root; and about all patches, since one artist
-/// paints roots on one side. Mean-field iteration on that graph: few rounds carry a belief across a head.
+/// The patches that each one has to do with.
+struct PatchCompany {
+  std::vector<std::vector<Neighbour>> beside;    ///< find_neighbours()
+  std::vector<std::vector<Neighbour>> mirrored;  ///< find_mirror_images()
+};
+
+/// For each patch the belief that its low end is the root, -1 (the high end) .. 1. Its own evidence counts, and what is
+/// believed of the patches beside it, since hair that is combed one way runs one way; of their mirror images, since
+/// styles are about symmetric; of those that show the same part
+/// of the texture, since one picture of strands has one root; and of all, since one artist paints roots on one side.
+/// Mean-field iteration on that graph: few rounds carry a belief across a head.
 [[nodiscard]] std::vector<float> settle_beliefs(const HairMesh& mesh, const std::vector<PatchView>& views,
-                                                std::span<const RootVote> votes,
-                                                const std::vector<std::vector<Neighbour>>& neighbours,
+                                                std::span<const RootVote> votes, const PatchCompany& company,
                                                 const std::stop_token& stop);
 
 }  // namespace coif::cook
