@@ -36,20 +36,6 @@ importer::SourceModel merged_body() {
   return model;
 }
 
-TEST(HairNames, HairIsFoundInSeveralWordsAndLanguages) {
-  for (const char* name : {"Hair", "hair_back", "HAIR.001", "Fringe_L", "ponytail01", "PonyTail", "braid", "Hair_Black",
-                           "newhair", "J_Sec_Hair1_04", "twintail_R", "髪の毛"}) {
-    EXPECT_TRUE(is_called_hair(name)) << name;
-  }
-}
-
-TEST(HairNames, WhatIsWornInHairOrSpeltLikeItIsNot) {
-  for (const char* name :
-       {"Chair", "hairband", "Hair_Clip", "HairRibbon", "armchair", "body", "face", "Wear", "head"}) {
-    EXPECT_FALSE(is_called_hair(name)) << name;
-  }
-}
-
 TEST(ChooseHair, AMaterialCalledHairSaysSo) {
   importer::SourceModel model = merged_body();
   for (importer::SourceNode& node : model.nodes) node.name = node.name == "Head" ? "Head" : "bone";

@@ -63,6 +63,12 @@ int print(const std::filesystem::path& path) {
     out["error"] = model.error().message;
   } else {
     out["warnings"] = messages_of(model->warnings);
+    out["nodes"] = json::array();
+    for (const SourceNode& node : model->nodes) {
+      const Eigen::Vector3d at = node.model_from_node.translation();
+      const json parent = node.parent == kNoIndex ? json() : json(model->nodes[node.parent].name);
+      out["nodes"].push_back({{"name", node.name}, {"parent", parent}, {"at", {at.x(), at.y(), at.z()}}});
+    }
     out["meshes"] = json::array();
     for (const SourceMesh& mesh : model->meshes) {
       out["meshes"].push_back({{"name", mesh.name},

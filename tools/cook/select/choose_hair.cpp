@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
-#include <set>
 
 namespace coif::cook {
 namespace {
@@ -39,29 +38,6 @@ std::string texture_name(const SourceModel& source, const SourceMesh& mesh) {
 
 tl::unexpected<ToolError> bad_input(const SourceModel& source, const std::string& what) {
   return tl::unexpected(ToolError{ToolError::Kind::kBadInput, fmt::format("{}: {}", source.path, what)});
-}
-
-/// An error with the first pattern without a match and the names that exist.
-tl::expected<void, ToolError> check_patterns(const SourceModel& source, const char* key, const Names& patterns,
-                                             const std::set<std::string>& names) {
-  for (const std::string& pattern : patterns) {
-    if (std::ranges::any_of(names, [&](const std::string& name) { return matches(name, pattern); })) continue;
-    return bad_input(source, fmt::format("recipe key \"hair.{}\": nothing is called '{}'; there are: {}", key, pattern,
-                                         fmt::join(names, ", ")));
-  }
-  return {};
-}
-
-tl::expected<void, ToolError> check_all_patterns(const SourceModel& source, const HairRecipe& recipe) {
-  std::set<std::string> meshes, materials, nodes;
-  for (const SourceMesh& mesh : source.meshes) {
-    meshes.insert(mesh.name);
-    materials.insert(material_name(source, mesh));
-  }
-  for (const importer::SourceNode& node : source.nodes) nodes.insert(node.name);
-  if (auto ok = check_patterns(source, "meshes", recipe.hair_meshes, meshes); !ok) return ok;
-  if (auto ok = check_patterns(source, "materials", recipe.hair_materials, materials); !ok) return ok;
-  return check_patterns(source, "bones", recipe.hair_bones, nodes);
 }
 
 /// Collects a choice mesh by mesh.
@@ -95,7 +71,11 @@ class Chooser {
   void take_triangles(std::uint32_t m, std::vector<bool> taken, const std::string& why) {
     const auto count = std::size_t(std::ranges::count(taken, true));
     if (count == 0) return;
-    choice_.taken[m] = std::move(taken);
+    if (choice_.taken[m].empty()) {
+      choice_.taken[m] = std::move(taken);
+    } else {
+      for (std::size_t t = 0; t < taken.size(); ++t) choice_.taken[m][t] = choice_.taken[m][t] || taken[t];
+    }
     note(m, count, why);
   }
 
@@ -220,8 +200,25 @@ void take_cores(const SourceModel& source, std::uint32_t head, Chooser& chooser)
   }
 }
 
+/// Takes what covers the crown, too, where what was found leaves it bare.
+void take_crown(HairChoice cover, Chooser& chooser) {
+  chooser.warn(
+      "S202",
+      "what is called hair leaves the crown of the head bare; what covers it was taken, too: name the hair by the "
+      "recipe's \"hair\" if that is something else");
+  for (std::uint32_t m = 0; m < cover.taken.size(); ++m)
+    chooser.take_triangles(m, std::move(cover.taken[m]), "it covers the crown of the head");
+}
+
+/// The mesh that a hint names: the first that covers the crown of the head, else the first of all.
+std::string likeliest_mesh(const SourceModel& source, const CrownCover& cover) {
+  for (std::size_t m = 0; m < source.meshes.size(); ++m)
+    if (!cover.choice.taken[m].empty()) return source.meshes[m].name;
+  return source.meshes.empty() ? "..." : source.meshes[0].name;
+}
+
 /// The error for a character on which nothing shows what hair is: a body is never cooked.
-tl::unexpected<ToolError> no_hair_on(const SourceModel& source) {
+tl::unexpected<ToolError> no_hair_on(const SourceModel& source, const CrownCover& cover) {
   std::vector<std::string> meshes;
   for (const SourceMesh& mesh : source.meshes) {
     meshes.push_back(fmt::format("mesh '{}' (material '{}')", mesh.name, material_name(source, mesh)));
@@ -229,7 +226,7 @@ tl::unexpected<ToolError> no_hair_on(const SourceModel& source) {
   return bad_input(
       source, fmt::format("nothing in this character is called hair, moved by hair bones or transparent on the head; "
                           "name what is hair in a recipe, as in {{\"hair\": {{\"meshes\": [\"{}\"]}}}}; there are: {}",
-                          source.meshes.empty() ? "..." : source.meshes[0].name, fmt::join(meshes, ", ")));
+                          likeliest_mesh(source, cover), fmt::join(meshes, ", ")));
 }
 
 /// Whether a file without a word of hair in it is called hair itself.
@@ -274,7 +271,7 @@ void take_everything(const SourceModel& source, std::uint32_t head, Chooser& cho
 
 tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const HairRecipe& recipe,
                                                 Findings& findings) {
-  if (auto ok = check_all_patterns(source, recipe); !ok) return tl::unexpected(ok.error());
+  if (auto ok = check_hair_names(source, recipe); !ok) return tl::unexpected(ok.error());
   Chooser chooser(source, recipe, findings);
   if (!recipe.hair_meshes.empty() || !recipe.hair_materials.empty() || !recipe.hair_bones.empty()) {
     choose_by_recipe(source, recipe, chooser);
@@ -285,7 +282,9 @@ tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const
   choose_by_name(source, bones, head, chooser);
   if (!chooser.found()) choose_by_bones(source, bones, head, chooser);
   if (!chooser.found()) choose_by_transparency(source, bones, head, chooser);
-  if (!chooser.found() && moves_limbs(source)) return no_hair_on(source);
+  CrownCover cover = find_crown_cover(source, chooser.so_far(), head, recipe.patch_weld_distance);
+  if (!chooser.found() && moves_limbs(source)) return no_hair_on(source, cover);
+  if (chooser.found() && cover.found) take_crown(std::move(cover.choice), chooser);
   const bool is_body =
       !chooser.found() && !is_file_called_hair(source) && is_bare_body(source, recipe.patch_weld_distance);
   if (is_body) return no_hair_in_body(source);

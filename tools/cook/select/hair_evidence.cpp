@@ -1,36 +1,11 @@
 #include "cook/select/hair_evidence.h"
 
-#include "base/text.h"
-#include "cook/select/head.h"
+#include "cook/select/called.h"
 
 #include <algorithm>
-#include <span>
 
 namespace coif::cook {
 namespace {
-
-using Names = std::vector<std::string>;
-
-const Names& hair_words() {
-  static const Names words{"*hair*",      "*fringe*",    "*bangs*", "*pony*tail*", "*pig*tail*",
-                           "*twin*tail*", "*side*tail*", "*braid*", "*tress*",     "*wig",
-                           "*wig_*",      "*ahoge*",     "*_kami*", "*kami_*",     "*haare*",
-                           "*cheveux*",   "*cabello*",   "*pelo_*", "*髪*",        "*волос*"};
-  return words;
-}
-
-/// Worn in hair, or spelt like it.
-const Names& other_words() {
-  static const Names words{"*hair*band*", "*hair*pin*", "*hair*clip*", "*hair*tie*",   "*hair*ribbon*",
-                           "*hair*acc*",  "*hair*cap*", "*chair*",     "*hair*bow*",   "*hair*net*",
-                           "*hair*orna*", "*hairless*", "*mohair*",    "*hair*brush*", "*hair*light*"};
-  return words;
-}
-
-bool is_called_eye(std::string_view name) {
-  static const Names words{"*eye*", "*lash*", "*brow*", "*blink*", "*lid*"};
-  return matches_any(name, words);
-}
 
 std::vector<bool> nodes_below(const importer::SourceModel& source, std::uint32_t top) {
   std::vector<bool> below(source.nodes.size(), top == importer::kNoIndex);
@@ -83,21 +58,10 @@ double add_vertex(const importer::SourceMesh& mesh, std::uint32_t v, const NodeK
 
 }  // namespace
 
-bool is_called_hair(std::string_view name) { return matches_any(name, hair_words()) && !is_called_adornment(name); }
-
-bool is_called_adornment(std::string_view name) { return matches_any(name, other_words()); }
-
-bool is_called_transparent(std::string_view name) {
-  static const Names words{"*opacity*", "*alpha*", "*transp*", "*blend_*", "*cutout*"};
-  return matches_any(name, words);
-}
-
 bool moves_limbs(const importer::SourceModel& source) {
   constexpr double kGoodPart = 0.02;  // share of all vertices: feet have few
-  static const Names limbs{"*foot*", "*toe*",  "*hand*",  "*finger*",  "*thumb*",    "*thigh*", "*calf*",
-                           "*shin*", "*knee*", "*elbow*", "*forearm*", "*upperarm*", "*upleg*", "*lowerleg*"};
   std::vector<bool> is_limb;
-  for (const importer::SourceNode& node : source.nodes) is_limb.push_back(matches_any(node.name, limbs));
+  for (const importer::SourceNode& node : source.nodes) is_limb.push_back(is_called_limb(node.name));
   std::size_t moved = 0, all = 0;
   for (const importer::SourceMesh& mesh : source.meshes) {
     all += mesh.positions.size();
@@ -147,16 +111,13 @@ std::vector<bool> find_hair_bones(const importer::SourceModel& source) {
 }
 
 std::vector<bool> find_carriers(const importer::SourceModel& source) {
-  static const Names face{"*eye*",   "*lid*",    "*brow*",  "*blink*",   "*lash*",  "*jaw*",      "*lip*",
-                          "*mouth*", "*tongue*", "*nose*",  "*cheek*",   "*chin*",  "*masseter*", "*ear",
-                          "*ear.?",  "*ear_?",   "*teeth*", "*caninus*", "*facial*"};
   const std::vector<bool> hair = find_hair_bones(source);
   const bool has_hair_bones = std::ranges::count(hair, true) > 0;
   std::vector<bool> carries = hair;
   for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
     const std::uint32_t parent = source.nodes[n].parent;
     if (parent != importer::kNoIndex && hair[n] == false && carries[parent] && has_hair_bones) carries[n] = true;
-    if (!has_hair_bones) carries[n] = !matches_any(source.nodes[n].name, face);
+    if (!has_hair_bones) carries[n] = !is_called_face_part(source.nodes[n].name);
   }
   for (std::size_t n = source.nodes.size(); n-- > 0;) {
     if (carries[n] && has_hair_bones && source.nodes[n].parent != importer::kNoIndex)

@@ -2,24 +2,13 @@
 
 // The signs that a part of a source is hair: names, bones, transparency, place.
 
+#include "cook/select/called.h"
 #include "cook/select/mesh_topology.h"
 #include "import/source_model.h"
 
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace coif::cook {
-
-/// True for names of hair in artists' languages ("hair", "Fringe_L", "pony tail", "kami"), but not for things worn in
-/// it ("hairband") or words that are only spelt like it ("chair").
-[[nodiscard]] bool is_called_hair(std::string_view name);
-
-/// Worn in hair ("hairband"), and not hair, though the name has the word.
-[[nodiscard]] bool is_called_adornment(std::string_view name);
-
-/// "opacity", "alpha", "transparent": the exporters' names of a material with soft edges.
-[[nodiscard]] bool is_called_transparent(std::string_view name);
 
 /// Per node, true for hair's own bones: with a hair name or moved by a spring, and below the head if there is one. The
 /// node of a mesh is no bone, whatever its name.

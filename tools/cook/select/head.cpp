@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 
 namespace coif::cook {
 namespace {
@@ -57,21 +56,7 @@ HeadBone head_bone_at(const importer::SourceModel& source, const HairMesh& hair,
   return head;
 }
 
-// Shares of the head's half sizes: the face's range from the chin to the brow, and the largest distance of hair before
-// it.
-constexpr double kChin = -0.7, kBrow = 0.3, kBefore = 1.8;
-constexpr double kStraight = 0.7;  ///< Cosine of 45 degrees: towards the front or the back, and not the sides.
-constexpr double kClearly = 3;     ///< Times as much hair on one side as on the other: that is the back of the head.
-/// Share of the squared radius of the head; with less hair the head is bald all round.
-constexpr double kLeastHair = 0.3;
-
 }  // namespace
-
-bool is_called_head(const std::string& name) {
-  const std::vector<std::string> not_heads{"*end*",  "*nub*",   "*top*",   "*hair*",
-                                           "*band*", "*phone*", "*light*", "*mesh*"};
-  return matches(name, "*head*") && !matches_any(name, not_heads);
-}
 
 NodeWeights hair_weights(const importer::SourceModel& source, const HairMesh& hair) {
   NodeWeights weights(source.nodes.size(), 0.0);
@@ -111,22 +96,6 @@ tl::expected<HeadBone, ToolError> find_head_bone(const importer::SourceModel& so
   }
   const std::uint32_t lowest = lowest_common_node(source, below);
   return head_bone_at(source, hair, is_far_mesh_node(source, hair, lowest) ? importer::kNoIndex : lowest);
-}
-
-bool faces_backwards(const importer::SourceModel& source, const HairMesh& hair, const FittedHead& head) {
-  if (source.facing != importer::Facing::kUnknown) return source.facing == importer::Facing::kBackwards;
-  double front = 0, back = 0;  // square metres of hair on the side of +Z and -Z
-  for (std::size_t t = 0; t < hair.triangle_count(); ++t) {
-    const Eigen::Vector3d a = hair.corner(t, 0).cast<double>(), b = hair.corner(t, 1).cast<double>(),
-                          c = hair.corner(t, 2).cast<double>();
-    const Eigen::Vector3d from = ((a + b + c) / 3 - head.center).cwiseQuotient(head.radii);
-    const double across = std::hypot(from.x(), from.z());
-    if (from.y() < kChin || from.y() > kBrow || across > kBefore) continue;
-    if (std::abs(from.z()) < kStraight * across) continue;
-    (from.z() > 0 ? front : back) += 0.5 * (b - a).cross(c - a).norm();
-  }
-  const double least = kLeastHair * head.radii.x() * head.radii.z();
-  return front > least && front > kClearly * back;
 }
 
 }  // namespace coif::cook

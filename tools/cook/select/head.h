@@ -2,6 +2,7 @@
 
 #include "base/tool_error.h"
 #include "cook/recipe/findings.h"
+#include "cook/select/called.h"
 #include "cook/select/hair_mesh.h"
 #include "cook/select/head_room.h"
 
@@ -26,9 +27,6 @@ struct HeadBone {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< Model from the bone's own axes.
 };
 
-/// "Head", "mixamorig:Head", "J_Bip_C_Head", "Bip01 Head"; not its end marker or things worn on it.
-[[nodiscard]] bool is_called_head(const std::string& name);
-
 /// Total skin weight of the hair on each node of the source.
 using NodeWeights = std::vector<double>;
 
@@ -50,17 +48,18 @@ struct FittedHead : HeadEllipsoid {
   HeadShape shape{};             ///< The recipe's shape that hair keeps out of.
   std::string origin;            ///< How it was found, for the report.
   bool declared = false;         ///< Declared by the recipe: must not be shrunk.
+  double forwards = 0;           ///< Which way its joints look: 1 along +Z, -1 along -Z, 0: they do not show it.
   bool faces_backwards = false;  ///< Looks along -Z instead of +Z.
 };
 
-/// Whether the model looks along -Z: as the file says (VRM); else where hair hangs on the side of +Z at the height of a
-/// face and hardly any on the other.
+/// Whether the model looks along -Z: as the file says (VRM), or eyes and toes show; else where hair hangs on the side
+/// of +Z at the height of a face and hardly any on the other. What is called a beard hangs from the face itself.
 [[nodiscard]] bool faces_backwards(const importer::SourceModel& source, const HairMesh& hair, const FittedHead& head);
 
 /// How the head was estimated before the hair around it was looked at.
 struct HeadSign {
   HeadEllipsoid shape;
-  bool is_mesh = false;  ///< Vertices that follow the head bone; else only the hair's top.
+  bool is_shown = false;  ///< By joints or a mesh of its own; else only by the hair's top.
 };
 
 [[nodiscard]] HeadSign first_sign_of_head(const importer::SourceModel& source, const HairMesh& hair,

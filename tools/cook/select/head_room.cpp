@@ -125,9 +125,10 @@ HeadEllipsoid nudged(HeadEllipsoid head, int what, double step) {
   return head;
 }
 
-/// Coordinate search: the sum has kinks but few valleys.
-HeadEllipsoid descend(HeadEllipsoid head, std::span<const Seen> seen, const HeadGuess& guess, double step) {
-  const auto cost = [&](const HeadEllipsoid& h) { return misfit(h, seen) + kGuess * surprise(h, guess); };
+}  // namespace
+
+// Search along the coordinates, since the sum has kinks but few valleys.
+HeadEllipsoid descend(HeadEllipsoid head, const HeadSurprise& cost, double step) {
   double best = cost(head);
   for (int sweep = 0; sweep < kMostSweeps && step > kLastStep; ++sweep) {
     bool better = false;
@@ -144,14 +145,20 @@ HeadEllipsoid descend(HeadEllipsoid head, std::span<const Seen> seen, const Head
   return head;
 }
 
-}  // namespace
-
 HeadEllipsoid fit_head_room(const HairMesh& hair, const HeadGuess& guess, const std::stop_token& stop) {
+  return fit_head_room(
+      hair, guess.shape, [&](const HeadEllipsoid& head) { return surprise(head, guess); }, stop);
+}
+
+HeadEllipsoid fit_head_room(const HairMesh& hair, const HeadEllipsoid& first, const HeadSurprise& surprise,
+                            const std::stop_token& stop) {
   const std::vector<Vector3d> samples = sample_surface(hair);
-  HeadEllipsoid head = guess.shape;
+  HeadEllipsoid head = first;
   for (int round = 0; round < kRounds; ++round) {
     platform::throw_if_stopped(stop);
-    head = descend(head, look_around(samples, head.center), guess, round == 0 ? kFirstStep : kLaterStep);
+    const std::vector<Seen> seen = look_around(samples, head.center);
+    const auto cost = [&](const HeadEllipsoid& h) { return misfit(h, seen) + kGuess * surprise(h); };
+    head = descend(head, cost, round == 0 ? kFirstStep : kLaterStep);
   }
   return head;
 }

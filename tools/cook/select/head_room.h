@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <stop_token>
 
 namespace coif::cook {
@@ -32,11 +33,21 @@ struct HeadGuess {
   double size_spread = 0;         ///< For the logarithm of that size.
 };
 
+/// How unlikely a head is by all that is known of it but its hair: a sum of squared deviations.
+using HeadSurprise = std::function<double(const HeadEllipsoid&)>;
+
+/// Finds a head near `head` whose `cost` no small change of middle or radii lessens; `step`: the first change, in mean
+/// radii.
+[[nodiscard]] HeadEllipsoid descend(HeadEllipsoid head, const HeadSurprise& cost, double step);
+
 /// The head on which a guess and the hair agree best. Seen from the head's middle, the innermost hair lies close to the
 /// head all around. A little of it is sunk in, as roots are, which costs far more than hovering hair does; and nowhere
 /// does the head come out through the outermost hair. Deterministic; bounded work for every mesh.
 [[nodiscard]] HeadEllipsoid fit_head_room(const HairMesh& hair, const HeadGuess& guess,
                                           const std::stop_token& stop = {});
+/// The same, beginning at `first`, where more is known of the head than a guess says.
+[[nodiscard]] HeadEllipsoid fit_head_room(const HairMesh& hair, const HeadEllipsoid& first,
+                                          const HeadSurprise& surprise, const std::stop_token& stop = {});
 
 /// How much of the hair is inside a head, shares 0..1.
 struct HairInside {

@@ -24,11 +24,15 @@ struct HairChoice {
   }
 };
 
+/// Error (kBadInput): a name of the recipe matches no mesh, material or node; with the names that exist.
+tl::expected<void, ToolError> check_hair_names(const importer::SourceModel& source, const HairRecipe& recipe);
+
 /// Chooses by the recipe's mesh, material and bone names, if any. Else by the first kind of evidence that finds
 /// something: meshes, materials or textures with a hair name; connected pieces that hair bones or springs below the
-/// head move; pieces of a transparent material on the head that no lid or brow moves; the whole model, if it is not a
-/// body with limbs. Caps under that hair and cores inside it are hair as well. Notes the reason for each mesh that gave
-/// hair, and what was left out of the others. Errors (kBadInput): a pattern that matches nothing, or a character
+/// head move; pieces of a transparent material on the head that no lid or brow moves. Where all of that leaves the
+/// crown of the head bare, what covers it is taken, too, with a warning; without any sign the whole model, if it is not
+/// a body with limbs. Caps under that hair and cores inside it are hair as well. Notes the reason for each mesh that
+/// gave hair, and what was left out of the others. Errors (kBadInput): a pattern that matches nothing, or a character
 /// without any sign of hair; with the names that exist.
 tl::expected<HairChoice, ToolError> choose_hair(const importer::SourceModel& source, const HairRecipe& recipe,
                                                 Findings& findings);

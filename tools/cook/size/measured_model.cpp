@@ -1,6 +1,5 @@
 #include "cook/size/measured_model.h"
 
-#include "base/text.h"
 #include "cook/recipe/hair_recipe.h"
 #include "cook/select/hair_evidence.h"
 #include "cook/select/select_hair.h"
@@ -12,8 +11,6 @@
 
 namespace coif::cook {
 namespace {
-
-using Names = std::vector<std::string>;
 
 // Hair is sought at such sizes: a length of its search is one of metres.
 constexpr double kLeastSize = 0.05, kMostSize = 5;
@@ -41,10 +38,7 @@ importer::SourceModel without_images(const importer::SourceModel& source) {
   return model;
 }
 
-bool is_called_face_hair(const std::string& name) {
-  static const Names face{"*brow*", "*lash*", "*beard*", "*moustache*", "*mustache*", "*goatee*", "*whisker*"};
-  return matches_any(name, face);
-}
+bool is_called_face_hair(const std::string& name) { return is_called_brow(name) || is_called_beard(name); }
 
 /// By the names or materials of all its meshes, or, if these say nothing, by the file's name.
 bool is_on_face(const importer::SourceModel& model, const HairMesh& hair) {
@@ -111,18 +105,15 @@ void transform_model(importer::SourceModel& model, double factor, const Eigen::M
 }
 
 std::vector<Eigen::Vector3d> joints_of(const importer::SourceModel& model, BodyPart part) {
-  static const Names neck{"*neck*"};
-  static const Names trunk{"*hips*", "*pelvis*", "*spine*", "*chest*", "*torso*", "*abdomen*"};
-  static const Names feet{"*foot*", "*ankle*", "*toe*"};
-  static const Names others{"*hair*",    "*ik*",       "*pole*", "*target*", "*ctrl*",
-                            "*control*", "*necklace*", "*mesh*", "*spring*"};
-  const Names& names = part == BodyPart::kNeck ? neck : part == BodyPart::kTrunk ? trunk : feet;
+  const auto is_part = part == BodyPart::kNeck    ? is_called_neck
+                       : part == BodyPart::kTrunk ? is_called_trunk
+                                                  : is_called_foot;
   std::vector<bool> carries_mesh(model.nodes.size(), false);
   for (const importer::SourceMesh& mesh : model.meshes) carries_mesh[mesh.node] = true;
   std::vector<Eigen::Vector3d> joints;
   for (std::uint32_t n = 0; n < model.nodes.size(); ++n) {
     const std::string& name = model.nodes[n].name;
-    if (carries_mesh[n] || !matches_any(name, names) || matches_any(name, others)) continue;
+    if (carries_mesh[n] || !is_part(name) || is_called_hair(name) || is_called_control(name)) continue;
     joints.push_back(model.nodes[n].model_from_node.translation());
   }
   return joints;

@@ -54,11 +54,11 @@ void measure_head(const KnownModel& known, const HairRecipe& recipe, SizeMeasure
   const auto head_bone = find_head_bone(known.model, known.hair, recipe.head_bone);
   if (!head_bone) return;
   const HeadSign sign = first_sign_of_head(known.model, known.hair, *head_bone);
-  if (!sign.is_mesh && (known.on_face || narrow < kFlatHair * wide || known.model.scalp_radius > 0)) return;
+  if (!sign.is_shown && (known.on_face || narrow < kFlatHair * wide || known.model.scalp_radius > 0)) return;
   const double radius = sign.shape.radii.mean();
   const bool fits = wide > kLeastOfHead * radius && wide < kMostOfHead * radius;
-  measures.add({sign.is_mesh ? "the head's radius" : "the radius of the room for a head in the hair", radius, 0.075,
-                0.17, (sign.is_mesh ? 1.0 : 0.9) * (fits ? 1.0 : 0.5), true});
+  measures.add({sign.is_shown ? "the head's radius" : "the radius of the room for a head in the hair", radius, 0.075,
+                0.17, (sign.is_shown ? 1.0 : 0.9) * (fits ? 1.0 : 0.5), true});
 }
 
 /// Grooms without a unit are in the units of the head that they were grown on: their roots say more than the usual

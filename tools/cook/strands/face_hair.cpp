@@ -1,7 +1,7 @@
 #include "cook/strands/choose_patches.h"
 
-#include "base/text.h"
 #include "cook/recipe/strip_recipe.h"
+#include "cook/select/called.h"
 
 #include <fmt/format.h>
 
@@ -20,13 +20,6 @@ constexpr double kWidestBrow = 0.95, kHighestBrow = 0.35;
 constexpr double kBrowLeastForwards = 0.6, kBrowMostAbove = 0.7, kBrowMostBelow = 0.25;
 constexpr double kCloseToFace = 0.35;  ///< Share of its middle's distance, outwards or inwards.
 constexpr double kMirrorSlack = 0.12;
-
-bool is_called_brow(const std::string& name) { return matches_any(name, std::vector<std::string>{"*brow*", "*lash*"}); }
-
-bool is_called_beard(const std::string& name) {
-  return matches_any(name, std::vector<std::string>{"*beard*", "*mustache*", "*moustache*", "*goatee*", "*whisker*",
-                                                    "*sideburn*", "*facial*hair*"});
-}
 
 /// Names of a patch's mesh and material.
 std::array<std::string, 2> names_of(const importer::SourceModel& source, const HairStrips& hair,
