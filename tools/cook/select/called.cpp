@@ -37,9 +37,10 @@ bool is_called_adornment(std::string_view name) {
 bool is_called_hair(std::string_view name) { return has_hair(name) && !is_called_adornment(name); }
 
 bool is_called_headwear(std::string_view name) {
-  return has(name, {"hat",   "hats",   "*hat",   "helmet*", "*helmet", "helm", "cap",    "hood",   "hoodie*", "crown*",
-                    "tiara", "turban", "beanie", "mask*",   "visor*",  "goggles*", "glasses*", "headphone*", "headset*",
-                    "headband*", "bandana*", "veil", "horn", "horns", "halo"}) &&
+  return has(name,
+             {"hat",      "hats",      "*hat",     "helmet*", "*helmet", "helm",   "cap",      "hood",     "hoodie*",
+              "crown*",   "tiara",     "turban",   "beanie",  "mask*",   "visor*", "goggles*", "glasses*", "headphone*",
+              "headset*", "headband*", "bandana*", "veil",    "horn",    "horns",  "halo"}) &&
          !has(name, {"haircap", "scalpcap", "what", "that"});
 }
 

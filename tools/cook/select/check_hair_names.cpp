@@ -16,7 +16,8 @@ namespace {
 using importer::SourceMesh, importer::SourceModel;
 
 /// An error with the first pattern without a match and the names that exist.
-tl::expected<void, ToolError> check_patterns(const SourceModel& source, const char* key, const std::vector<std::string>& patterns,
+tl::expected<void, ToolError> check_patterns(const SourceModel& source, const char* key,
+                                             const std::vector<std::string>& patterns,
                                              const std::set<std::string>& names) {
   for (const std::string& pattern : patterns) {
     if (std::ranges::any_of(names, [&](const std::string& name) { return matches(name, pattern); })) continue;

@@ -17,17 +17,17 @@ namespace {
 using Eigen::Vector3d;
 using importer::SourceMesh, importer::SourceModel;
 
-constexpr std::size_t kDirections = 400;              ///< Spread over the sphere around the head's centre.
-constexpr double kNearest = 0.5, kFarthest = 2.5;     ///< In radii: what is seen nearer or farther is not on the head.
-constexpr double kMostFace = 0.2;                     ///< Share of the face that hair may cover.
+constexpr std::size_t kDirections = 400;           ///< Spread over the sphere around the head's centre.
+constexpr double kNearest = 0.5, kFarthest = 2.5;  ///< In radii: what is seen nearer or farther is not on the head.
+constexpr double kMostFace = 0.2;                  ///< Share of the face that hair may cover.
 constexpr double kLeastCrown = 0.12, kLeastCrownOfPiece = 0.2;  ///< Share of the crown that hair covers at least.
-constexpr double kOnlyOnHead = 0.8;                   ///< Share of a part's vertices that follow the head.
-constexpr double kCovered = 0.05;                     ///< Hair that covers more than this of the crown may be all.
+constexpr double kOnlyOnHead = 0.8;                             ///< Share of a part's vertices that follow the head.
+constexpr double kCovered = 0.05;  ///< Hair that covers more than this of the crown may be all.
 
 /// A part of the model that may be hair: one connected piece of a mesh.
 struct Part {
   std::uint32_t mesh = 0, piece = 0;
-  double on_head = 0;  ///< Share of its vertices.
+  double on_head = 0;          ///< Share of its vertices.
   double crown = 0, face = 0;  ///< Shares of the directions in which it is outermost.
 };
 
@@ -53,7 +53,9 @@ std::optional<HeadView> view_of(const SourceModel& source, std::uint32_t node) {
   return HeadView{likeliest_head(marks), marks.forwards < 0 ? -1.0 : 1.0};
 }
 
-bool is_of_crown(const Vector3d& direction) { return direction.y() > 0.3 || (direction.z() < -0.3 && direction.y() > -0.3); }
+bool is_of_crown(const Vector3d& direction) {
+  return direction.y() > 0.3 || (direction.z() < -0.3 && direction.y() > -0.3);
+}
 
 bool is_of_face(const Vector3d& direction) {
   return direction.z() > 0.6 && direction.y() < 0.25 && direction.y() > -0.7;
@@ -88,8 +90,8 @@ class Outermost {
 
   void add(const Vector3d& a, const Vector3d& b, const Vector3d& c, std::uint32_t part) {
     const Vector3d middle = ((a + b + c) / 3).normalized();
-    const double wide = std::max({(a.normalized() - middle).norm(), (b.normalized() - middle).norm(),
-                                  (c.normalized() - middle).norm()});
+    const double wide = std::max(
+        {(a.normalized() - middle).norm(), (b.normalized() - middle).norm(), (c.normalized() - middle).norm()});
     for (std::size_t d = 0; d < kDirections; ++d) {
       if ((directions_[d] - middle).norm() > wide + 1.0e-9) continue;
       const double far = meeting(directions_[d], a, b, c);
@@ -119,8 +121,8 @@ class Outermost {
 /// Pieces of all meshes, with what each covers of the head.
 struct Parts {
   std::vector<Part> parts;
-  std::vector<MeshPieces> pieces;           ///< Of each mesh.
-  std::vector<std::uint32_t> first_part;    ///< Of each mesh, of its piece 0.
+  std::vector<MeshPieces> pieces;         ///< Of each mesh.
+  std::vector<std::uint32_t> first_part;  ///< Of each mesh, of its piece 0.
 };
 
 Parts parts_around(const SourceModel& source, const HeadView& view, std::uint32_t head, double weld_distance) {

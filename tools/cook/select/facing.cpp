@@ -12,7 +12,7 @@ namespace {
 // Shares of the head's half sizes: the face's range from the chin to the brow, and the largest distance of hair before
 // it.
 constexpr double kChin = -0.7, kBrow = 0.3, kBefore = 1.8;
-constexpr double kStraight = 0.7;   ///< Cosine of 45 degrees: towards the front or the back, and not the sides.
+constexpr double kStraight = 0.7;  ///< Cosine of 45 degrees: towards the front or the back, and not the sides.
 constexpr double kClearly = 3;     ///< Times as much hair on one side as on the other: that is the back of the head.
 /// Share of the squared radius of the head; with less hair the head is bald all round.
 constexpr double kLeastHair = 0.3;  ///< Square metres by the square of the head's radius; with less the head is bald.

@@ -23,9 +23,9 @@ using importer::SourceModel;
 constexpr std::size_t kFewestVertices = 16;  ///< The simplest heads have more; fewer are teeth or a pin.
 constexpr float kFollows = 0.9f;             ///< Least share of a vertex's weight on the head.
 constexpr double kReachOut = 0.05;
-constexpr double kAtJoint = 0.1;  ///< Share of the mesh's height: a head's mesh reaches so near to its joint.
+constexpr double kAtJoint = 0.1;      ///< Share of the mesh's height: a head's mesh reaches so near to its joint.
 constexpr double kLongestHead = 2.5;  ///< Longest side over the shortest; a skull cut away makes it flat.
-constexpr double kDeepInside = 0.85;   ///< Hair deeper than this in the mesh's box says that it is a hood,
+constexpr double kDeepInside = 0.85;  ///< Hair deeper than this in the mesh's box says that it is a hood,
 constexpr double kMuchHair = 0.25;
 /// Share of the hair's width by which ears may stick out of it.
 constexpr double kMirrored = 0.2;      ///< How far eyes may be off their mirror images, by their distance.

@@ -28,6 +28,7 @@ constexpr float kHabit = 0.25f;        ///< Weight of the others' roots where no
 /// Share of the head's radius: patches that are nearer than this are neighbours.
 constexpr double kBeside = 0.15;
 constexpr double kMirrored = 0.08;      ///< Patches nearer than this to a mirror image are it.
+constexpr float kUnwrapped = 0.3f;      ///< What it counts that somebody unwrapped a shell along the other axes.
 constexpr float kMirroredAxis = 2.0f;   ///< What it counts that a shell's strands run alike on both sides of the head.
 constexpr double kMirroredShell = 0.2;  ///< As kMirrored, on a shell, whose triangles are large.
 constexpr float kUnsure = 0.2f;         ///< Beliefs below this are reported.
@@ -108,14 +109,16 @@ void choose_axis(const HairStrips& hair, const PatchView& view, std::uint32_t nu
                  int common, PatchStrands& patch) {
   const bool shell = is_shell(hair.mesh, view, around.head);
   const auto reach = float(kMirroredShell * around.head.radii.mean());
+  const bool is_textured = patch.preference != 0;
   float best = -10;
-  for (StrandAxis& axis : possible_axes(hair, view, patch.preference != 0, shell)) {
+  for (StrandAxis& axis : possible_axes(hair, view, is_textured, shell)) {
     const int of_texture = axis.texture_axis;
     const RootEvidence evidence = weigh_ends(hair.mesh, view, number, axis, patch.seen, around);
     const float side = of_texture < 0 ? 0.0f : of_texture == 1 ? 1.0f : -1.0f;
     float score = side * (kLongerWeight * patch.preference + kLinesWeight * patch.seen.lines) +
                   std::min(std::abs(evidence.of_axis()), kClearEnds) + (of_texture == common ? kCommonAxis : 0.0f);
     if (shell) score += kMirroredAxis * mirror_agreement(hair.mesh, view, axis, float(around.head.center.x()), reach);
+    if (is_textured && of_texture < 0) score -= kUnwrapped;
     if (score <= best) continue;
     best = score;
     patch.axis = std::move(axis);

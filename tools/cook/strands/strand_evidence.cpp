@@ -153,7 +153,7 @@ namespace {
 
 constexpr double kMostHeight = 1.5;  ///< Share of the head's radius: hair that hangs farther adds nothing.
 /// Share of the head's radius: side of the cells in which free hair is counted.
-constexpr double kOnSkull = 1.5;  ///< How much more height says where nothing else does.
+constexpr double kOnSkull = 0.7;  ///< How much more height says where nothing else does.
 constexpr double kAround = 0.45;
 /// Share of the head's radius: hair this far off the head hangs free.
 constexpr double kRaised = 0.2;  ///< By the head's radius: hair this far off the head may only be thick,
