@@ -25,7 +25,7 @@ static void from_json(const json& in, Dependency& d) {
 
 namespace {
 
-constexpr char kMagic[] = "coifent4";
+constexpr char kMagic[] = "coifent5";
 constexpr std::size_t kWord = 8;
 constexpr std::size_t kHeader = 3 * kWord;  // magic, hash, length of the document
 

@@ -28,10 +28,10 @@ bool has_hair(std::string_view name) {
 
 bool is_called_adornment(std::string_view name) {
   return has_hair(name) &&
-         has(name, {"*band",     "*bands",    "pin",        "pins",    "hairpin*",    "clip*",     "hairclip*",
-                    "tie",       "ties",      "hairtie*",   "ribbon*", "hairribbon*", "bow",       "bows",
-                    "hairbow*",  "net",       "hairnet*",   "acc",     "accs",        "accessor*", "hairacc*",
-                    "ornament*", "hairorna*", "scrunchie*", "bead",    "beads",       "brush*",    "hairbrush*"});
+         has(name, {"*band",      "*bands", "pin",      "pins",    "hairpin*",    "clip*",     "hairclip*",
+                    "tie",        "ties",   "hairtie*", "ribbon*", "hairribbon*", "bow",       "bows",
+                    "hairbow*",   "net",    "hairnet*", "acc*",    "hairacc*",    "ornament*", "hairorna*",
+                    "scrunchie*", "bead",   "beads",    "brush*",  "hairbrush*"});
 }
 
 bool is_called_hair(std::string_view name) { return has_hair(name) && !is_called_adornment(name); }

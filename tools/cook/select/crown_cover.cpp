@@ -121,8 +121,8 @@ class Outermost {
 /// Pieces of all meshes, with what each covers of the head.
 struct Parts {
   std::vector<Part> parts;
-  std::vector<MeshPieces> pieces;         ///< Of each mesh.
-  std::vector<std::uint32_t> first_part;  ///< Of each mesh, of its piece 0.
+  std::vector<MeshPieces> pieces;         ///< One entry per mesh.
+  std::vector<std::uint32_t> first_part;  ///< Per mesh: the part that its piece 0 is.
 };
 
 Parts parts_around(const SourceModel& source, const HeadView& view, std::uint32_t head, double weld_distance) {

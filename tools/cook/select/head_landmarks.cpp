@@ -126,6 +126,15 @@ bool is_on_joint(const Box& part, const Vector3d& joint) {
   return joint.y() > part.min().y() - slack && part.exteriorDistance(joint) < 2 * slack;
 }
 
+/// A band or a hat, by its name, or hair that was not chosen.
+bool is_worn_on_head(const SourceModel& source, const importer::SourceMesh& mesh) {
+  const std::string& material = importer::material_name(source, mesh);
+  const auto is_worn = [](const std::string& name) {
+    return is_called_adornment(name) || is_called_headwear(name) || is_called_hair(name);
+  };
+  return is_worn(mesh.name) || is_worn(material);
+}
+
 float weight_on(const importer::SourceMesh& mesh, std::size_t v, const std::vector<bool>& follows) {
   if (mesh.influence_begin.empty()) return follows[mesh.node] ? 1.0f : 0.0f;
   float sum = 0;
@@ -146,6 +155,7 @@ void find_mesh(const SourceModel& source, const HairMesh& hair, const HeadBone& 
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     const importer::SourceMesh& mesh = source.meshes[m];
     const bool gave_hair = std::ranges::find(hair.source_meshes, m) != hair.source_meshes.end();
+    if (!gave_hair && is_worn_on_head(source, mesh)) continue;
     Box box;
     std::size_t of_mesh = 0;
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {

@@ -23,6 +23,9 @@ struct HeadLandmarks {
   /// Enough to say how large the head is and where.
   [[nodiscard]] bool show_size() const { return mesh || (joint && (eyes || neck || end)); }
 
+  /// The mesh is higher than wide, so that its skull is not cut away under the hair.
+  [[nodiscard]] bool has_whole_mesh() const { return mesh && mesh->sizes().y() > 1.1 * mesh->sizes().x(); }
+
   /// "a joint, its neck, two eyes and 650 vertices"
   [[nodiscard]] std::string text() const;
 };

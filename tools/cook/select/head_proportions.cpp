@@ -25,6 +25,7 @@ constexpr Proportion kEndUp{1.15, 0.35};
 constexpr Proportion kMeshWidth{0.03, 0.1};  // logarithm of its half by the semi-axis: ears stand out
 constexpr Proportion kMeshAside{0, 0.1}, kMeshChin{-0.97, 0.2}, kMeshNose{1.02, 0.15};
 // A mesh that reaches further than its head is rare; one whose skull is cut away under the hair is not.
+constexpr Proportion kMeshTop{1, 0.1};
 constexpr double kMeshBeyond = 0.1, kMeshShort = 0.5;
 
 constexpr double kMostOfOne = 9;  ///< Squared deviations of one landmark.
@@ -50,7 +51,11 @@ void add_mesh(const HeadEllipsoid& head, const HeadLandmarks& marks, Surprise& s
   surprise.add(std::log(marks.mesh->sizes().x() / (2 * head.radii.x())), kMeshWidth);
   surprise.add((low.x() + high.x()) / 2, kMeshAside);
   surprise.add(low.y(), kMeshChin);
-  surprise.add_reach(high.y() - 1);
+  if (marks.has_whole_mesh()) {
+    surprise.add(high.y(), kMeshTop);
+  } else {
+    surprise.add_reach(high.y() - 1);
+  }
   const double front = marks.forwards < 0 ? -low.z() : high.z(), back = marks.forwards < 0 ? -high.z() : low.z();
   if (marks.forwards != 0) {
     surprise.add(front, kMeshNose);

@@ -20,7 +20,9 @@ constexpr double kSmallestRadius = 0.001;  ///< Metres: flat hair encloses nothi
 
 /// Hair that a head may hold at rest: sunk roots, and no more of the picture than a few of them.
 constexpr HairInside kMostInside{0.03, 0.03, 0.005};
-constexpr double kLeastOfMesh = 0.8;  ///< A head's mesh that has to shrink further was none.
+constexpr double kWorthAWord = 1.3;    ///< Times kMostInside: less is what shrinking leaves over.
+constexpr double kLeastOfWhole = 0.7;  ///< A whole head's mesh that has to shrink further was none.
+constexpr double kLeastOfPart = 0.8;   ///< Where joints or a face tell, hair around the skull may be modelled inside.
 /// Lower bound with hair alone, which is less certain: strips on one side show little.
 constexpr double kLeastOfHair = 0.4;  ///< What hair alone tells may be further off: strips on one side tell little.
 
@@ -77,8 +79,8 @@ void make_room(const HairMesh& hair, double least, FittedHead& head, Findings& f
   head.radii *= std::clamp(share * 0.999, least, 1.0);
   head.radii = head.radii.cwiseMax(kSmallestRadius);
   const HairInside inside = hair_inside(hair, head);
-  const double most_vertices = std::max(kMostInside.vertices, 1.0 / double(hair.positions.size()));
-  if (inside.area <= kMostInside.area && inside.vertices <= most_vertices) return;
+  const double most = kWorthAWord * kMostInside.area;
+  if (inside.area <= most && inside.vertices <= std::max(most, 1.0 / double(hair.positions.size()))) return;
   findings.warn(
       "C111",
       fmt::format("{:.0f} % of the hair's surface is inside the head, even where that is made {:.0f} % as large as it "
@@ -115,7 +117,7 @@ FittedHead fit_head(const importer::SourceModel& source, const HairMesh& hair, c
       head.origin = "the inside of the hair";
       static_cast<HeadEllipsoid&>(head) = fit_head_room(hair, guess_by_hair(hair), stop);
     }
-    least = landmarks.show_size() ? kLeastOfMesh : kLeastOfHair;
+    least = landmarks.has_whole_mesh() ? kLeastOfWhole : landmarks.show_size() ? kLeastOfPart : kLeastOfHair;
   }
   if (head.shape == HeadShape::kSphere) head.radii.setConstant(head.radii.mean());
   if (!head.declared) make_room(hair, least, head, findings);
