@@ -48,6 +48,7 @@ struct HairPicture {
 
 /// The similarity of two pictures of hair in the same frame.
 struct HairLikeness {
+  /// Sum of the smaller coverages divided by that of the larger ones (intersection over union), 0..1.
   double coverage_iou = 1;
   double error = 0;  ///< Root mean square difference of shades, over all pixels that either covers.
 };

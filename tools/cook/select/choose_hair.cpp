@@ -180,14 +180,10 @@ void choose_by_transparency(const SourceModel& source, const std::vector<bool>& 
   }
 }
 
-bool is_worn(const SourceModel& source, const SourceMesh& mesh) {
-  return is_called_adornment(mesh.name) || is_called_adornment(material_name(source, mesh));
-}
-
 void take_caps(const SourceModel& source, Chooser& chooser) {
   const std::vector<bool> caps = find_scalp_caps(source, chooser.so_far());
   for (std::uint32_t m = 0; m < caps.size(); ++m) {
-    if (!caps[m] || is_worn(source, source.meshes[m])) continue;
+    if (!caps[m] || either_is_called(source, source.meshes[m], is_called_adornment)) continue;
     chooser.take_mesh(m, "it lies under the hair, on the scalp");
   }
 }
@@ -195,7 +191,7 @@ void take_caps(const SourceModel& source, Chooser& chooser) {
 void take_cores(const SourceModel& source, std::uint32_t head, Chooser& chooser) {
   HairChoice cores = find_hair_cores(source, chooser.so_far(), head);
   for (std::uint32_t m = 0; m < cores.taken.size(); ++m) {
-    if (is_worn(source, source.meshes[m])) continue;
+    if (either_is_called(source, source.meshes[m], is_called_adornment)) continue;
     chooser.take_triangles(m, std::move(cores.taken[m]), "what hair is wrapped around, in the mesh of a head");
   }
 }

@@ -1,4 +1,3 @@
-#include "cook/select/called.h"
 #include "cook/select/hair_evidence.h"
 #include "cook/select/head_landmarks.h"
 #include "cook/select/under_hair.h"
@@ -26,7 +25,6 @@ constexpr double kCovered = 0.05;  ///< Hair that covers more than this of the c
 
 /// A part of the model that may be hair: one connected piece of a mesh.
 struct Part {
-  std::uint32_t mesh = 0, piece = 0;
   double on_head = 0;          ///< Share of its vertices.
   double crown = 0, face = 0;  ///< Shares of the directions in which it is outermost.
 };
@@ -43,12 +41,8 @@ struct HeadView {
 };
 
 std::optional<HeadView> view_of(const SourceModel& source, std::uint32_t node) {
-  if (node == importer::kNoIndex) return std::nullopt;
-  HeadBone bone;
-  bone.node = node;
-  bone.joint = source.nodes[node].model_from_node.translation();
-  HeadLandmarks marks = find_landmarks(source, {}, bone);
-  marks.mesh.reset();  // Perhaps that is the hair.
+  // Its mesh may be the hair.
+  const HeadLandmarks marks = find_joint_landmarks(source, node);
   if (!marks.show_size()) return std::nullopt;
   return HeadView{likeliest_head(marks), marks.forwards < 0 ? -1.0 : 1.0};
 }
@@ -134,7 +128,7 @@ Parts parts_around(const SourceModel& source, const HeadView& view, std::uint32_
     all.pieces.push_back(find_pieces(mesh, weld_distance));
     all.first_part.push_back(std::uint32_t(all.parts.size()));
     const std::vector<PieceEvidence> evidence = weigh_pieces(source, mesh, all.pieces[m], no_bones, head);
-    for (std::uint32_t p = 0; p < all.pieces[m].count; ++p) all.parts.push_back({m, p, evidence[p].head_share});
+    for (std::uint32_t p = 0; p < all.pieces[m].count; ++p) all.parts.push_back({evidence[p].head_share});
     for (std::size_t t = 0; t < all.pieces[m].piece_of.size(); ++t) {
       const std::uint32_t part = all.first_part[m] + all.pieces[m].piece_of[t];
       if (all.parts[part].on_head < kOnlyOnHead) continue;
@@ -148,9 +142,8 @@ Parts parts_around(const SourceModel& source, const HeadView& view, std::uint32_
 
 /// Worn, or skin by its name: no hair, whatever it covers.
 bool is_called_otherwise(const SourceModel& source, const SourceMesh& mesh) {
-  const std::string& material = importer::material_name(source, mesh);
-  return is_called_headwear(mesh.name) || is_called_headwear(material) || is_called_skin(material) ||
-         is_called_adornment(mesh.name) || is_called_adornment(material);
+  return either_is_called(source, mesh, is_called_headwear) || either_is_called(source, mesh, is_called_adornment) ||
+         is_called_skin(importer::material_name(source, mesh));
 }
 
 bool may_be_hair(double crown, double face, double least) { return crown >= least && face <= kMostFace; }

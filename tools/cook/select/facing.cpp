@@ -1,10 +1,9 @@
+#include "cook/select/hair_evidence.h"
 #include "cook/select/head.h"
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 namespace coif::cook {
 namespace {
@@ -12,21 +11,9 @@ namespace {
 // Shares of the head's half sizes: the face's range from the chin to the brow, and the largest distance of hair before
 // it.
 constexpr double kChin = -0.7, kBrow = 0.3, kBefore = 1.8;
-constexpr double kStraight = 0.7;  ///< Cosine of 45 degrees: towards the front or the back, and not the sides.
-constexpr double kClearly = 3;     ///< Times as much hair on one side as on the other: that is the back of the head.
-/// Share of the squared radius of the head; with less hair the head is bald all round.
+constexpr double kStraight = 0.7;   ///< Cosine of 45 degrees: towards the front or the back, and not the sides.
+constexpr double kClearly = 3;      ///< Times as much hair on one side as on the other: that is the back of the head.
 constexpr double kLeastHair = 0.3;  ///< Square metres by the square of the head's radius; with less the head is bald.
-
-/// Every mesh that gave hair, its material or else the file is called so.
-bool is_beard(const importer::SourceModel& source, const HairMesh& hair) {
-  const auto says_so = [&](std::uint32_t m) {
-    const importer::SourceMesh& mesh = source.meshes[m];
-    return is_called_beard(mesh.name) || is_called_beard(importer::material_name(source, mesh));
-  };
-  if (!hair.source_meshes.empty() && std::ranges::all_of(hair.source_meshes, says_so)) return true;
-  return source.meshes.size() == hair.source_meshes.size() &&
-         is_called_beard(std::filesystem::path(source.path).stem().string());
-}
 
 }  // namespace
 
@@ -44,7 +31,7 @@ bool faces_backwards(const importer::SourceModel& source, const HairMesh& hair, 
     (from.z() > 0 ? front : back) += 0.5 * (b - a).cross(c - a).norm();
   }
   const double least = kLeastHair * head.radii.x() * head.radii.z();
-  if (is_beard(source, hair)) return back > front;
+  if (hair_is_called(source, hair, is_called_beard, is_called_beard)) return back > front;
   return front > least && front > kClearly * back;
 }
 

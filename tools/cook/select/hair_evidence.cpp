@@ -3,6 +3,7 @@
 #include "cook/select/called.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace coif::cook {
 namespace {
@@ -58,6 +59,27 @@ double add_vertex(const importer::SourceMesh& mesh, std::uint32_t v, const NodeK
 
 }  // namespace
 
+bool either_is_called(const importer::SourceModel& source, const importer::SourceMesh& mesh, NameQuestion is_called) {
+  return is_called(mesh.name) || is_called(importer::material_name(source, mesh));
+}
+
+bool hair_is_called(const importer::SourceModel& source, const HairMesh& hair, NameQuestion is_called,
+                    NameQuestion is_file_called) {
+  const auto says_so = [&](std::uint32_t m) { return either_is_called(source, source.meshes[m], is_called); };
+  if (!hair.source_meshes.empty() && std::ranges::all_of(hair.source_meshes, says_so)) return true;
+  return source.meshes.size() == hair.source_meshes.size() &&
+         is_file_called(std::filesystem::path(source.path).stem().string());
+}
+
+float weight_on(const importer::SourceMesh& mesh, std::size_t v, const std::vector<bool>& counts) {
+  if (mesh.influence_begin.empty()) return counts[mesh.node] ? 1.0f : 0.0f;
+  float sum = 0;
+  for (std::uint32_t k = mesh.influence_begin[v]; k < mesh.influence_begin[v + 1]; ++k) {
+    if (counts[mesh.influences[k].node]) sum += mesh.influences[k].weight;
+  }
+  return sum;
+}
+
 bool moves_limbs(const importer::SourceModel& source) {
   constexpr double kGoodPart = 0.02;  // share of all vertices: feet have few
   std::vector<bool> is_limb;
@@ -65,13 +87,8 @@ bool moves_limbs(const importer::SourceModel& source) {
   std::size_t moved = 0, all = 0;
   for (const importer::SourceMesh& mesh : source.meshes) {
     all += mesh.positions.size();
-    for (std::size_t v = 0; v + 1 < mesh.influence_begin.size(); ++v) {
-      float weight = 0;
-      for (std::uint32_t k = mesh.influence_begin[v]; k < mesh.influence_begin[v + 1]; ++k) {
-        if (is_limb[mesh.influences[k].node]) weight += mesh.influences[k].weight;
-      }
-      moved += weight > 0.5f ? 1 : 0;
-    }
+    for (std::size_t v = 0; v + 1 < mesh.influence_begin.size(); ++v)
+      moved += weight_on(mesh, v, is_limb) > 0.5f ? 1 : 0;
   }
   return double(moved) > kGoodPart * double(all);
 }

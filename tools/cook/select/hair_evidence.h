@@ -3,12 +3,31 @@
 // The signs that a part of a source is hair: names, bones, transparency, place.
 
 #include "cook/select/called.h"
+#include "cook/select/hair_mesh.h"
 #include "cook/select/mesh_topology.h"
 #include "import/source_model.h"
 
+#include <cstddef>
+#include <string_view>
 #include <vector>
 
 namespace coif::cook {
+
+/// What a name is asked: is_called_hair() and its like.
+using NameQuestion = bool (*)(std::string_view name);
+
+/// Whether a mesh or its material is called so.
+[[nodiscard]] bool either_is_called(const importer::SourceModel& source, const importer::SourceMesh& mesh,
+                                    NameQuestion is_called);
+
+/// Whether each mesh that gave hair, or its material, is called so; the name of a file with nothing but hair counts
+/// where these say nothing.
+[[nodiscard]] bool hair_is_called(const importer::SourceModel& source, const HairMesh& hair, NameQuestion is_called,
+                                  NameQuestion is_file_called);
+
+/// Weight of the vertex `v` on those nodes for which `counts` is true, 0..1; a mesh without a skin has all of it on its
+/// node.
+[[nodiscard]] float weight_on(const importer::SourceMesh& mesh, std::size_t v, const std::vector<bool>& counts);
 
 /// Per node, true for hair's own bones: with a hair name or moved by a spring, and below the head if there is one. The
 /// node of a mesh is no bone, whatever its name.

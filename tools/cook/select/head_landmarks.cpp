@@ -1,6 +1,5 @@
 #include "cook/select/head_landmarks.h"
 
-#include "cook/select/called.h"
 #include "cook/select/hair_evidence.h"
 
 #include <fmt/format.h>
@@ -22,12 +21,11 @@ using importer::SourceModel;
 
 constexpr std::size_t kFewestVertices = 16;  ///< The simplest heads have more; fewer are teeth or a pin.
 constexpr float kFollows = 0.9f;             ///< Least share of a vertex's weight on the head.
-constexpr double kReachOut = 0.05;
-constexpr double kAtJoint = 0.1;      ///< Share of the mesh's height: a head's mesh reaches so near to its joint.
-constexpr double kLongestHead = 2.5;  ///< Longest side over the shortest; a skull cut away makes it flat.
-constexpr double kDeepInside = 0.85;  ///< Hair deeper than this in the mesh's box says that it is a hood,
-constexpr double kMuchHair = 0.25;
-/// Share of the hair's width by which ears may stick out of it.
+constexpr double kReachOut = 0.05;           ///< Share of the hair's width by which ears may stick out of it.
+constexpr double kAtJoint = 0.1;       ///< Share of the mesh's height: a head's mesh reaches so near to its joint.
+constexpr double kLongestHead = 2.5;   ///< Longest side over the shortest; a skull cut away makes it flat.
+constexpr double kDeepInside = 0.85;   ///< Hair deeper than this in the mesh's box says that it is a hood,
+constexpr double kMuchHair = 0.25;     ///< where it is more than this share of all hair; roots may be inside.
 constexpr double kMirrored = 0.2;      ///< How far eyes may be off their mirror images, by their distance.
 constexpr double kBeforeJoint = 0.25;  ///< How far eyes are before the joint at least, by their height above it.
 
@@ -128,20 +126,8 @@ bool is_on_joint(const Box& part, const Vector3d& joint) {
 
 /// A band or a hat, by its name, or hair that was not chosen.
 bool is_worn_on_head(const SourceModel& source, const importer::SourceMesh& mesh) {
-  const std::string& material = importer::material_name(source, mesh);
-  const auto is_worn = [](const std::string& name) {
-    return is_called_adornment(name) || is_called_headwear(name) || is_called_hair(name);
-  };
-  return is_worn(mesh.name) || is_worn(material);
-}
-
-float weight_on(const importer::SourceMesh& mesh, std::size_t v, const std::vector<bool>& follows) {
-  if (mesh.influence_begin.empty()) return follows[mesh.node] ? 1.0f : 0.0f;
-  float sum = 0;
-  for (std::uint32_t k = mesh.influence_begin[v]; k < mesh.influence_begin[v + 1]; ++k) {
-    if (follows[mesh.influences[k].node]) sum += mesh.influences[k].weight;
-  }
-  return sum;
+  return either_is_called(source, mesh, is_called_adornment) || either_is_called(source, mesh, is_called_headwear) ||
+         either_is_called(source, mesh, is_called_hair);
 }
 
 /// Places of vertices of other meshes, or of what else a mesh has that gave hair, that follow the head and nothing
@@ -192,17 +178,22 @@ std::string HeadLandmarks::text() const {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-HeadLandmarks find_landmarks(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone) {
+HeadLandmarks find_joint_landmarks(const SourceModel& source, std::uint32_t head) {
   HeadLandmarks marks;
-  if (head_bone.node == kNoIndex) return marks;
-  const std::vector<bool> follows = nodes_that_follow(source, head_bone.node);
-  find_joints(source, head_bone.node, follows, marks);
+  if (head == kNoIndex) return marks;
+  const std::vector<bool> follows = nodes_that_follow(source, head);
+  find_joints(source, head, follows, marks);
   if (marks.joint) {
-    find_end(source, head_bone.node, marks);
+    find_end(source, head, marks);
     find_eyes(source, follows, marks);
   }
-  find_mesh(source, hair, head_bone, follows, marks);
   marks.forwards = find_forwards(source, marks);
+  return marks;
+}
+
+HeadLandmarks find_landmarks(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone) {
+  HeadLandmarks marks = find_joint_landmarks(source, head_bone.node);
+  if (head_bone.node != kNoIndex) find_mesh(source, hair, head_bone, nodes_that_follow(source, head_bone.node), marks);
   return marks;
 }
 

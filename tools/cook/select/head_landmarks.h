@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -30,6 +31,10 @@ struct HeadLandmarks {
   [[nodiscard]] std::string text() const;
 };
 
+/// What joints show of the head that turns about the node `head`, without its mesh; none for kNoIndex.
+[[nodiscard]] HeadLandmarks find_joint_landmarks(const importer::SourceModel& source, std::uint32_t head);
+
+/// The same with the head's own mesh, which is no part of `hair`.
 [[nodiscard]] HeadLandmarks find_landmarks(const importer::SourceModel& source, const HairMesh& hair,
                                            const HeadBone& head_bone);
 

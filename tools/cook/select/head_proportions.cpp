@@ -24,8 +24,8 @@ constexpr Proportion kNeckLength{-0.33, 0.3};  // logarithm, by the height's sem
 constexpr Proportion kEndUp{1.15, 0.35};
 constexpr Proportion kMeshWidth{0.03, 0.1};  // logarithm of its half by the semi-axis: ears stand out
 constexpr Proportion kMeshAside{0, 0.1}, kMeshChin{-0.97, 0.2}, kMeshNose{1.02, 0.15};
+constexpr Proportion kMeshTop{1, 0.1};  // where the mesh is whole
 // A mesh that reaches further than its head is rare; one whose skull is cut away under the hair is not.
-constexpr Proportion kMeshTop{1, 0.1};
 constexpr double kMeshBeyond = 0.1, kMeshShort = 0.5;
 
 constexpr double kMostOfOne = 9;  ///< Squared deviations of one landmark.
@@ -59,11 +59,10 @@ void add_mesh(const HeadEllipsoid& head, const HeadLandmarks& marks, Surprise& s
   const double front = marks.forwards < 0 ? -low.z() : high.z(), back = marks.forwards < 0 ? -high.z() : low.z();
   if (marks.forwards != 0) {
     surprise.add(front, kMeshNose);
-    surprise.add_reach(-1 - back);
   } else {
     surprise.add_reach(front - 1);
-    surprise.add_reach(-1 - back);
   }
+  surprise.add_reach(-1 - back);
 }
 
 }  // namespace

@@ -23,8 +23,7 @@ constexpr HairInside kMostInside{0.03, 0.03, 0.005};
 constexpr double kWorthAWord = 1.3;    ///< Times kMostInside: less is what shrinking leaves over.
 constexpr double kLeastOfWhole = 0.7;  ///< A whole head's mesh that has to shrink further was none.
 constexpr double kLeastOfPart = 0.8;   ///< Where joints or a face tell, hair around the skull may be modelled inside.
-/// Lower bound with hair alone, which is less certain: strips on one side show little.
-constexpr double kLeastOfHair = 0.4;  ///< What hair alone tells may be further off: strips on one side tell little.
+constexpr double kLeastOfHair = 0.4;   ///< Hair alone is less certain: strips on one side show little.
 
 using Box = Eigen::AlignedBox3d;
 

@@ -4,9 +4,8 @@
 #include "cook/select/hair_evidence.h"
 #include "cook/select/select_hair.h"
 
-#include <algorithm>
-#include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace coif::cook {
@@ -38,18 +37,8 @@ importer::SourceModel without_images(const importer::SourceModel& source) {
   return model;
 }
 
-bool is_called_face_hair(const std::string& name) { return is_called_brow(name) || is_called_beard(name); }
-
-/// By the names or materials of all its meshes, or, if these say nothing, by the file's name.
-bool is_on_face(const importer::SourceModel& model, const HairMesh& hair) {
-  const auto says_so = [&](std::uint32_t m) {
-    const importer::SourceMesh& mesh = model.meshes[m];
-    return is_called_face_hair(mesh.name) || is_called_face_hair(importer::material_name(model, mesh));
-  };
-  if (!hair.source_meshes.empty() && std::ranges::all_of(hair.source_meshes, says_so)) return true;
-  const std::string file = std::filesystem::path(model.path).stem().string();
-  return model.meshes.size() == hair.source_meshes.size() && is_called_face_hair(file) && !is_called_hair(file);
-}
+bool is_called_face_hair(std::string_view name) { return is_called_brow(name) || is_called_beard(name); }
+bool is_file_of_face_hair(std::string_view name) { return is_called_face_hair(name) && !is_called_hair(name); }
 
 }  // namespace
 
@@ -62,7 +51,7 @@ KnownModel know_model(const importer::SourceModel& source, const HairRecipe& rec
   }
   if (auto hair = select_hair(known.model, recipe, known.found)) {
     known.hair = std::move(*hair);
-    known.on_face = is_on_face(known.model, known.hair);
+    known.on_face = hair_is_called(known.model, known.hair, is_called_face_hair, is_file_of_face_hair);
   }
   return known;
 }

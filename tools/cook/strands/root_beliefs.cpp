@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kBeliefRounds = 16;
 constexpr float kNeighbourWeight = 1.0f;  ///< Weight of the directions of neighbouring patches.
+constexpr float kMirrorWeight = 0.7f;     ///< Weight of how the patches at the mirror image run.
 /// Weight of the roots of other patches in the same part of the texture.
-constexpr float kMirrorWeight = 0.7f;  ///< What it counts how the patches at the mirror image run.
 constexpr float kIslandWeight = 1.0f;
 constexpr float kCommonWeight = 0.5f;  ///< Weight of the roots of other patches anywhere in the texture.
 constexpr std::uint32_t kCells = 64;   ///< Cells on each side of the texture.
