@@ -1,6 +1,7 @@
 #include "cook/recipe/recipe.h"
 
 #include "base/text.h"
+#include "base/words.h"
 #include "cook/recipe/recipe_keys.h"
 #include "cook/recipe/recipe_keys_json.h"
 

@@ -1,6 +1,7 @@
 #include "base/diagnostic.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cstddef>
 #include <utility>
@@ -25,6 +26,17 @@ std::vector<std::string> messages_of(const Diagnostics& diagnostics) {
   std::vector<std::string> messages;
   for (const Diagnostic& diagnostic : diagnostics) messages.push_back(diagnostic.message);
   return messages;
+}
+
+void from_json(const nlohmann::json& in, Diagnostic& diagnostic) {
+  in.at("code").get_to(diagnostic.code);
+  in.at("message").get_to(diagnostic.message);
+  in.at("where").get_to(diagnostic.place);
+  const auto& word = in.at("severity").get_ref<const std::string&>();
+  diagnostic.severity = word == name(Severity::kError)     ? Severity::kError
+                        : word == name(Severity::kWarning) ? Severity::kWarning
+                                                           : Severity::kInfo;
+  if (in.contains("patch")) diagnostic.patch = in.at("patch").get<std::uint32_t>();
 }
 
 }  // namespace coif

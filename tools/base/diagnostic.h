@@ -1,5 +1,7 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -33,5 +35,19 @@ struct Diagnostic {
 using Diagnostics = std::vector<Diagnostic>;
 
 [[nodiscard]] std::vector<std::string> messages_of(const Diagnostics& diagnostics);
+
+// A diagnostic is {"code", "severity", "message", "where"}, and "patch" where it is about one.
+
+template <class Json>
+void to_json(Json& out, const Diagnostic& diagnostic) {
+  out = {{"code", diagnostic.code},
+         {"severity", name(diagnostic.severity)},
+         {"message", diagnostic.message},
+         {"where", diagnostic.place}};
+  if (diagnostic.patch) out["patch"] = *diagnostic.patch;
+}
+
+/// Throws nlohmann::json::exception where `in` is no diagnostic.
+void from_json(const nlohmann::json& in, Diagnostic& diagnostic);
 
 }  // namespace coif

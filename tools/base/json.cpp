@@ -62,15 +62,4 @@ nlohmann::ordered_json number_json(double number) {
   return std::isfinite(number) ? nlohmann::ordered_json(number) : nlohmann::ordered_json(nullptr);
 }
 
-void from_json(const nlohmann::json& in, Diagnostic& diagnostic) {
-  in.at("code").get_to(diagnostic.code);
-  in.at("message").get_to(diagnostic.message);
-  in.at("where").get_to(diagnostic.place);
-  const auto& word = in.at("severity").get_ref<const std::string&>();
-  diagnostic.severity = word == name(Severity::kError)     ? Severity::kError
-                        : word == name(Severity::kWarning) ? Severity::kWarning
-                                                           : Severity::kInfo;
-  if (in.contains("patch")) diagnostic.patch = in.at("patch").get<std::uint32_t>();
-}
-
 }  // namespace coif

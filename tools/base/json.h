@@ -1,6 +1,5 @@
 #pragma once
 
-#include "base/diagnostic.h"
 #include "base/text.h"
 
 #include <nlohmann/json.hpp>
@@ -55,19 +54,5 @@ template <class Whole>
 
 /// Null for a number that is not finite.
 [[nodiscard]] nlohmann::ordered_json number_json(double number);
-
-// A diagnostic is {"code", "severity", "message", "where"}, and "patch" where it is about one.
-
-template <class Json>
-void to_json(Json& out, const Diagnostic& diagnostic) {
-  out = {{"code", diagnostic.code},
-         {"severity", name(diagnostic.severity)},
-         {"message", diagnostic.message},
-         {"where", diagnostic.place}};
-  if (diagnostic.patch) out["patch"] = *diagnostic.patch;
-}
-
-/// Throws nlohmann::json::exception where `in` is no diagnostic.
-void from_json(const nlohmann::json& in, Diagnostic& diagnostic);
 
 }  // namespace coif

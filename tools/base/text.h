@@ -55,12 +55,4 @@ namespace coif {
 /// "840 bytes", "12.3 kB", "4.57 MB"; 1 kB is 1000 bytes.
 [[nodiscard]] std::string bytes_text(double bytes);
 
-/// True where `name` matches `pattern`: * stands for any run of characters, ? for one, letters match in either case.
-[[nodiscard]] bool matches(std::string_view name, std::string_view pattern);
-[[nodiscard]] bool matches_any(std::string_view name, std::span<const std::string> patterns);
-
-/// The word with the smallest edit distance to `word` (insert, delete, replace), or "" where even that one differs in
-/// more than a third of its letters.
-[[nodiscard]] std::string nearest_word(const std::string& word, std::span<const std::string> words);
-
 }  // namespace coif

@@ -1,6 +1,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/text.h"
+#include "base/words.h"
 #include "cli/command.h"
 #include "cli/input_files.h"
 #include "cli/messages.h"

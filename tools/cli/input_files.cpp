@@ -2,6 +2,7 @@
 
 #include "base/asset_refusal.h"
 #include "base/text.h"
+#include "base/words.h"
 #include "cook/recipe/recipe_keys.h"
 #include "cook/select/select_hair.h"
 #include "cook/texture/source_images.h"

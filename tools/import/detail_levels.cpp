@@ -1,5 +1,6 @@
 #include "base/geometry.h"
 #include "base/text.h"
+#include "base/words.h"
 #include "import/shown_meshes.h"
 #include "import/source_warnings.h"
 

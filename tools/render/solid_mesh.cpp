@@ -1,7 +1,7 @@
 #include "render/stage_renderer.h"
 
 #include "base/geometry.h"
-#include "base/text.h"
+#include "base/words.h"
 #include "import/source_model.h"
 #include "render/patch_color.h"
 

@@ -1,7 +1,7 @@
 #include "cook/dynamics/bake_dynamics.h"
 
 #include "base/geometry.h"
-#include "base/text.h"
+#include "base/words.h"
 #include "cook/recipe/rig_recipe.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 #include "cook/dynamics/bake_links.h"
 
 #include "base/text.h"
+#include "base/words.h"
 #include "cook/dynamics/chain_groups.h"
 #include "cook/recipe/rig_recipe.h"
 

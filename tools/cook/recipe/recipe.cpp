@@ -2,6 +2,7 @@
 
 #include "base/json.h"
 #include "base/text.h"
+#include "base/words.h"
 #include "cook/recipe/recipe_keys.h"
 #include "cook/recipe/recipe_preset.h"
 #include "payload_hash.h"

@@ -2,6 +2,7 @@
 
 #include "base/geometry.h"
 #include "base/text.h"
+#include "base/words.h"
 #include "cook/recipe/rig_recipe.h"
 
 #include <fmt/format.h>

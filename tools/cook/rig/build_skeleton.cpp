@@ -1,4 +1,4 @@
-#include "base/text.h"
+#include "base/words.h"
 #include "cook/recipe/rig_recipe.h"
 #include "cook/rig/skeleton.h"
 #include "cook/select/hair_evidence.h"

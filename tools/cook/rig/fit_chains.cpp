@@ -1,6 +1,6 @@
 #include "cook/rig/fit_chains.h"
 
-#include "base/text.h"
+#include "base/words.h"
 #include "cook/recipe/rig_recipe.h"
 #include "cook/select/mesh_topology.h"
 

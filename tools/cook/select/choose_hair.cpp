@@ -1,4 +1,4 @@
-#include "base/text.h"
+#include "base/words.h"
 #include "cook/recipe/hair_recipe.h"
 #include "cook/select/hair_evidence.h"
 #include "cook/select/select_hair.h"

@@ -1,7 +1,7 @@
 #include "cook/select/head.h"
 
 #include "base/geometry.h"
-#include "base/text.h"
+#include "base/words.h"
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
 #include "cook/size/evidence.h"
 
-#include "base/text.h"
+#include "base/words.h"
 #include "cook/recipe/hair_recipe.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "cook/size/evidence.h"
 
 #include "base/geometry.h"
-#include "base/text.h"
+#include "base/words.h"
 #include "cook/select/hair_evidence.h"
 
 #include <algorithm>

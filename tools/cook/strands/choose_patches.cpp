@@ -1,6 +1,7 @@
 #include "cook/strands/choose_patches.h"
 
 #include "base/text.h"
+#include "base/words.h"
 #include "cook/recipe/strip_recipe.h"
 #include "cook/select/triangle_distance.h"
 

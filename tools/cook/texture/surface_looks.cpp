@@ -1,5 +1,5 @@
 #include "base/srgb.h"
-#include "base/text.h"
+#include "base/words.h"
 #include "cook/texture/base_color.h"
 
 #include <algorithm>
