@@ -92,6 +92,7 @@ nlohmann::ordered_json cook_json(const CookSummary& summary) {
           {"simulated_bones", report.simulated_bones},
           {"draw_order", draw_order_json(report.order)},
           {"notes", report.notes},
+          {"decisions", report.decisions},
           {"left_out", left_out_json(report)}};
 }
 

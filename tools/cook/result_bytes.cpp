@@ -93,6 +93,7 @@ json report_document(const CookReport& r) {
   return {{"passes", list_of_documents(r.passes)},
           {"warnings", r.warnings},
           {"notes", r.notes},
+          {"decisions", r.decisions},
           {"left_out", list_of_documents(r.left_out)},
           {"figures",
            {r.triangles, r.vertices, r.patches, r.patches_by_index, r.patches_by_position, r.chains, r.bones,
@@ -105,6 +106,7 @@ CookReport report_from(const json& document) {
   read_list(document.at("passes"), r.passes);
   document.at("warnings").get_to(r.warnings);
   document.at("notes").get_to(r.notes);
+  document.at("decisions").get_to(r.decisions);
   read_list(document.at("left_out"), r.left_out);
   std::uint32_t* const figures[] = {&r.triangles,           &r.vertices, &r.patches, &r.patches_by_index,
                                     &r.patches_by_position, &r.chains,   &r.bones,   &r.simulated_bones};

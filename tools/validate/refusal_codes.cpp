@@ -195,6 +195,16 @@ constexpr IssueCode kOriginCodes[] = {
      "message says what is taken.",
      "Set the material's opacity to 1 and its colour to white, connect the texture to its base colour and export "
      "again, or acknowledge the code."},
+    {"S227", kSource, kWarning, "head in doubt",
+     "Joints, the head's own mesh and the hair around it do not agree on one head, or none of them shows it.",
+     "Set \"head.center\" and \"head.radii\" in the recipe, or acknowledge the code where the picture of look is "
+     "right."},
+    {"S228", kSource, kWarning, "facing in doubt", "It is not certain whether the model looks along +Z or -Z.",
+     "Export with joints of eyes or toes, or acknowledge the code where pictures show the face."},
+    {"S229", kSource, kWarning, "roots in doubt",
+     "Of much of the hair it is not certain which ends of its strips are the roots.",
+     "Set \"strands.root\", or the root of single patches by \"patches.overrides\"; 'coif cook --list patches' names "
+     "them."},
     {"R101", kSource, kError, "cooked from other bytes", "The source has changed since the asset was cooked.",
      kCookAgain},
     {"R102", kSource, kError, "cooked by another recipe",

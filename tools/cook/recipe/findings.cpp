@@ -15,10 +15,20 @@ std::string LeftOut::text() const {
   return fmt::format("{}: {}{}", what, why, savings.empty() ? "" : fmt::format(" ({})", fmt::join(savings, ", ")));
 }
 
+void Findings::decide(Decision decision) {
+  if (decision.probability < kSureEnough) {
+    warn(code_of_doubt(decision), decision.doubt());
+  } else {
+    note(decision.text());
+  }
+  decisions.push_back(std::move(decision));
+}
+
 void Findings::append(const Findings& later) {
   notes.insert(notes.end(), later.notes.begin(), later.notes.end());
   warnings.insert(warnings.end(), later.warnings.begin(), later.warnings.end());
   left_out.insert(left_out.end(), later.left_out.begin(), later.left_out.end());
+  decisions.insert(decisions.end(), later.decisions.begin(), later.decisions.end());
 }
 
 void Findings::acknowledge(std::span<const std::string> codes) {

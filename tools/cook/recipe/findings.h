@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "cook/recipe/decision.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -25,12 +26,14 @@ struct LeftOut {
 
 /// The messages of all passes, each list in the order in which they ran.
 struct Findings {
-  std::vector<std::string> notes;  ///< Choices, and the reasons for them.
-  Diagnostics warnings;            ///< Things that the artist may not have intended.
-  std::vector<LeftOut> left_out;   ///< Parts of the source that are not in the asset, and why.
+  std::vector<std::string> notes;   ///< Choices, and the reasons for them.
+  Diagnostics warnings;             ///< Things that the artist may not have intended.
+  std::vector<LeftOut> left_out;    ///< Parts of the source that are not in the asset, and why.
+  std::vector<Decision> decisions;  ///< Where nobody said it; also among the notes, or the warnings if in doubt.
 
   void note(std::string text) { notes.push_back(std::move(text)); }
   void warn(const char* code, std::string text) { warnings.emplace_back(code, std::move(text)); }
+  void decide(Decision decision);
   /// Warnings of these codes become notes: somebody has seen them, and means it.
   void acknowledge(std::span<const std::string> codes);
   void leave_out(LeftOut part) { left_out.push_back(std::move(part)); }

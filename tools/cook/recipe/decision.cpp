@@ -1,0 +1,42 @@
+#include "cook/recipe/decision.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace coif::cook {
+namespace {
+
+/// Never "100 %": what nobody said is not certain.
+std::string percent(double probability) { return fmt::format("{:.0f} %", 100 * std::min(probability, 0.99)); }
+
+}  // namespace
+
+std::string Decision::text() const {
+  return fmt::format("{}: {}, {} sure: {}", what, chosen, percent(probability), reason);
+}
+
+std::string Decision::doubt() const {
+  return fmt::format("{} is in doubt: {} is taken with {} certainty ({}); set {} in the recipe", what, chosen,
+                     percent(probability), reason, key);
+}
+
+const char* code_of_doubt(const Decision& decision) {
+  constexpr std::array<std::pair<const char*, const char*>, 3> kCodes{
+      {{"head", "S227"}, {"facing", "S228"}, {"roots", "S229"}}};
+  const auto found = std::ranges::find(kCodes, decision.what, [](const auto& code) { return code.first; });
+  return found == kCodes.end() ? "S202" : found->second;
+}
+
+void from_json(const nlohmann::json& in, Decision& decision) {
+  in.at("what").get_to(decision.what);
+  in.at("chosen").get_to(decision.chosen);
+  in.at("reason").get_to(decision.reason);
+  in.at("probability").get_to(decision.probability);
+  in.at("key").get_to(decision.key);
+}
+
+}  // namespace coif::cook
