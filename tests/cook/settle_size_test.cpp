@@ -123,7 +123,8 @@ TEST_P(EveryStatement, AWrongPowerOfTenIsFoundAndTold) {
 TEST_P(EveryStatement, AnotherAxisUpIsFoundByTheSkeleton) {
   for (const std::size_t up : {1u, 2u}) {
     const JudgedSize size = judge(turned(styled_person(), up, said()));
-    EXPECT_TRUE((size.rotation * up_direction(up)).isApprox(Vector3d::UnitY())) << up << ": " << size.notes.at(0);
+    EXPECT_TRUE((size.rotation * up_direction(up)).isApprox(Vector3d::UnitY()))
+        << up << ": " << size.decisions.at(0).text();
     EXPECT_TRUE(doubts(size, SizeDoubt::Of::kOtherUp)) << up;
     EXPECT_EQ(size.factor, 1) << up;
   }

@@ -4,6 +4,8 @@
 #include "cook/rig/skeleton.h"
 #include "cook/stages/stages.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace coif::cook {
@@ -86,6 +88,9 @@ tl::expected<CookResult, ToolError> cook(const importer::SourceModel& source, co
   // Bones and dynamics.
   auto rig = make_rig(model, *strips, used, settings, log);
   if (!rig) return tl::unexpected(rig.error());
+
+  if (const Decision* asked = result.report.question(used.acknowledged_warnings))
+    return tl::unexpected(ToolError{ToolError::Kind::kBadInput, fmt::format("{}: {}", model.path, asked->doubt())});
 
   // Levels of detail, draw orders, textures and material.
   auto drawn = draw_hair(model, std::move(hair->color), std::move(*strips), std::move(*rig), used, used, settings, log);

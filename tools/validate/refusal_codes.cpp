@@ -205,6 +205,10 @@ constexpr IssueCode kOriginCodes[] = {
      "Of much of the hair it is not certain which ends of its strips are the roots.",
      "Set \"strands.root\", or the root of single patches by \"patches.overrides\"; 'coif cook --list patches' names "
      "them."},
+    {"S230", kSource, kWarning, "chains in doubt",
+     "Chains were fitted, but the hair that they move may not be what should move.",
+     "Look at 'coif look'; set \"chains.max_count\", \"chains.exclude\" or bones of your own, or acknowledge the "
+     "code."},
     {"R101", kSource, kError, "cooked from other bytes", "The source has changed since the asset was cooked.",
      kCookAgain},
     {"R102", kSource, kError, "cooked by another recipe",

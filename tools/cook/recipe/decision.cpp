@@ -1,10 +1,11 @@
-#include "cook/recipe/decision.h"
+#include "cook/recipe/logistic.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace coif::cook {
@@ -25,10 +26,19 @@ std::string Decision::doubt() const {
 }
 
 const char* code_of_doubt(const Decision& decision) {
-  constexpr std::array<std::pair<const char*, const char*>, 3> kCodes{
-      {{"head", "S227"}, {"facing", "S228"}, {"roots", "S229"}}};
+  constexpr std::array<std::pair<const char*, const char*>, 6> kCodes{
+      {{"head", "S227"}, {"facing", "S228"}, {"roots", "S229"}, {"chains", "S230"}, {"size", "S208"}, {"up", "S210"}}};
   const auto found = std::ranges::find(kCodes, decision.what, [](const auto& code) { return code.first; });
   return found == kCodes.end() ? "S202" : found->second;
+}
+
+double Logistic::probability(const Features& features) const {
+  double odds = bias;
+  for (const auto& [name, value] : features) {
+    const auto found = std::ranges::find(weights, name, [](const FeatureWeight& w) { return std::string(w.name); });
+    if (found != weights.end()) odds += found->weight * value;
+  }
+  return 1 / (1 + std::exp(-odds));
 }
 
 void from_json(const nlohmann::json& in, Decision& decision) {
@@ -37,6 +47,7 @@ void from_json(const nlohmann::json& in, Decision& decision) {
   in.at("reason").get_to(decision.reason);
   in.at("probability").get_to(decision.probability);
   in.at("key").get_to(decision.key);
+  for (const auto& [name, value] : in.at("features").items()) decision.features.emplace_back(name, value);
 }
 
 }  // namespace coif::cook

@@ -3,16 +3,22 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace coif::cook {
 
+/// Numbers by name, each about 0..1, from which a probability follows.
+using Features = std::vector<std::pair<std::string, double>>;
+
 /// What a cook decided where neither the file nor the recipe says it, and how sure it is of that.
 struct Decision {
-  std::string what;        ///< "hair", "head", "facing" or "roots".
+  std::string what;        ///< "hair", "head", "facing", "roots", "chains", "size" or "up".
   std::string chosen;      ///< "mesh 'Face'", "+Z".
   std::string reason;      ///< What speaks for it and against it.
   double probability = 1;  ///< That a person would say the same, 0..1: calibrated on labelled files.
   std::string key;         ///< The line of a recipe that decides it: "\"head.center\" and \"head.radii\"".
+  Features features;       ///< From which the probability was computed; for fitting its weights.
 
   /// "head: (0.000, 1.644, 0.043) m, 96 % sure: a joint and 2296 vertices"
   [[nodiscard]] std::string text() const;
@@ -23,18 +29,18 @@ struct Decision {
 /// Below the first, a decision is warned of; below the second, the cook stops and asks (bad input).
 inline constexpr double kSureEnough = 0.8, kAskBelow = 0.25;
 
-/// The code of the warning of a decision in doubt: S202 for "hair", S227 for "head", S228 "facing", S229 "roots".
+/// The code of the warning of a decision in doubt: S202 for "hair", S227 for "head", S228 "facing", S229 "roots",
+/// S230 "chains", S208 "size", S210 "up".
 [[nodiscard]] const char* code_of_doubt(const Decision& decision);
 
-// {"what", "chosen", "reason", "probability", "key"}
+// {"what", "chosen", "reason", "probability", "key", "features": {name: value}}
 
 template <class Json>
 void to_json(Json& out, const Decision& decision) {
-  out = {{"what", decision.what},
-         {"chosen", decision.chosen},
-         {"reason", decision.reason},
-         {"probability", decision.probability},
-         {"key", decision.key}};
+  out = {{"what", decision.what},     {"chosen", decision.chosen},
+         {"reason", decision.reason}, {"probability", decision.probability},
+         {"key", decision.key},       {"features", Json::object()}};
+  for (const auto& [name, value] : decision.features) out["features"][name] = value;
 }
 
 /// Throws nlohmann::json::exception where `in` is no decision.

@@ -16,12 +16,22 @@ std::string LeftOut::text() const {
 }
 
 void Findings::decide(Decision decision) {
-  if (decision.probability < kSureEnough) {
-    warn(code_of_doubt(decision), decision.doubt());
-  } else {
-    note(decision.text());
-  }
+  if (decision.probability >= kSureEnough) return say(std::move(decision));
+  warn(code_of_doubt(decision), decision.doubt());
   decisions.push_back(std::move(decision));
+}
+
+void Findings::say(Decision decision) {
+  note(decision.text());
+  decisions.push_back(std::move(decision));
+}
+
+const Decision* Findings::question(std::span<const std::string> acknowledged) const {
+  const auto found = std::ranges::find_if(decisions, [&](const Decision& decision) {
+    return decision.probability < kAskBelow &&
+           std::ranges::find(acknowledged, code_of_doubt(decision)) == acknowledged.end();
+  });
+  return found == decisions.end() ? nullptr : &*found;
 }
 
 void Findings::append(const Findings& later) {

@@ -33,7 +33,13 @@ struct Findings {
 
   void note(std::string text) { notes.push_back(std::move(text)); }
   void warn(const char* code, std::string text) { warnings.emplace_back(code, std::move(text)); }
+  /// Notes a decision, or warns where it is in doubt.
   void decide(Decision decision);
+  /// The first decision that is so much in doubt that the cook should ask; null: none. One whose code is in
+  /// `acknowledged` is meant.
+  [[nodiscard]] const Decision* question(std::span<const std::string> acknowledged) const;
+  /// Notes a decision whose doubts have warnings of their own.
+  void say(Decision decision);
   /// Warnings of these codes become notes: somebody has seen them, and means it.
   void acknowledge(std::span<const std::string> codes);
   void leave_out(LeftOut part) { left_out.push_back(std::move(part)); }

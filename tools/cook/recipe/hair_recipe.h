@@ -10,6 +10,9 @@ namespace coif::cook {
 /// The shape of the head that hair keeps out of.
 enum class HeadShape { kAuto, kEllipsoid, kSphere, kCapsule, kNothing };
 
+/// Where a model looks.
+enum class Faces { kAuto, kPlusZ, kMinusZ };
+
 /// The recipe's values for choosing the hair's triangles, and for the head that it grows on.
 struct HairRecipe {
   // Patterns with * and ?, letters of either case.
@@ -19,6 +22,7 @@ struct HairRecipe {
   double patch_weld_distance = 0;  ///< Metres.
   std::string head_bone;           ///< Pattern; "": found by name and hierarchy.
   HeadShape head_shape = HeadShape::kAuto;
+  Faces head_faces = Faces::kAuto;
   std::optional<std::array<double, 3>> head_center;  ///< Model space, metres.
   std::optional<std::array<double, 3>> head_radii;   ///< Metres.
 };

@@ -173,6 +173,8 @@ const RecipeKey kCookKeys[] = {
 
   {"head", "shape", choice_of<&R::head_shape>, "\"auto\"", 0, 0, "auto|ellipsoid|sphere|capsule|none", "",
    "what hair stays out of; auto: the file's spring colliders on the head, else an ellipsoid"},
+  {"head", "faces", choice_of<&R::head_faces>, "\"auto\"", 0, 0, "auto|+Z|-Z", "",
+   "where the model looks once +Y is up; auto: where joints of eyes and toes, or the hair, show it"},
   {"head", "center", &R::head_center, "null", -1000, 1000, nullptr, "m",
    "centre of the head in the model, metres, Y up; null: fitted"},
   {"head", "radii", &R::head_radii, "null", 0.001, 1000, nullptr, "m",

@@ -57,4 +57,8 @@ struct LockCurve {
                                  const Skeleton& rigid, const RigRecipe& recipe, Findings& findings,
                                  const std::stop_token& stop = {});
 
+/// Decides whether fitted chains are what a person would make, by what moves: chains that hang, one for each part of
+/// the hair around the head, alike on both sides, and nothing that lies on the head.
+void judge_chains(const HairStrips& hair, const FittedHead& head, const HairRig& rig, Findings& findings);
+
 }  // namespace coif::cook

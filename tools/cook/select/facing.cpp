@@ -1,9 +1,16 @@
+#include "cook/recipe/hair_recipe.h"
+#include "cook/recipe/logistic.h"
 #include "cook/select/hair_evidence.h"
 #include "cook/select/head.h"
 
+#include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace coif::cook {
 namespace {
@@ -15,12 +22,13 @@ constexpr double kStraight = 0.7;   ///< Cosine of 45 degrees: towards the front
 constexpr double kClearly = 3;      ///< Times as much hair on one side as on the other: that is the back of the head.
 constexpr double kLeastHair = 0.3;  ///< Square metres by the square of the head's radius; with less the head is bald.
 
-}  // namespace
+/// Square metres of hair on the side of +Z and of -Z, at the height of a face.
+struct HairBySide {
+  double front = 0, back = 0;
+};
 
-bool faces_backwards(const importer::SourceModel& source, const HairMesh& hair, const FittedHead& head) {
-  if (source.facing != importer::Facing::kUnknown) return source.facing == importer::Facing::kBackwards;
-  if (head.forwards != 0) return head.forwards < 0;
-  double front = 0, back = 0;  // square metres of hair on the side of +Z and -Z
+HairBySide hair_by_side(const HairMesh& hair, const HeadEllipsoid& head) {
+  HairBySide sides;
   for (std::size_t t = 0; t < hair.triangle_count(); ++t) {
     const Eigen::Vector3d a = hair.corner(t, 0).cast<double>(), b = hair.corner(t, 1).cast<double>(),
                           c = hair.corner(t, 2).cast<double>();
@@ -28,11 +36,46 @@ bool faces_backwards(const importer::SourceModel& source, const HairMesh& hair, 
     const double across = std::hypot(from.x(), from.z());
     if (from.y() < kChin || from.y() > kBrow || across > kBefore) continue;
     if (std::abs(from.z()) < kStraight * across) continue;
-    (from.z() > 0 ? front : back) += 0.5 * (b - a).cross(c - a).norm();
+    (from.z() > 0 ? sides.front : sides.back) += 0.5 * (b - a).cross(c - a).norm();
   }
+  return sides;
+}
+
+// By fit_decisions.py: where the crown is bare, hair may be a beard at the front as well as a tail at the back.
+constexpr std::array kFacingWeights{FeatureWeight{"joints", 1.12}, FeatureWeight{"behind", 1.31},
+                                    FeatureWeight{"beard", 1.25}, FeatureWeight{"bald", -3.87}};
+constexpr Logistic kFacing{2.68, kFacingWeights};
+
+}  // namespace
+
+bool faces_backwards(const importer::SourceModel& source, const HairMesh& hair, const FittedHead& head,
+                     const HairRecipe& recipe, Findings& findings) {
+  if (recipe.head_faces != Faces::kAuto) return recipe.head_faces == Faces::kMinusZ;
+  if (source.facing != importer::Facing::kUnknown) return source.facing == importer::Facing::kBackwards;
+  const HairBySide sides = hair_by_side(hair, head);
   const double least = kLeastHair * head.radii.x() * head.radii.z();
-  if (hair_is_called(source, hair, is_called_beard, is_called_beard)) return back > front;
-  return front > least && front > kClearly * back;
+  const bool beard = hair_is_called(source, hair, is_called_beard, is_called_beard);
+  bool backwards = head.forwards < 0;
+  if (head.forwards == 0)
+    backwards = beard ? sides.back > sides.front : sides.front > least && sides.front > kClearly * sides.back;
+
+  // Hair hangs at the back of the head, beards at its front.
+  const double lead = std::log((sides.back + 0.1 * least) / (sides.front + 0.1 * least)) / std::log(10.0);
+  const double behind = std::clamp((backwards != beard ? -1 : 1) * lead, -1.0, 1.0);
+  Decision facing{"facing", backwards ? "-Z" : "+Z", {}, 1, "\"head.faces\": \"+Z\" or \"-Z\"", {}};
+  facing.reason = head.forwards != 0 ? "joints of eyes or toes show it"
+                                     : fmt::format("{:.0f} % of what hangs at a face's height is {}",
+                                                   100 * (backwards != beard ? sides.front : sides.back) /
+                                                       std::max(sides.front + sides.back, 1.0e-9),
+                                                   beard ? "before it" : "behind it");
+  const bool by_joints = head.forwards != 0;
+  facing.features = {{"joints", by_joints ? 1 : 0},
+                     {"behind", behind},
+                     {"beard", beard ? 1 : 0},
+                     {"bald", by_joints ? 0 : 1 - hair_cover(hair, head).around}};
+  facing.probability = kFacing.probability(facing.features);
+  findings.decide(std::move(facing));
+  return backwards;
 }
 
 }  // namespace coif::cook

@@ -52,9 +52,11 @@ struct FittedHead : HeadEllipsoid {
   bool faces_backwards = false;  ///< Looks along -Z instead of +Z.
 };
 
-/// Whether the model looks along -Z: as the file says (VRM), or eyes and toes show; else where hair hangs on the side
-/// of +Z at the height of a face and hardly any on the other. What is called a beard hangs from the face itself.
-[[nodiscard]] bool faces_backwards(const importer::SourceModel& source, const HairMesh& hair, const FittedHead& head);
+/// Whether the model looks along -Z: as the recipe says, the file (VRM), or eyes and toes show; else where hair hangs
+/// on the side of +Z at the height of a face and hardly any on the other. What is called a beard hangs from the face
+/// itself. Decides "facing" unless the recipe does.
+[[nodiscard]] bool faces_backwards(const importer::SourceModel& source, const HairMesh& hair, const FittedHead& head,
+                                   const HairRecipe& recipe, Findings& findings);
 
 /// How the head was estimated before the hair around it was looked at.
 struct HeadSign {
@@ -72,7 +74,7 @@ struct HeadSign {
 /// The recipe's head, if declared. Else it is estimated from vertices outside the hair's meshes that follow the head
 /// bone (not if a quarter of the hair is deep inside them, as in a hood), or without those from the hair's upper part;
 /// then it is moved and resized until the hair agrees (fit_head_room()), and shrunk until hardly any hair is inside.
-/// Notes its place and how much hair is inside; warns if that is much.
+/// Decides "head" unless the recipe does. Notes its place and how much hair is inside; warns if that is much.
 [[nodiscard]] FittedHead fit_head(const importer::SourceModel& source, const HairMesh& hair, const HeadBone& head_bone,
                                   const HairRecipe& recipe, Findings& findings, const std::stop_token& stop = {});
 

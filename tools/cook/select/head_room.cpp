@@ -207,4 +207,17 @@ double share_with_room(const HairMesh& hair, const HeadEllipsoid& head, const Ha
                    after_share(around.outermost, most.pokes)});
 }
 
+HairCover hair_cover(const HairMesh& hair, const HeadEllipsoid& head) {
+  constexpr double kUpperHalf = double(kSide * kSide) / 2;
+  std::size_t near = 0;
+  double hovering = 0;
+  for (const Seen& part : look_around(sample_surface(hair), head.center)) {
+    const double scaled = head.scaled_distance(part.innermost);
+    if (!((part.innermost - head.center).y() > 0) || !(scaled < kNear)) continue;
+    ++near;
+    hovering += std::abs(scaled - 1);
+  }
+  return {std::min(1.0, double(near) / kUpperHalf), near > 0 ? hovering / double(near) : kNear - 1};
+}
+
 }  // namespace coif::cook

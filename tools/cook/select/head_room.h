@@ -58,6 +58,14 @@ struct HairInside {
 
 [[nodiscard]] HairInside hair_inside(const HairMesh& hair, const HeadEllipsoid& head);
 
+/// How hair lies around a head; shares 0..1 of the directions from its middle that point up, or level to the back.
+struct HairCover {
+  double around = 0;    ///< With hair no farther from the head than half a radius.
+  double hovering = 0;  ///< Mean distance of the innermost hair in these, radii, 0..0.5.
+};
+
+[[nodiscard]] HairCover hair_cover(const HairMesh& hair, const HeadEllipsoid& head);
+
 /// The largest factor, at most 1, on a head's size with which every share is within `most`.
 [[nodiscard]] double share_with_room(const HairMesh& hair, const HeadEllipsoid& head, const HairInside& most);
 

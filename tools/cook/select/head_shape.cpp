@@ -1,6 +1,7 @@
 #include "base/geometry.h"
 #include "base/text.h"
 #include "cook/recipe/hair_recipe.h"
+#include "cook/recipe/logistic.h"
 #include "cook/select/head.h"
 #include "cook/select/head_landmarks.h"
 
@@ -8,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -72,19 +74,21 @@ HeadGuess guess_by_hair(const HairMesh& hair) {
   return guess;
 }
 
-/// Shrinks it, to `least` of its size at the utmost, until hardly any hair is inside.
-void make_room(const HairMesh& hair, double least, FittedHead& head, Findings& findings) {
+/// Shrinks it, to `least` of its size at the utmost, until hardly any hair is inside. Returns the factor.
+double make_room(const HairMesh& hair, double least, FittedHead& head, Findings& findings) {
   const double share = share_with_room(hair, head, kMostInside);
-  head.radii *= std::clamp(share * 0.999, least, 1.0);
+  const double factor = std::clamp(share * 0.999, least, 1.0);
+  head.radii *= factor;
   head.radii = head.radii.cwiseMax(kSmallestRadius);
   const HairInside inside = hair_inside(hair, head);
   const double most = kWorthAWord * kMostInside.area;
-  if (inside.area <= most && inside.vertices <= std::max(most, 1.0 / double(hair.positions.size()))) return;
+  if (inside.area <= most && inside.vertices <= std::max(most, 1.0 / double(hair.positions.size()))) return factor;
   findings.warn(
       "C111",
       fmt::format("{:.0f} % of the hair's surface is inside the head, even where that is made {:.0f} % as large as it "
                   "looks; if it is not the head, set \"head.center\" and \"head.radii\" in the recipe",
                   100 * std::max(inside.area, inside.vertices), 100 * least));
+  return factor;
 }
 
 }  // namespace
@@ -95,6 +99,43 @@ HeadSign first_sign_of_head(const importer::SourceModel& source, const HairMesh&
   return {ellipsoid_under_top(hair), false};
 }
 
+namespace {
+
+// By fit_decisions.py: where joints show the head it is seldom wrong; where only hair does, its first guess and the
+// hair may disagree, hair may hover, or leave the crown bare.
+constexpr std::array kHeadWeights{FeatureWeight{"joint", 1.47},     FeatureWeight{"mesh", -0.93},
+                                  FeatureWeight{"moved", -1.96},    FeatureWeight{"moved alone", -0.86},
+                                  FeatureWeight{"hovering", -0.98}, FeatureWeight{"bare", -1.16},
+                                  FeatureWeight{"shrunk", -0.43}};
+constexpr Logistic kHead{3.41, kHeadWeights};
+
+/// The head as it was before the hair was looked at, as it was with it, and how much it shrank.
+struct HeadFit {
+  HeadEllipsoid first, fitted;
+  double share = 1;
+};
+
+Features features_of(const HairMesh& hair, const HeadLandmarks& marks, const HeadFit& fit) {
+  const HairCover cover = hair_cover(hair, fit.fitted);
+  const double grown = std::log(fit.fitted.radii.mean() / fit.first.radii.mean());
+  const double moved = (fit.fitted.center - fit.first.center).norm() / fit.first.radii.mean() + std::abs(grown);
+  const bool alone = !marks.joint && !marks.mesh;
+  return {{"joint", marks.joint ? 1 : 0},
+          {"mesh", marks.mesh ? 1 : 0},
+          {"moved", std::min(1.0, moved)},
+          {"moved alone", alone ? std::min(1.0, moved) : 0},
+          {"hovering", alone ? 2 * cover.hovering : 0},
+          {"bare", alone ? 1 - cover.around : 0},
+          {"shrunk", std::min(1.0, 3 * (1 - fit.share))}};
+}
+
+std::string place_text(const HeadEllipsoid& head) {
+  return fmt::format("centre ({:.3f}, {:.3f}, {:.3f}) m, radii ({:.3f}, {:.3f}, {:.3f}) m", head.center.x(),
+                     head.center.y(), head.center.z(), head.radii.x(), head.radii.y(), head.radii.z());
+}
+
+}  // namespace
+
 FittedHead fit_head(const importer::SourceModel& source, const HairMesh& hair, const HeadBone& head_bone,
                     const HairRecipe& recipe, Findings& findings, const std::stop_token& stop) {
   FittedHead head;
@@ -102,6 +143,7 @@ FittedHead fit_head(const importer::SourceModel& source, const HairMesh& hair, c
   const HeadLandmarks landmarks = find_landmarks(source, hair, head_bone);
   head.forwards = landmarks.forwards;
   double least = 1;
+  HeadFit fit;
   if (recipe.head_center && recipe.head_radii) {
     head.center = Vector3d(recipe.head_center->data());
     head.radii = Vector3d(recipe.head_radii->data()).cwiseMax(kSmallestRadius);
@@ -110,22 +152,34 @@ FittedHead fit_head(const importer::SourceModel& source, const HairMesh& hair, c
   } else {
     if (landmarks.show_size()) {
       head.origin = landmarks.text();
+      fit.first = likeliest_head(landmarks);
       const auto by_landmarks = [&](const HeadEllipsoid& h) { return surprise(h, landmarks); };
-      static_cast<HeadEllipsoid&>(head) = fit_head_room(hair, likeliest_head(landmarks), by_landmarks, stop);
+      fit.fitted = fit_head_room(hair, fit.first, by_landmarks, stop);
     } else {
       head.origin = "the inside of the hair";
-      static_cast<HeadEllipsoid&>(head) = fit_head_room(hair, guess_by_hair(hair), stop);
+      const HeadGuess guess = guess_by_hair(hair);
+      fit.first = guess.shape;
+      fit.fitted = fit_head_room(hair, guess, stop);
     }
+    static_cast<HeadEllipsoid&>(head) = fit.fitted;
     least = landmarks.has_whole_mesh() ? kLeastOfWhole : landmarks.show_size() ? kLeastOfPart : kLeastOfHair;
   }
   if (head.shape == HeadShape::kSphere) head.radii.setConstant(head.radii.mean());
-  if (!head.declared) make_room(hair, least, head, findings);
+  if (!head.declared) {
+    fit.share = make_room(hair, least, head, findings);
+    Decision decision{"head",
+                      place_text(head),
+                      head.origin,
+                      1,
+                      "\"head.center\" and \"head.radii\"",
+                      features_of(hair, landmarks, fit)};
+    decision.probability = kHead.probability(decision.features);
+    findings.decide(std::move(decision));
+  }
   const HairInside inside = hair_inside(hair, head);
   findings.note(
-      fmt::format("head: {}; centre ({:.3f}, {:.3f}, {:.3f}) m, radii ({:.3f}, {:.3f}, {:.3f}) m, {:.1f} % of the "
-                  "hair's surface and {:.1f} % of its vertices inside; moved by '{}'",
-                  head.origin, head.center.x(), head.center.y(), head.center.z(), head.radii.x(), head.radii.y(),
-                  head.radii.z(), 100 * inside.area, 100 * inside.vertices, head_bone.name));
+      fmt::format("head: {}; {}, {:.1f} % of the hair's surface and {:.1f} % of its vertices inside; moved by '{}'",
+                  head.origin, place_text(head), 100 * inside.area, 100 * inside.vertices, head_bone.name));
   return head;
 }
 

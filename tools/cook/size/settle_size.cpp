@@ -27,6 +27,14 @@ struct Vote {
   [[nodiscard]] double sum() const { return prior + evidence; }
 };
 
+/// The probability of one of all that are possible.
+template <class AnyVote>
+double share_of(const AnyVote& one, const std::vector<AnyVote>& all) {
+  double sum = 0;
+  for (const AnyVote& other : all) sum += std::exp(other.sum() - one.sum());
+  return 1 / sum;
+}
+
 std::string length_text(double metres) {
   if (metres < 0.01) return fmt::format("{:.2g} mm", 1000 * metres);
   return metres < 1 ? fmt::format("{:.3g} cm", 100 * metres) : fmt::format("{:.3g} m", metres);
@@ -91,15 +99,19 @@ void judge_unit(const KnownModel& known, const HairRecipe& recipe, JudgedSize& j
   const Vote& own = votes.front();  // the file's, or metres
   const auto best = std::ranges::max_element(votes, {}, &Vote::sum);
   const Vote& rival = *std::ranges::max_element(votes.begin() + 1, votes.end(), {}, &Vote::sum);
-  judged.notes.push_back(fmt::format("size by {}: {}; log-likelihood {:.1f} + {:.1f}, of {} m per unit {:.1f} + {:.1f}",
-                                     space.unit_words, lengths_text(evidence, 1), own.prior, own.evidence,
-                                     unit_text(space, rival.factor), rival.prior, rival.evidence));
   if (space.unit == importer::Statement::kGiven) {
     if (rival.evidence - own.evidence > kAbsurd && rival.evidence > kFits)
       say_doubtful_unit(space, evidence, rival.factor, judged);
     return;
   }
-  if (best->factor != 1 && best->evidence > kFits) return say_other_unit(space, evidence, best->factor, judged);
+  const Vote& taken = best->evidence > kFits ? *best : own;
+  judged.decisions.push_back({"size",
+                              unit_text(space, taken.factor) + " m per unit",
+                              fmt::format("{}; {}", space.unit_words, lengths_text(evidence, taken.factor)),
+                              share_of(taken, votes),
+                              "\"source.metres_per_unit\"",
+                              {}});
+  if (taken.factor != 1) return say_other_unit(space, evidence, taken.factor, judged);
   const bool nearly_loses = own.sum() - rival.sum() < kNarrow && rival.evidence > kFits;
   if (own.evidence < kSaysLittle && (nearly_loses || own.evidence < -kAbsurd))
     say_doubtful_unit(space, evidence, rival.factor, judged);
@@ -118,6 +130,12 @@ std::string against_text(const std::vector<UpEvidence>& evidence, std::size_t ow
     if (item.likelihood[rival] > item.likelihood[own] + 0.3) parts.push_back(item.what);
   }
   return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+/// "; the head is above the hips": what speaks for one direction against another.
+std::string support_text(const std::vector<UpEvidence>& evidence, std::size_t one, std::size_t other) {
+  const std::string text = against_text(evidence, other, one);
+  return text.empty() ? "" : "; " + text;
 }
 
 /// A direction of the model as the file has it, before it was turned.
@@ -143,9 +161,6 @@ void judge_up(const KnownModel& known, JudgedSize& judged) {
   }
   const UpVote& own = votes.front();
   const UpVote& rival = *std::ranges::max_element(votes.begin() + 1, votes.end(), {}, &UpVote::sum);
-  judged.notes.push_back(fmt::format("up by {}: log-likelihood {:.1f} + {:.1f}, of the file's {} {:.1f} + {:.1f}",
-                                     space.up_words, own.prior, own.evidence, axis_text(space, rival.up), rival.prior,
-                                     rival.evidence));
   const std::string why = against_text(evidence, own.up, rival.up), axis = axis_text(space, rival.up);
   const double lead = own.sum() - rival.sum();
   if (space.up == importer::Statement::kGiven) {
@@ -155,7 +170,16 @@ void judge_up(const KnownModel& known, JudgedSize& judged) {
            fmt::format("the recipe's \"source.up_axis\": \"{}\" is doubtful: with the file's {} up {}: check it",
                        space.up_axis, axis, why)});
     }
-  } else if (lead < 0) {
+    return;
+  }
+  const UpVote& taken = lead < 0 ? rival : own;
+  judged.decisions.push_back({"up",
+                              "the file's " + axis_text(space, taken.up),
+                              space.up_words + support_text(evidence, taken.up, lead < 0 ? own.up : rival.up),
+                              share_of(taken, votes),
+                              "\"source.up_axis\"",
+                              {}});
+  if (lead < 0) {
     judged.rotation = y_up_from_direction(rival.up);
     judged.doubts.push_back(
         {SizeDoubt::Of::kOtherUp,
@@ -205,7 +229,7 @@ const char* code_of(SizeDoubt::Of of) {
 
 SettledSource settle_size(const importer::SourceModel& source, const HairRecipe& recipe, Findings& findings) {
   JudgedSize size = judge_size(source, recipe);
-  for (const std::string& note : size.notes) findings.note(note);
+  for (Decision& decision : size.decisions) findings.say(std::move(decision));
   for (const SizeDoubt& doubt : size.doubts) findings.warn(code_of(doubt.of), doubt.text);
   if (!size.changes()) return {std::nullopt, std::move(size.hair)};
   return {settled(source, size), std::nullopt};

@@ -36,7 +36,7 @@ struct JudgedSize {
   double factor = 1;                                       ///< For the model's lengths.
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< For the model's directions.
   std::vector<SizeDoubt> doubts = {};
-  std::vector<std::string> notes = {};    ///< The evidence for and against.
+  std::vector<Decision> decisions = {};   ///< "size" and "up", unless the caller decides.
   std::optional<SelectedHair> hair = {};  ///< The hair of the original model, if it was looked for in that form.
 
   [[nodiscard]] bool changes() const { return factor != 1 || !rotation.isIdentity(); }

@@ -42,9 +42,7 @@ Done find_head(const importer::SourceModel& source, const HairRecipe& recipe, co
   strips.head_bone = std::move(*bone);
   log.pass("head", [&] {
     strips.head = fit_head(source, mesh, strips.head_bone, recipe, log.findings(), stop);
-    strips.head.faces_backwards = faces_backwards(source, mesh, strips.head);
-    if (strips.head.faces_backwards)
-      log.findings().note("the model looks along -Z; pictures are taken from there, and chains named by it");
+    strips.head.faces_backwards = faces_backwards(source, mesh, strips.head, recipe, log.findings());
     if (strips.head_bone.node == importer::kNoIndex) strips.head_bone.joint = strips.head.center;
   });
   return {};

@@ -51,6 +51,7 @@ class RigMaker {
     log_.pass("chains", [&] {
       made_.rig =
           fit_chains(source_, strips_.hair, strips_.head, skeleton(), recipe_, findings_, settings_.threads.stop);
+      judge_chains(strips_.hair, strips_.head, made_.rig, findings_);
     });
     return {};
   }
