@@ -373,7 +373,7 @@ importer::SourceModel bob_that_faces(bool backwards) {
 
 bool is_backwards(const importer::SourceModel& model) {
   const auto hair = select_hair(model, default_recipe(), unheard());
-  return hair && faces_backwards(model, *hair, head_of(model));
+  return hair && faces_backwards(model, *hair, head_of(model), default_recipe(), unheard());
 }
 
 TEST(Facing, IsWhereThereIsNoHairBeforeTheFace) {

@@ -1,6 +1,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/text.h"
+#include "cli/body.h"
 #include "cli/command.h"
 #include "cli/cook_job.h"
 #include "cli/input_files.h"
@@ -31,6 +32,7 @@ struct LookedAt {
   FileBytes bytes;
   std::vector<std::string> told;
   std::vector<std::filesystem::path> inputs;  ///< The inputs of that cook.
+  bool was_source = false;
 };
 
 /// A source is cooked only as far as a picture needs: the search for draw orders takes longest and changes soft edges
@@ -48,12 +50,19 @@ tl::expected<LookedAt, ToolError> asset_of(const LookOptions& options, const Mes
   cook.limits = options.limits;
   const auto cooked = cook_alone(cook, *choice, messages);
   if (!cooked) return tl::unexpected(cooked.error());
-  LookedAt result{FileBytes::copy(cooked->asset), {}, files_of(*choice, cooked->inputs)};
+  LookedAt result{FileBytes::copy(cooked->asset), {}, files_of(*choice, cooked->inputs), true};
   messages.tell(cooked->report.warnings, options.file);
   for (const Diagnostic& warning : cooked->report.warnings) result.told.push_back("WARNING: " + warning.message);
   for (const std::string& note : cooked->report.notes) result.told.push_back(note);
   for (const cook::LeftOut& left_out : cooked->report.left_out) result.told.push_back("left out: " + left_out.text());
   return result;
+}
+
+/// What is not hair. A file whose rest cannot be drawn is looked at without it.
+Body rest_of_source(const LookOptions& options, const Asset& asset, const Messages& messages) {
+  auto body =
+      read_body({options.file, {}, options.recipe, options.roots, options.limits}, asset, messages.without_notes());
+  return body ? std::move(*body) : Body{};
 }
 
 std::string title_of(const LookOptions& options, const Asset& asset) {
@@ -86,7 +95,10 @@ tl::expected<Exit, ToolError> run_look(const LookOptions& options, const Message
   if (!file) return tl::unexpected(file.error());
   const Asset& asset = file->asset();
   ProgressLine line(options.file);
-  const render::LookSettings settings{options.size.width, options.size.height, title_of(options, asset), looked->told};
+  render::LookSettings settings{options.size.width, options.size.height, title_of(options, asset), looked->told,
+                                nullptr};
+  const Body body = looked->was_source ? rest_of_source(options, asset, messages) : Body{};
+  if (!body.model.meshes.empty()) settings.rest = &body.model;
   const auto look =
       render::render_look(asset, settings, [&line](const std::string& caption) { line.show(caption.c_str()); });
   line.erase();

@@ -3,14 +3,13 @@
 #include "base/json.h"
 #include "base/parallel_for.h"
 #include "base/text.h"
+#include "cli/body.h"
 #include "cli/command.h"
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
 #include "cli/source_limits.h"
 #include "cli/verb_options.h"
-#include "cook/size/settle_size.h"
-#include "payload_hash.h"
 #include "render/picture.h"
 #include "render/presentation.h"
 
@@ -65,39 +64,6 @@ struct RenderOptions {
   render::PictureSettings picture;
   OutputFormat format = OutputFormat::kText;
 };
-
-struct Body {
-  importer::SourceModel model;
-  render::BodyTextures textures;
-  std::vector<std::filesystem::path> files;  ///< The file it was read from, and the files that this one names.
-};
-
-/// Whether the asset was cooked from this very file.
-bool is_source_of(const Asset& asset, const std::filesystem::path& file) {
-  const ProvenanceRecord* const made = asset.provenance();
-  const auto bytes = FileBytes::read(file);
-  return made != nullptr && bytes && xxh64(bytes->span()) == made->source_hash;
-}
-
-/// Without meshes if the file has only the hair's own.
-tl::expected<Body, ToolError> read_body(const RenderOptions& options, const Asset& asset, const Messages& messages) {
-  const auto choice = choose_recipe(options.body, options.recipe, messages);
-  if (!choice) return tl::unexpected(choice.error());
-  auto model = importer::import_model(
-      options.body, options.limits.of_import(import_settings(choice->recipe, options.roots), messages));
-  if (!model) return tl::unexpected(model.error());
-  std::vector<std::filesystem::path> files = files_of(*model);
-  const std::vector<std::filesystem::path> of_recipe = files_of(*choice);
-  files.insert(files.end(), of_recipe.begin(), of_recipe.end());
-  cook::Findings findings;
-  if (auto resized = cook::settle_size(*model, choice->recipe, findings).model) *model = std::move(*resized);
-  model = keep_body(std::move(*model), options.body_mesh, choice->recipe, is_source_of(asset, options.body));
-  if (!model) return tl::unexpected(model.error());
-  if (model->meshes.empty()) messages.warning(options.body + ": has nothing but the hair; drawn as without --body");
-  render::BodyTextures textures = render::read_body_textures(*model, findings);
-  messages.tell(findings.warnings, options.body);
-  return Body{std::move(*model), std::move(textures), std::move(files)};
-}
 
 /// Splits the limit of shaded samples: as many as possible are oversampling, the rest multisampling by the driver.
 void share_samples(const RenderOptions& options, render::PictureSettings& settings) {
@@ -170,11 +136,15 @@ tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Mes
   }
   tl::expected<Body, ToolError> body;
   if (!options.body.empty()) {
-    body = read_body(options, file->asset(), messages);
+    body = read_body({options.body, options.body_mesh, options.recipe, options.roots, options.limits}, file->asset(),
+                     messages);
     if (!body) return tl::unexpected(body.error());
     if (auto checked = check_output(options.output, body->files); !checked) return tl::unexpected(checked.error());
+    if (body->model.meshes.empty())
+      messages.warning(options.body + ": has nothing but the hair; drawn as without --body");
     if (!body->model.meshes.empty()) settings.body = &body->model;
-    settings.body_textures = body->textures;
+    settings.body_textures = render::read_body_textures(body->model, body->findings);
+    messages.tell(body->findings.warnings, options.body);
   }
   const auto picture = render::render_picture(file->asset(), settings);
   if (!picture) {

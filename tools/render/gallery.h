@@ -108,6 +108,7 @@ struct LookSettings {
   std::string title;  ///< Above all pictures.
   /// Messages of the cook, a paragraph each, below the pictures; bytes other than ASCII are replaced.
   std::vector<std::string> told;
+  const importer::SourceModel* rest = nullptr;  ///< What is not hair, without its textures; null: not known.
 };
 
 /// One sheet that shows whether a cook is right: the hair from all sides, its patches and the direction of its strands,

@@ -64,6 +64,9 @@ std::vector<Gallery> what_to_look_at(const Asset& asset, const LookSettings& set
   picture.shadows = &kDeepShadow;
   std::vector<Gallery> galleries{from_all_sides(settings.title, picture)};
   PictureSettings part = picture;
+  part.body = settings.rest;
+  if (settings.rest) galleries.push_back(from_all_sides("On the rest of the model, which is not hair", part));
+  part = picture;
   part.component = Component::kDirection;
   galleries.push_back(from_all_sides("Strands: green at the root, red at the tip, spikes point to the tip", part));
   part = picture;

@@ -21,8 +21,8 @@ std::string Decision::text() const {
 }
 
 std::string Decision::doubt() const {
-  return fmt::format("{} is in doubt: {} is taken with {} certainty ({}); set {} in the recipe", what, chosen,
-                     percent(probability), reason, key);
+  return fmt::format("in doubt: {}: {}, {} sure ({}); set {} in the recipe", what, chosen, percent(probability), reason,
+                     key);
 }
 
 const char* code_of_doubt(const Decision& decision) {

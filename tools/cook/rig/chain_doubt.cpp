@@ -113,15 +113,18 @@ constexpr Logistic kChains{2.82, kChainWeights};
 void judge_chains(const HairStrips& hair, const FittedHead& head, const HairRig& rig, Findings& findings) {
   const MovingHair moving = find_moving(hair.mesh, head, rig);
   const double chains = double(rig.skeleton.chains.size());
-  const Features features{
-      {"astray", 1 - hanging_share(rig.skeleton)},
-      {"crown moves", moving.crown.share()},
-      {"on the head", moving.all > 0 ? moving.on_head / moving.all : 0},
-      {"low is still", moving.low.all > 0 ? 1 - moving.low.share() : 0},
-      {"too few", moving.all > 0 ? std::max(0.0, 1 - chains / std::max(1.0, moving.width())) : 0},
-      {"lopsided", moving.all > 0 ? std::abs(moving.left - moving.right) / moving.all : 0}};
-  Decision decision{"chains", fmt::format("{:.0f} fitted", chains), {}, kChains.probability(features),
-                    "\"chains.max_count\", \"chains.exclude\" or \"chains.source\": \"none\"", features};
+  const Features features{{"astray", 1 - hanging_share(rig.skeleton)},
+                          {"crown moves", moving.crown.share()},
+                          {"on the head", moving.all > 0 ? moving.on_head / moving.all : 0},
+                          {"low is still", moving.low.all > 0 ? 1 - moving.low.share() : 0},
+                          {"too few", moving.all > 0 ? std::max(0.0, 1 - chains / std::max(1.0, moving.width())) : 0},
+                          {"lopsided", moving.all > 0 ? std::abs(moving.left - moving.right) / moving.all : 0}};
+  Decision decision{"chains",
+                    fmt::format("{:.0f} fitted", chains),
+                    {},
+                    kChains.probability(features),
+                    "\"chains.max_count\", \"chains.exclude\" or \"chains.source\": \"none\"",
+                    features};
   decision.reason = fmt::format("{:.0f} % of their length hangs down; {:.0f} % of what moves lies on the head",
                                 100 * (1 - features[0].second), 100 * features[2].second);
   findings.decide(std::move(decision));
