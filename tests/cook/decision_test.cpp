@@ -34,9 +34,7 @@ TEST(Decisions, AreNotedWhereSureAndWarnedOfWhereInDoubt) {
   EXPECT_NE(unsure.warnings[0].message.find("set \"head.center\" in the recipe"), std::string::npos);
 }
 
-TEST(Decisions, NeverSayThatAGuessIsCertain) {
-  EXPECT_NE(sure_to(1).text().find("99 % sure"), std::string::npos);
-}
+TEST(Decisions, NeverSayThatAGuessIsCertain) { EXPECT_NE(sure_to(1).text().find("99 % sure"), std::string::npos); }
 
 TEST(Decisions, AskBelowAQuarterUnlessTheirCodeIsAcknowledged) {
   Findings findings;
@@ -46,6 +44,9 @@ TEST(Decisions, AskBelowAQuarterUnlessTheirCodeIsAcknowledged) {
   EXPECT_EQ(findings.question({}), &findings.decisions[1]);
   EXPECT_EQ(findings.question(std::array<std::string, 1>{"S227"}), nullptr);
   EXPECT_NE(findings.question(std::array<std::string, 1>{"S228"}), nullptr);
+  Findings of_facing;
+  of_facing.decide({"facing", "+Z", "nothing shows it", 0.1, "\"head.faces\"", {}});
+  EXPECT_EQ(of_facing.question({}), nullptr) << "the asset shows it";
 }
 
 TEST(Decisions, ComeBackFromJson) {

@@ -27,7 +27,7 @@ struct BodyOptions {
 };
 
 struct Body {
-  importer::SourceModel model;  ///< Without meshes if the file has only the hair's own.
+  importer::SourceModel model;               ///< Without meshes if the file has only the hair's own.
   std::vector<std::filesystem::path> files;  ///< The file it was read from, and the files that this one names.
   cook::Findings findings;                   ///< Of its size.
 };

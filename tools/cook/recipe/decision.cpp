@@ -25,6 +25,8 @@ std::string Decision::doubt() const {
                      key);
 }
 
+bool Decision::asks() const { return probability < kAskBelow && (what == "hair" || what == "head"); }
+
 const char* code_of_doubt(const Decision& decision) {
   constexpr std::array<std::pair<const char*, const char*>, 6> kCodes{
       {{"head", "S227"}, {"facing", "S228"}, {"roots", "S229"}, {"chains", "S230"}, {"size", "S208"}, {"up", "S210"}}};

@@ -22,11 +22,14 @@ struct Decision {
 
   /// "head: (0.000, 1.644, 0.043) m, 96 % sure: a joint and 2296 vertices"
   [[nodiscard]] std::string text() const;
+  /// So much in doubt that the cook should stop: without the right hair or head nothing else is right. What else is in
+  /// doubt can be looked at in the asset.
+  [[nodiscard]] bool asks() const;
   /// What a warning or an error says where it is in doubt; it ends with the recipe's line.
   [[nodiscard]] std::string doubt() const;
 };
 
-/// Below the first, a decision is warned of; below the second, the cook stops and asks (bad input).
+/// Below the first, a decision is warned of; below the second, the cook may stop and ask (bad input).
 inline constexpr double kSureEnough = 0.8, kAskBelow = 0.25;
 
 /// The code of the warning of a decision in doubt: S202 for "hair", S227 for "head", S228 "facing", S229 "roots",

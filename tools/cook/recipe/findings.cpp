@@ -28,8 +28,7 @@ void Findings::say(Decision decision) {
 
 const Decision* Findings::question(std::span<const std::string> acknowledged) const {
   const auto found = std::ranges::find_if(decisions, [&](const Decision& decision) {
-    return decision.probability < kAskBelow &&
-           std::ranges::find(acknowledged, code_of_doubt(decision)) == acknowledged.end();
+    return decision.asks() && std::ranges::find(acknowledged, code_of_doubt(decision)) == acknowledged.end();
   });
   return found == decisions.end() ? nullptr : &*found;
 }
