@@ -8,6 +8,7 @@
 #include "import/source_model.h"
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +20,17 @@ using NameQuestion = bool (*)(std::string_view name);
 /// Whether a mesh or its material is called so.
 [[nodiscard]] bool either_is_called(const importer::SourceModel& source, const importer::SourceMesh& mesh,
                                     NameQuestion is_called);
+
+/// What the names of a mesh, its material and its texture say of it.
+struct HairNames {
+  std::string why_hair;        ///< "its material is called 'Hair'"; empty where nothing says that it is hair.
+  bool say_otherwise = false;  ///< Worn on a head or in hair, or a part of skin and face.
+};
+
+[[nodiscard]] HairNames names_of(const importer::SourceModel& source, const importer::SourceMesh& mesh);
+
+/// Its material is drawn with transparency, or named after it.
+[[nodiscard]] bool is_transparent(const importer::SourceModel& source, const importer::SourceMesh& mesh);
 
 /// Whether each mesh that gave hair, or its material, is called so; the name of a file with nothing but hair counts
 /// where these say nothing.
@@ -57,7 +69,10 @@ struct PieceEvidence {
 
 /// Share of a piece's weight: above it the piece is a lash, a brow or a lid.
 inline constexpr double kMovedByEyes = 0.15;
-inline constexpr double kOnHead = 0.3;  ///< Share of a piece's weight: long hair reaches the shoulders.
+/// Share of a piece's weight: a fringe mostly follows the head.
+inline constexpr double kMovedByHairBones = 0.03;
+inline constexpr double kSurelyMoved = 0.4;  ///< At some vertex; faces under a fringe have only a touch of its bones.
+inline constexpr double kOnHead = 0.3;       ///< Share of a piece's weight: long hair reaches the shoulders.
 
 /// One entry per piece of `mesh`.
 [[nodiscard]] std::vector<PieceEvidence> weigh_pieces(const importer::SourceModel& source,
