@@ -1,4 +1,4 @@
-#include "cook/select/under_hair.h"
+#include "cook/select/hair_candidates.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace coif::cook::crown_cover_test {
+namespace coif::cook::hair_candidates_test {
 
 using Eigen::Vector3d;
 
@@ -50,34 +50,53 @@ importer::SourceModel person(const std::string& worn) {
   return model;
 }
 
-HairChoice nothing_of(const importer::SourceModel& model) {
-  return {std::vector<std::vector<bool>>(model.meshes.size())};
+/// What is found of the mesh, or nothing.
+const HairCandidate* part_of(const HairCandidates& candidates, std::uint32_t mesh) {
+  for (const HairCandidate& part : candidates.list)
+    if (part.mesh == mesh) return &part;
+  return nullptr;
 }
 
-TEST(CrownCover, IsWhatLiesOverTheCrownAndLeavesTheFaceFree) {
+TEST(HairCandidates, RankWhatCoversTheCrownAndLeavesTheFaceFreeBeforeTheHead) {
   const importer::SourceModel model = person("Object_2");
-  const CrownCover cover = find_crown_cover(model, nothing_of(model), 2, 1.0e-5);
-  ASSERT_TRUE(cover.found);
-  EXPECT_TRUE(cover.choice.taken[0].empty()) << "a head covers its face, too";
-  EXPECT_TRUE(cover.choice.takes(1, 0));
+  const HairCandidates found = find_hair_candidates(model, 1.0e-5);
+  ASSERT_TRUE(found.sees_head);
+  const HairCandidate *cap = part_of(found, 1), *head = part_of(found, 0);
+  ASSERT_TRUE(cap != nullptr && head != nullptr);
+  EXPECT_EQ(found.list[0].mesh, 1u);
+  EXPECT_TRUE(cap->is_whole_mesh);
+  EXPECT_GT(cap->probability, 0.5);
+  EXPECT_LT(head->probability, 0.2) << "a head covers its face, too";
+  EXPECT_GT(head->at(Feature::kMiddle), 0.9);
 }
 
-TEST(CrownCover, IsNotAskedForWhereHairCoversTheCrown) {
-  const importer::SourceModel model = person("Object_2");
-  HairChoice hair = nothing_of(model);
-  hair.taken[1].assign(model.meshes[1].triangles.size() / 3, true);
-  EXPECT_FALSE(find_crown_cover(model, hair, 2, 1.0e-5).found);
+TEST(HairCandidates, CountNamesForHairAndAgainstIt) {
+  const auto probability = [](const char* worn) {
+    return part_of(find_hair_candidates(person(worn), 1.0e-5), 1)->probability;
+  };
+  EXPECT_GT(probability("Hair"), probability("Object_2"));
+  for (const char* worn : {"Hat", "knight_helmet", "Hood.001"}) EXPECT_LT(probability(worn), probability("Object_2"));
 }
 
-TEST(CrownCover, IsNoHatAndNothingWithoutJointsOfAHead) {
-  for (const char* worn : {"Hat", "knight_helmet", "Hood.001"}) {
-    const importer::SourceModel model = person(worn);
-    EXPECT_FALSE(find_crown_cover(model, nothing_of(model), 2, 1.0e-5).found) << worn;
-  }
+TEST(HairCandidates, AreMeasuredOnTheHeadsOwnPieceWhereJointsShowNoSize) {
   importer::SourceModel model = person("Object_2");
-  model.nodes[0].name = model.nodes[1].name = "Armature";
-  EXPECT_FALSE(find_crown_cover(model, nothing_of(model), 2, 1.0e-5).found);
-  EXPECT_FALSE(find_crown_cover(model, nothing_of(model), importer::kNoIndex, 1.0e-5).found);
+  model.nodes[1].name = "Armature";
+  const HairCandidates found = find_hair_candidates(model, 1.0e-5);
+  ASSERT_TRUE(found.sees_head);
+  EXPECT_EQ(found.list[0].mesh, 1u);
 }
 
-}  // namespace coif::cook::crown_cover_test
+TEST(HairCandidates, SeeNoHeadWithoutABone) {
+  importer::SourceModel model = person("Object_2");
+  for (importer::SourceNode& node : model.nodes) node.name = "Bone";
+  EXPECT_FALSE(find_hair_candidates(model, 1.0e-5).sees_head);
+}
+
+TEST(HairCandidates, TellTheRecipesLineAndTheReason) {
+  const importer::SourceModel model = person("Object_2");
+  const HairCandidates found = find_hair_candidates(model, 1.0e-5);
+  EXPECT_EQ(recipe_line(model, found.list[0]), "\"hair\": {\"meshes\": [\"Object_2\"]}");
+  EXPECT_NE(reason_for(model, found.list[0]).find("of the crown"), std::string::npos);
+}
+
+}  // namespace coif::cook::hair_candidates_test

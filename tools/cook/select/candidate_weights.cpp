@@ -5,8 +5,8 @@
 namespace coif::cook {
 
 const std::array<const char*, kFeatures> kFeatureNames{
-    "called_hair", "called_other", "hair_bones",  "eye_bones", "transparent", "on_head", "crown",
-    "face",        "middle",       "unlike_face", "like_face", "high",        "large",     "only_pieces", "beside_moved"};
+    "called_hair", "called_other", "hair_bones", "eye_bones", "transparent", "on_head",     "crown",       "face",
+    "middle",      "unlike_face",  "like_face",  "high",      "large",       "only_pieces", "beside_moved"};
 
 namespace {
 
@@ -17,7 +17,8 @@ struct Weights {
   std::array<double, kFeatures> weights{};
 };
 
-constexpr Weights kSeesHead{-2.67, {2.42, -0.95, 2.23, -0.34, 0.86, 0.81, 2.68, -2.40, -2.58, 0.02, 0.18, -0.00, 1.34, -1.95, 2.13}};
+constexpr Weights kSeesHead{
+    -2.67, {2.42, -0.95, 2.23, -0.34, 0.86, 0.81, 2.68, -2.40, -2.58, 0.02, 0.18, -0.00, 1.34, -1.95, 2.13}};
 constexpr Weights kSeesNone{0.0, {4.0, -4.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}};
 
 }  // namespace

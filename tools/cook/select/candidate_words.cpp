@@ -39,10 +39,13 @@ std::string reason_for(const SourceModel& source, const HairCandidate& candidate
 std::string recipe_line(const SourceModel& source, const HairCandidate& candidate) {
   const SourceMesh& mesh = source.meshes[candidate.mesh];
   const std::string material = importer::material_name(source, mesh);
-  nlohmann::ordered_json hair = {{"meshes", {mesh.name}}};
+  const auto quoted = [](const std::string& name) {
+    return nlohmann::json(name).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  };
   const auto has_name = [&](const SourceMesh& other) { return other.name == mesh.name; };
-  if (std::ranges::count_if(source.meshes, has_name) > 1 && !material.empty()) hair["materials"] = {material};
-  return fmt::format("\"hair\": {}", hair.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  const bool needs_more = std::ranges::count_if(source.meshes, has_name) > 1 && !material.empty();
+  return fmt::format("\"hair\": {{\"meshes\": [{}]{}}}", quoted(mesh.name),
+                     needs_more ? fmt::format(", \"materials\": [{}]", quoted(material)) : "");
 }
 
 }  // namespace coif::cook

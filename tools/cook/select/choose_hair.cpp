@@ -122,9 +122,8 @@ void choose_by_name(const SourceModel& source, const std::vector<bool>& bones, s
 
 void choose_by_bones(const SourceModel& source, const std::vector<bool>& bones, std::uint32_t head, Chooser& chooser) {
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
-    chooser.take_pieces(m, bones, head, "pieces that hair bones move", [](const PieceEvidence& piece) {
-      return piece.hair_bone_share >= kMovedByHairBones && piece.largest_hair_bone >= kSurelyMoved;
-    });
+    chooser.take_pieces(m, bones, head, "pieces that hair bones move",
+                        [](const PieceEvidence& piece) { return piece.is_moved_as_hair(); });
   }
 }
 
@@ -172,12 +171,15 @@ double chosen_share(const HairCandidates& candidates, const HairChoice& choice, 
   return share;
 }
 
+bool is_cover(const HairCandidate& part) {
+  return part.probability >= kLikely && part.at(Feature::kCrown) > kBare && part.at(Feature::kFace) <= kMostFace;
+}
+
 /// Takes what covers the crown, too, where what was found leaves it bare.
 bool take_crown(const SourceModel& source, const HairCandidates& candidates, Chooser& chooser) {
   std::vector<const HairCandidate*> cover;
   for (const HairCandidate& part : candidates.list)
-    if (part.probability >= kLikely && part.at(Feature::kCrown) > kBare && part.at(Feature::kFace) <= kMostFace)
-      cover.push_back(&part);
+    if (is_cover(part)) cover.push_back(&part);
   if (cover.empty()) return false;
   chooser.decide({"hair", name_of(source, *cover[0]),
                   "what is called hair leaves the crown of the head bare; " + reason_for(source, *cover[0]),
@@ -203,7 +205,7 @@ void take_beside_moved(const SourceModel& source, const HairCandidates& candidat
   const HairCandidate* first = nullptr;
   for (const HairCandidate& part : candidates.list) {
     const bool is_new = share_chosen(part, chooser.so_far()) < 0.5 && part.at(Feature::kBesideMoved) > 0;
-    if (!is_new || part.probability < kLikely || part.at(Feature::kFace) > kMostFace) continue;
+    if (!is_new || !is_cover(part)) continue;
     if (first == nullptr) first = &part;
     chooser.take_triangles(part.mesh, part.taken, "it is beside what hair bones move");
   }
@@ -219,8 +221,7 @@ void take_rest(const SourceModel& source, const HairCandidates& candidates, bool
   if (is_by_bones) take_beside_moved(source, candidates, chooser);
   const double crown = chosen_share(candidates, chooser.so_far(), Feature::kCrown);
   const double face = chosen_share(candidates, chooser.so_far(), Feature::kFace);
-  if (crown > kBare) return;
-  if (take_crown(source, candidates, chooser) || is_face_hair(source, chooser.so_far())) return;
+  if (crown > kBare || take_crown(source, candidates, chooser) || is_face_hair(source, chooser.so_far())) return;
   if (face <= crown) return;  // What hangs behind or beside a head may be all: tails, or strips on painted hair.
   chooser.decide(
       {"hair", "what was found", "it lies on the face and leaves the crown of the head bare", 0.6, "\"hair\""});
@@ -248,7 +249,6 @@ bool take_likeliest(const SourceModel& source, const HairCandidates& candidates,
   return true;
 }
 
-/// Whether a file without a word of hair in it is called hair itself.
 bool is_file_called_hair(const SourceModel& source) {
   return is_called_hair(std::filesystem::path(source.path).stem().string());
 }
@@ -257,7 +257,7 @@ void take_everything(const SourceModel& source, std::uint32_t head, Chooser& cho
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     chooser.take_mesh(m, "nothing in the file says what is hair, so all of it is");
   }
-  if (head == importer::kNoIndex) return;  // A file without a body is a hairstyle.
+  if (head == importer::kNoIndex && (is_file_called_hair(source) || !stands_on_ground(source))) return;  // A hairstyle.
   chooser.warn(
       "S202",
       "nothing in the file is called hair, moved by hair bones or transparent on the head; the whole model was taken: "
@@ -279,14 +279,14 @@ tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const
   choose_by_name(source, bones, head, chooser);
   const bool is_named = chooser.found();
   if (!is_named) choose_by_bones(source, bones, head, chooser);
-  const bool is_by_bones = !is_named && chooser.found();
+  const bool by_bones = !is_named && chooser.found();
   if (!chooser.found()) choose_by_transparency(source, bones, head, chooser);
   if (!chooser.found() && moves_limbs(source)) {
     const HairCandidates candidates = find_hair_candidates(source, recipe.patch_weld_distance);
     if (!take_likeliest(source, candidates, chooser)) return no_hair_on(source, candidates);
   } else if (chooser.found() && head != importer::kNoIndex) {
     const HairCandidates candidates = find_hair_candidates(source, recipe.patch_weld_distance);
-    take_rest(source, candidates, is_by_bones, chooser);
+    take_rest(source, candidates, by_bones, chooser);
   }
   const bool is_body =
       !chooser.found() && !is_file_called_hair(source) && is_bare_body(source, recipe.patch_weld_distance);

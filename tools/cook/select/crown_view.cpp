@@ -94,8 +94,8 @@ Outermost::Outermost() : directions_(directions()), far_(kDirections, 0.0), part
 
 void Outermost::add(const Vector3d& a, const Vector3d& b, const Vector3d& c, std::uint32_t part) {
   const Vector3d middle = ((a + b + c) / 3).normalized();
-  const double wide = std::max(
-      {(a.normalized() - middle).norm(), (b.normalized() - middle).norm(), (c.normalized() - middle).norm()});
+  const double wide =
+      std::max({(a.normalized() - middle).norm(), (b.normalized() - middle).norm(), (c.normalized() - middle).norm()});
   for (std::size_t d = 0; d < kDirections; ++d) {
     if ((directions_[d] - middle).norm() > wide + 1.0e-9) continue;
     const double far = meeting(directions_[d], a, b, c);

@@ -5,7 +5,6 @@
 #include "cook/select/mesh_topology.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <map>
 
@@ -15,15 +14,15 @@ namespace {
 using Eigen::Vector3d, Eigen::Vector3f;
 using importer::SourceMesh, importer::SourceModel;
 
-constexpr double kOnlyOnHead = 0.8;     ///< Share of the weight of a piece out of a mesh with more than the head.
-constexpr double kMostlyOnHead = 0.5;   ///< The same of a whole mesh: long hair hangs to the shoulders.
-constexpr double kNoCrown = 0.005;      ///< Share of the crown that a brow may seem to cover.
-constexpr double kShowsFace = 0.45;     ///< Share of the middle of the face: a mesh with more is more than hair.
-constexpr float kOneColor = 0.14f;      ///< Distance of colours, 0..1.7, of what belongs together.
-constexpr double kMostColors = 8;       ///< An unwrapped skin has many islands, a palette few colours.
-constexpr double kOtherCell = 0.4;      ///< How far colours of one palette are taken to be apart.
+constexpr double kOnlyOnHead = 0.8;    ///< Share of the weight of a piece out of a mesh with more than the head.
+constexpr double kMostlyOnHead = 0.5;  ///< The same of a whole mesh: long hair hangs to the shoulders.
+constexpr double kNoCrown = 0.005;     ///< Share of the crown that a brow may seem to cover.
+constexpr double kShowsFace = 0.45;    ///< Share of the middle of the face: a mesh with more is more than hair.
+constexpr float kOneColor = 0.14f;     ///< Distance of colours, 0..1.7, of what belongs together.
+constexpr double kMostColors = 8;      ///< An unwrapped skin has many islands, a palette few colours.
+constexpr double kOtherCell = 0.4;     ///< How far colours of one palette are taken to be apart.
 constexpr std::size_t kMostIslands = 2000;
-constexpr double kSmallPiece = 0.02;    ///< Share of the crown or the face that a piece of an own covers at least.
+constexpr double kSmallPiece = 0.02;  ///< Share of the crown or the face that a piece of an own covers at least.
 
 /// One island of a mesh: triangles that hang together in its surface and its texture.
 struct SurfaceIsland {
@@ -32,28 +31,10 @@ struct SurfaceIsland {
   PieceEvidence evidence;
   Eigen::AlignedBox3d box;
   double area = 0;
-  Eigen::AlignedBox2f cell;  ///< Of the texture.
+  Eigen::AlignedBox2f cell;  ///< Box in the texture.
   Vector3f color = Vector3f::Zero();
   bool has_color = true;
 };
-
-/// As seen, 0..1, without its texture; none where it has one.
-std::optional<Vector3f> color_of(const SourceModel& source, const SourceMesh& mesh, std::size_t t) {
-  if (mesh.material >= source.materials.size()) return std::nullopt;
-  const importer::SourceMaterial& material = source.materials[mesh.material];
-  if (material.base_texture.is_there()) return std::nullopt;
-  Vector3f linear = material.base_color.head<3>();
-  if (!mesh.colors.empty()) {
-    Eigen::Vector4f sum = Eigen::Vector4f::Zero();
-    for (std::size_t k = 0; k < 3; ++k) sum += mesh.colors[mesh.triangles[3 * t + k]];
-    linear = linear.cwiseProduct(sum.head<3>() / 3);
-  }
-  return linear.unaryExpr([](float value) { return std::pow(std::clamp(value, 0.0f, 1.0f), 1 / 2.2f); });
-}
-
-bool moves_as_hair(const PieceEvidence& piece) {
-  return piece.hair_bone_share >= kMovedByHairBones && piece.largest_hair_bone >= kSurelyMoved;
-}
 
 class CandidateFinder {
  public:
@@ -99,7 +80,7 @@ class CandidateFinder {
       const double area = 0.5 * double((corner[1] - corner[0]).cross(corner[2] - corner[0]).norm());
       if (view_ && island.evidence.head_share < kOnHead) continue;
       for (std::size_t k = 0; k < 3 && !mesh.uvs.empty(); ++k) island.cell.extend(mesh.uvs[mesh.triangles[3 * t + k]]);
-      const auto color = color_of(source_, mesh, t);
+      const auto color = color_without_texture(source_, mesh, t);
       island.has_color = island.has_color && color;
       if (color) island.color += float(area) * *color;
       island.area += area;
@@ -254,7 +235,7 @@ class CandidateFinder {
     set(Feature::kTransparent, is_transparent(source_, mesh) ? 1 : 0);
     set(Feature::kOnlyPieces, !part.is_whole_mesh && !has_cells_[m] ? 1 : 0);
     for (std::uint32_t i = first_[m]; i < first_[m] + islands_of_[m].count; ++i)
-      if (moves_as_hair(islands_[i].evidence)) set(Feature::kBesideMoved, 1);
+      if (islands_[i].evidence.is_moved_as_hair()) set(Feature::kBesideMoved, 1);
     double area = 0, hair = 0, most = 0, eyes = 0, on_head = 0;
     Coverage covered;
     Eigen::AlignedBox3d box;
@@ -301,10 +282,10 @@ class CandidateFinder {
   std::vector<bool> bones_;
   double weld_;
   std::vector<SurfaceIsland> islands_;
-  std::vector<MeshPieces> islands_of_;  ///< One entry per mesh.
-  std::vector<std::uint32_t> first_;    ///< Per mesh: the number of its island 0.
-  std::vector<Coverage> coverage_;      ///< Per island.
-  std::vector<bool> has_cells_;         ///< Per mesh: colours tell its parts apart.
+  std::vector<MeshPieces> islands_of_;       ///< One entry per mesh.
+  std::vector<std::uint32_t> first_;         ///< Per mesh: the number of its island 0.
+  std::vector<Coverage> coverage_;           ///< Per island.
+  std::vector<bool> has_cells_;              ///< Per mesh: colours tell its parts apart.
   std::uint32_t face_ = importer::kNoIndex;  ///< The island that is most of the middle of the face.
 };
 

@@ -15,21 +15,21 @@ namespace coif::cook {
 
 /// What is known of a part, each 0..1 unless it says otherwise. The order is that of kFeatureNames.
 enum class Feature : std::uint8_t {
-  kCalledHair,    ///< 1: its material, mesh or texture.
-  kCalledOther,   ///< 1: headwear, an adornment, skin, an eye, a brow or a part of the face.
-  kHairBones,     ///< 1: hair bones move it.
-  kEyeBones,      ///< Share of its weight.
-  kTransparent,   ///< 1: its material is.
-  kOnHead,        ///< Share of its weight.
-  kCrown,         ///< Share of the crown's directions in which it is outermost.
-  kFace,          ///< The same of the face.
-  kMiddle,        ///< The same of the middle of the face.
-  kUnlikeFace,    ///< How far its colour is from that of the middle of the face; 0 where either is unknown.
-  kLikeFace,      ///< 1: both are known and nearly the same.
-  kHigh,          ///< Height of its middle over the head's centre, in radii, -2..2.
-  kLarge,         ///< Diagonal of its box over that of the head, 0..2.
-  kOnlyPieces,    ///< 1: it is part of a mesh and told apart by its form alone.
-  kBesideMoved,   ///< 1: hair bones move something of its mesh.
+  kCalledHair,   ///< 1: its material, mesh or texture.
+  kCalledOther,  ///< 1: headwear, an adornment, skin, an eye, a brow or a part of the face.
+  kHairBones,    ///< 1: hair bones move it.
+  kEyeBones,     ///< Share of its weight.
+  kTransparent,  ///< 1: its material is.
+  kOnHead,       ///< Share of its weight.
+  kCrown,        ///< Share of the crown's directions in which it is outermost.
+  kFace,         ///< The same of the face.
+  kMiddle,       ///< The same of the middle of the face.
+  kUnlikeFace,   ///< How far its colour is from that of the middle of the face; 0 where either is unknown.
+  kLikeFace,     ///< 1: both are known and nearly the same.
+  kHigh,         ///< Height of its middle over the head's centre, in radii, -2..2.
+  kLarge,        ///< Diagonal of its box over that of the head, 0..2.
+  kOnlyPieces,   ///< 1: it is part of a mesh and told apart by its form alone.
+  kBesideMoved,  ///< 1: hair bones move something of its mesh.
   kCount
 };
 
@@ -43,9 +43,9 @@ struct HairCandidate {
   bool is_whole_mesh = true;
   std::vector<bool> taken;  ///< Per triangle of the mesh.
   std::size_t triangles = 0;
-  std::optional<Eigen::Vector3f> color;  ///< As seen, red, green and blue, 0..1; none where it is not known.
+  std::optional<Eigen::Vector3f> color;      ///< As seen, red, green and blue, 0..1; none where it is not known.
   std::array<double, kFeatures> features{};  ///< By Feature.
-  double probability = 0;  ///< That a person would call it hair.
+  double probability = 0;                    ///< That a person would call it hair.
 
   [[nodiscard]] double at(Feature feature) const { return features[std::size_t(feature)]; }
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace coif::cook {
 namespace {
@@ -58,6 +59,19 @@ bool is_transparent(const SourceModel& source, const SourceMesh& mesh) {
   if (!material) return false;
   return material->alpha_use == importer::AlphaUse::kBlend || material->alpha_use == importer::AlphaUse::kMask ||
          is_called_transparent(material->name) || is_called_transparent(texture_name(source, mesh));
+}
+
+std::optional<Eigen::Vector3f> color_without_texture(const SourceModel& source, const SourceMesh& mesh, std::size_t t) {
+  if (mesh.material >= source.materials.size()) return std::nullopt;
+  const importer::SourceMaterial& material = source.materials[mesh.material];
+  if (material.base_texture.is_there()) return std::nullopt;
+  Eigen::Vector3f linear = material.base_color.head<3>();
+  if (!mesh.colors.empty()) {
+    Eigen::Vector4f sum = Eigen::Vector4f::Zero();
+    for (std::size_t k = 0; k < 3; ++k) sum += mesh.colors[mesh.triangles[3 * t + k]];
+    linear = linear.cwiseProduct(sum.head<3>() / 3);
+  }
+  return linear.unaryExpr([](float value) { return std::pow(std::clamp(value, 0.0f, 1.0f), 1 / 2.2f); });
 }
 
 }  // namespace coif::cook
