@@ -19,7 +19,7 @@ importer::SourceMesh shell(const std::string& name, double radius, double low, d
   constexpr int kRows = 12, kColumns = 24;
   importer::SourceMesh mesh;
   mesh.name = name;
-  mesh.node = 2;
+  mesh.node = 3;
   for (int row = 0; row <= kRows; ++row) {
     const double y = low + (high - low) * row / kRows, across = std::sqrt(1 - y * y);
     for (int column = 0; column <= kColumns; ++column) {
@@ -46,6 +46,7 @@ importer::SourceModel person(const std::string& worn) {
   add("Hips", importer::kNoIndex, {0, 1, 0});
   add("Neck", 0, {0, 1.48, 0});
   add("Head", 1, {0, 1.555, -0.015});
+  add("Body", 2, {0, 0, 0});
   model.meshes = {shell("Object_1", kRadius, -0.99, 0.99), shell(worn, 1.1 * kRadius, 0.3, 0.99)};
   return model;
 }

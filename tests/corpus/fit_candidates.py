@@ -7,7 +7,7 @@ FOLDER has a TRUTH.json: points on hair ("points") and near by on what is none (
 ("is"). Each part that `coif cook --list candidates` prints is labelled by the points that are nearest to it. The
 variants of rename_models.py, in a folder with the same names, are fitted to as well: they have the same truth. Prints
 the table, and how well it does on each maker (a folder's name up to the first '_') that it was not fitted to.
-Exit code 77 where FOLDER is absent. Needs numpy.
+Exit code 77 where FOLDER or numpy is absent.
 """
 import argparse
 import json
@@ -116,7 +116,11 @@ def main():
     if not (Path(ask.folder) / "TRUTH.json").exists():
         print(f"SKIP: {ask.folder} has no TRUTH.json")
         return 77
-    import numpy as np
+    try:
+        import numpy as np
+    except ImportError:
+        print("SKIP: needs numpy (Debian: python3-numpy)")
+        return 77
     rows, names = gather(np, ask)
     for sees, title in ((True, "with a head"), (False, "without one")):
         of = [r for r in rows if r["sees"] == sees]

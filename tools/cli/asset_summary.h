@@ -3,6 +3,7 @@
 #include "base/json.h"
 #include "cook/select/hair_candidates.h"
 #include "import/source_model.h"
+#include "render/picture.h"
 
 #include <coif/asset.h>
 
@@ -35,6 +36,9 @@ namespace coif::cli {
 [[nodiscard]] std::string candidates_text(const importer::SourceModel& model, const cook::HairCandidates& candidates);
 /// The same with all features, and with middles of triangles, for scripts.
 [[nodiscard]] std::string candidates_json(const importer::SourceModel& model, const cook::HairCandidates& candidates);
+/// They from three sides, each in its own colour, with a legend; everything else is grey.
+[[nodiscard]] render::Picture candidates_chart(const importer::SourceModel& model,
+                                               const cook::HairCandidates& candidates);
 
 /// The program's manual page, in roff for man(1): the help of each command, and more for which help has no room.
 [[nodiscard]] std::string manual_page(const CLI::App& program);

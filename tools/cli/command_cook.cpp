@@ -24,6 +24,22 @@
 namespace coif::cli {
 namespace {
 
+/// Prints the parts that may be hair, and draws them with -o.
+tl::expected<Exit, ToolError> list_candidates(const CookOptions& options, const RecipeChoice& choice,
+                                              const importer::SourceModel& model) {
+  const auto candidates = cook::find_hair_candidates(model, choice.recipe.patch_weld_distance);
+  if (!options.output.empty()) {
+    if (auto png = choose_suffix(options.output, {".png"}); !png) return tl::unexpected(png.error());
+    if (auto checked = check_output(options.output, {options.source(), choice.file}); !checked)
+      return tl::unexpected(checked.error());
+    if (auto drawn = render::write_png(options.output, candidates_chart(model, candidates)); !drawn)
+      return tl::unexpected(drawn.error());
+  }
+  print_result(options.format == OutputFormat::kJson ? candidates_json(model, candidates)
+                                                     : candidates_text(model, candidates));
+  return Exit::kOk;
+}
+
 tl::expected<Exit, ToolError> list_source(const CookOptions& options, const RecipeChoice& choice,
                                           const Messages& messages) {
   CookOrder order = order_of(options, choice, messages);
@@ -36,11 +52,7 @@ tl::expected<Exit, ToolError> list_source(const CookOptions& options, const Reci
   if (!importer::decode_model(answer->model, model))
     return file_failure(ToolError::Kind::kInternal, options.source(), "the process that read it makes no sense");
   const bool as_json = options.format == OutputFormat::kJson;
-  if (*options.list == "candidates") {
-    const auto candidates = cook::find_hair_candidates(*model, choice.recipe.patch_weld_distance);
-    print_result(as_json ? candidates_json(*model, candidates) : candidates_text(*model, candidates));
-    return Exit::kOk;
-  }
+  if (*options.list == "candidates") return list_candidates(options, choice, *model);
   print_result(as_json ? list_json(*model) : list_text(*model));
   return Exit::kOk;
 }

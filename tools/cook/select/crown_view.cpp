@@ -13,11 +13,12 @@ namespace {
 using Eigen::Vector3d;
 using importer::kNoIndex, importer::SourceMesh, importer::SourceModel;
 
-constexpr std::size_t kDirections = 400;           ///< Spread over the sphere around the head's centre.
-constexpr double kNearest = 0.5, kFarthest = 2.5;  ///< In radii: what is seen nearer or farther is not on the head.
-constexpr double kFollowsHead = 0.9;               ///< Share of the weight of a piece that is the head itself.
-constexpr double kNearJoint = 0.25;                ///< Share of its height by which the joint may be outside of it.
-constexpr double kFlattest = 0.45;                 ///< Smallest over largest size of a head.
+constexpr std::size_t kDirections = 400;  ///< Spread over the sphere around the head's centre.
+constexpr double kNearestSeen = 0.5,
+                 kFarthestSeen = 2.5;  ///< In radii: what is seen nearer or farther is not on the head.
+constexpr double kFollowsHead = 0.9;   ///< Share of the weight of a piece that is the head itself.
+constexpr double kNearJoint = 0.25;    ///< Share of its height by which the joint may be outside of it.
+constexpr double kFlattest = 0.45;     ///< Smallest over largest size of a head.
 
 bool is_of_crown(const Vector3d& direction) {
   return direction.y() > 0.3 || (direction.z() < -0.3 && direction.y() > -0.3);
@@ -99,7 +100,7 @@ void Outermost::add(const Vector3d& a, const Vector3d& b, const Vector3d& c, std
   for (std::size_t d = 0; d < kDirections; ++d) {
     if ((directions_[d] - middle).norm() > wide + 1.0e-9) continue;
     const double far = meeting(directions_[d], a, b, c);
-    if (far < kNearest || far > kFarthest || far <= far_[d]) continue;
+    if (far < kNearestSeen || far > kFarthestSeen || far <= far_[d]) continue;
     far_[d] = far;
     part_[d] = part;
   }

@@ -259,7 +259,7 @@ class CandidateFinder {
     const double count = std::max<double>(1, double(part.triangles));
     set(Feature::kHairBones, hair / count >= kMovedByHairBones && most >= kSurelyMoved ? 1 : 0);
     set(Feature::kEyeBones, eyes / count);
-    set(Feature::kOnHead, on_head / count);
+    set(Feature::kHeadShare, on_head / count);
     set(Feature::kCrown, covered.crown);
     set(Feature::kFace, covered.face);
     set(Feature::kMiddle, covered.middle_of_face);

@@ -20,7 +20,7 @@ enum class Feature : std::uint8_t {
   kHairBones,    ///< 1: hair bones move it.
   kEyeBones,     ///< Share of its weight.
   kTransparent,  ///< 1: its material is.
-  kOnHead,       ///< Share of its weight.
+  kHeadShare,    ///< Share of its weight.
   kCrown,        ///< Share of the crown's directions in which it is outermost.
   kFace,         ///< The same of the face.
   kMiddle,       ///< The same of the middle of the face.
