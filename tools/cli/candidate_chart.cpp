@@ -18,11 +18,11 @@ using cook::HairCandidate, cook::HairCandidates;
 using importer::SourceMesh, importer::SourceModel;
 using render::PictureColor;
 
-constexpr std::uint32_t kChartSide = 500;                ///< Pixels of one view.
-constexpr std::uint32_t kChartLine = 20;                 ///< Pixels of one line of the legend.
-constexpr std::size_t kChartMostLines = 12;              ///< Parts in the legend.
-constexpr float kChartMargin = 0.55f;                    ///< Half a view's width over the size of what is in it.
-constexpr PictureColor kChartRest{150, 150, 150};        ///< What is no candidate.
+constexpr std::uint32_t kChartSide = 500;          ///< Pixels of one view.
+constexpr std::uint32_t kChartLine = 20;           ///< Pixels of one line of the legend.
+constexpr std::size_t kChartMostLines = 12;        ///< Parts in the legend.
+constexpr float kChartMargin = 0.55f;              ///< Half a view's width over the size of what is in it.
+constexpr PictureColor kChartRest{150, 150, 150};  ///< What is no candidate.
 constexpr PictureColor kChartBackground{40, 40, 40};
 constexpr PictureColor kChartInk{235, 235, 235};
 
@@ -30,7 +30,8 @@ PictureColor color_of_part(std::size_t number) {
   const Eigen::Vector3f linear = render::patch_color(number);
   PictureColor color;
   for (std::size_t c = 0; c < 3; ++c)
-    color[c] = std::uint8_t(std::lround(255 * std::pow(std::clamp(1.6f * linear[Eigen::Index(c)], 0.0f, 1.0f), 1 / 2.2f)));
+    color[c] =
+        std::uint8_t(std::lround(255 * std::pow(std::clamp(1.6f * linear[Eigen::Index(c)], 0.0f, 1.0f), 1 / 2.2f)));
   return color;
 }
 
@@ -102,8 +103,8 @@ void draw_legend(const SourceModel& model, const HairCandidates& candidates, ren
   std::uint32_t top = kChartSide + kChartLine / 2;
   for (std::size_t k = 0; k < std::min(kChartMostLines, candidates.list.size()); ++k, top += kChartLine) {
     const HairCandidate& part = candidates.list[k];
-    const std::string text = printable_ascii(
-        fmt::format("{:.0f} % {}", 100 * std::min(part.probability, 0.99), cook::name_of(model, part)));
+    const std::string text =
+        printable_ascii(fmt::format("{:.0f} % {}", 100 * std::min(part.probability, 0.99), cook::name_of(model, part)));
     render::fill_rectangle(picture, 10, top, 30, top + 14, color_of_part(k));
     render::PictureText(text, 4 * picture.width, 2).draw(picture, 40, top, kChartInk);
   }
