@@ -92,6 +92,11 @@ coif_cli_case(cook_draft EXIT 0 WRITES out.coif STDOUT "\n  a draft, to look at:
   ARGS cook ${sample} -o out.coif --draft)
 coif_cli_case(cook_draft_json EXIT 0 WRITES out.coif JSON draft passes,0,name ARGS cook ${sample} -o out.coif --draft --format json)
 
+coif_cli_case(cook_list_candidates EXIT 0 WRITES parts.png
+  STDOUT "that may be hair, likeliest first.* %  mesh '.*\"hair\": {\"meshes\": " ARGS cook ${sample} --list candidates -o parts.png)
+coif_cli_case(cook_list_candidates_json EXIT 0 JSON sees_head candidates,0,probability candidates,0,features,crown candidates,0,recipe
+  ARGS cook ${sample} --list candidates --format json)
+coif_cli_case(cook_list_candidates_as_an_asset EXIT 1 STDERR "[.]png" ARGS cook ${sample} --list candidates -o parts.coif)
 coif_cli_case(cook_list_of_a_source_behind_it EXIT 0 STDOUT "meshes\n" ARGS cook --list ${sample})
 coif_cli_case(cook_list_patches EXIT 0 STDOUT "patches, [0-9]+ unsure where the root is [(][?][)]\n *index .*\n +0 +[1-9]" ARGS cook ${sample} --list patches)
 coif_cli_case(cook_list_patches_json EXIT 0 WRITES p.png TIMEOUT 120

@@ -13,13 +13,32 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace coif::cli {
 namespace {
+
+/// Prints the parts that may be hair, and draws them with -o.
+tl::expected<Exit, ToolError> list_candidates(const CookOptions& options, const RecipeChoice& choice,
+                                              const importer::SourceModel& model) {
+  const auto candidates = cook::find_hair_candidates(model, choice.recipe.patch_weld_distance);
+  if (!options.output.empty()) {
+    if (auto png = choose_suffix(options.output, {".png"}); !png) return tl::unexpected(png.error());
+    if (auto checked = check_output(options.output, {options.source(), choice.file}); !checked)
+      return tl::unexpected(checked.error());
+    if (auto drawn = render::write_png(options.output, candidates_chart(model, candidates)); !drawn)
+      return tl::unexpected(drawn.error());
+  }
+  print_result(options.format == OutputFormat::kJson ? candidates_json(model, candidates)
+                                                     : candidates_text(model, candidates));
+  return Exit::kOk;
+}
 
 tl::expected<Exit, ToolError> list_source(const CookOptions& options, const RecipeChoice& choice,
                                           const Messages& messages) {
@@ -32,7 +51,9 @@ tl::expected<Exit, ToolError> list_source(const CookOptions& options, const Reci
   importer::ImportOutcome model;
   if (!importer::decode_model(answer->model, model))
     return file_failure(ToolError::Kind::kInternal, options.source(), "the process that read it makes no sense");
-  print_result(options.format == OutputFormat::kJson ? list_json(*model) : list_text(*model));
+  const bool as_json = options.format == OutputFormat::kJson;
+  if (*options.list == "candidates") return list_candidates(options, choice, *model);
+  print_result(as_json ? list_json(*model) : list_text(*model));
   return Exit::kOk;
 }
 
@@ -45,7 +66,8 @@ std::string preset_text() {
 
 /// If the word behind --list is none of its choices, it is the source.
 CookOptions with_list_read(CookOptions options) {
-  if (!options.list || *options.list == "source" || *options.list == "patches") return options;
+  static constexpr std::array<std::string_view, 3> kLists{"source", "candidates", "patches"};
+  if (!options.list || std::ranges::find(kLists, *options.list) != kLists.end()) return options;
   if (!options.list->empty()) options.sources.insert(options.sources.begin(), *options.list);
   options.list = "source";
   return options;
@@ -146,10 +168,10 @@ Command add_cook(CLI::App& program) {
   app->add_flag("--print-recipe", options->print_recipe, "Print the complete recipe with comments, cook nothing");
   app->add_option(
          "--list", options->list,
-         "Cook nothing, but print the source's meshes, materials and nodes, or the 'patches' that a recipe can say"
-         " something of, and draw them with -o PICTURE.png")
+         "Cook nothing, but print the source's meshes, materials and nodes, or the 'candidates' for its hair, or the"
+         " 'patches' that a recipe can say something of, and draw them with -o PICTURE.png")
       ->expected(0, 1)
-      ->type_name("[source|patches]");
+      ->type_name("[source|candidates|patches]");
   CLI::Option* quiet = app->add_flag("-q,--quiet", options->quiet, "Print errors and warnings only, and no progress");
   app->add_flag("-v,--verbose", options->verbose, "Print all notes, what each pass took, and the files that were read")
       ->excludes(quiet);

@@ -55,7 +55,7 @@ struct CookOptions {
   std::vector<std::filesystem::path> roots;
   bool print_recipe = false;
   bool list_presets = false;
-  std::optional<std::string> list;  ///< "source" or "patches": print it, and cook nothing.
+  std::optional<std::string> list;  ///< "source", "candidates" or "patches": print it, and cook nothing.
   unsigned jobs = platform::all_threads();
   std::optional<unsigned> threads;  ///< Threads of each cook.
   SourceLimits limits;

@@ -21,6 +21,7 @@ constexpr double kMostOpen = 1.6;
 constexpr double kNearlyWhole = 0.8;     // Share of the model's surface.
 constexpr double kMostOpenFigure = 0.3;  // As kMostOpen, for figures.
 constexpr double kLeastFigure = 1.2;     // metres, of a figure
+constexpr float kLeastSlim = 1.5f;       // Height of a body over its depth.
 constexpr double kOnGround = 0.05;       // Share of its height.
 
 /// One connected piece of a mesh, by its form.
@@ -83,6 +84,15 @@ bool is_bare_body(const importer::SourceModel& source, double weld_distance) {
   }
   const PieceForm& largest = *std::ranges::max_element(forms, {}, &PieceForm::area);
   return full >= kNearlyWhole * all || (largest.area >= 0.5 * all && is_figure(largest));
+}
+
+bool stands_on_ground(const importer::SourceModel& source) {
+  Eigen::AlignedBox3f box;
+  for (const importer::SourceMesh& mesh : source.meshes)
+    for (const Eigen::Vector3f& p : mesh.positions) box.extend(p);
+  if (box.isEmpty()) return false;
+  const Eigen::Vector3f size = box.sizes();
+  return std::abs(box.min().y()) < float(kOnGround) * size.y() && size.y() > kLeastSlim * size.z();
 }
 
 std::string empty_hair_node(const importer::SourceModel& source) {

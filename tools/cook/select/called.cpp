@@ -18,7 +18,8 @@ bool has(std::string_view name, Words words) { return has_word(name, std::span(w
 bool has_hair(std::string_view name) {
   return has(name, {"hair*",     "*hair",   "fringe*",  "bangs",      "ponytail*", "pigtail*",   "twintail*",
                     "sidetail*", "braid*",  "*braid",   "tress",      "tresses",   "wig",        "wigs",
-                    "ahoge",     "kami",    "maegami",  "ushirogami", "haar",      "haare*",     "frisur",
+                    "ahoge",     "bun",     "buns",     "bang",       "topknot",   "mohawk*",    "dreadlock*",
+                    "cornrow*",  "kami",    "maegami",  "ushirogami", "haar",      "haare*",     "frisur",
                     "cheveu",    "cheveux", "cabello*", "pelo",       "peluca",    "capelli",    "cabelo*",
                     "wlosy",     "vlasy",   "*髪*",     "*头发*",     "*頭髪*",    "*머리카락*", "*волос*"}) &&
          !has(name, {"*chair", "chair*", "mohair", "hairless*"});

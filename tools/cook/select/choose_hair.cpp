@@ -1,5 +1,6 @@
 #include "base/words.h"
 #include "cook/recipe/hair_recipe.h"
+#include "cook/select/hair_candidates.h"
 #include "cook/select/hair_evidence.h"
 #include "cook/select/select_hair.h"
 #include "cook/select/under_hair.h"
@@ -19,26 +20,12 @@ using importer::SourceMesh, importer::SourceModel;
 
 using Names = std::vector<std::string>;
 
-constexpr double kMovedByHairBones = 0.03;  ///< Share of a piece's weight: a fringe mostly follows the head.
-constexpr double kSurelyMoved = 0.4;        ///< At some vertex; faces under a fringe have only a touch of its bones.
-
-const importer::SourceMaterial* material_of(const SourceModel& source, const SourceMesh& mesh) {
-  return mesh.material < source.materials.size() ? &source.materials[mesh.material] : nullptr;
-}
-
-/// The file's own name of a texture, without the folders of the artist's machine.
-std::string texture_name(const SourceModel& source, const SourceMesh& mesh) {
-  const importer::SourceMaterial* material = material_of(source, mesh);
-  if (!material) return "";
-  const importer::SourceTexture& texture = material->base_texture;
-  const std::string& name = texture.image < source.images.size() ? source.images[texture.image].name : texture.path;
-  const std::size_t slash = name.find_last_of("/\\");
-  return slash == std::string::npos ? name : name.substr(slash + 1);
-}
-
-tl::unexpected<ToolError> bad_input(const SourceModel& source, const std::string& what) {
-  return tl::unexpected(ToolError{ToolError::Kind::kBadInput, fmt::format("{}: {}", source.path, what)});
-}
+constexpr double kBare = 0.05;  ///< Share of the crown: hair that covers more may be all.
+/// What nobody called hair is never surer than this, so that the cook warns of it.
+constexpr double kMostOfGuess = 0.79;
+constexpr double kLikely = 0.5;       ///< Probability of what is taken besides the likeliest part.
+constexpr double kMostFace = 0.2;     ///< Share of the face that hair covers beside other hair.
+constexpr double kOtherColor = 0.14;  ///< Distance of colours.
 
 /// Collects a choice mesh by mesh.
 class Chooser {
@@ -93,6 +80,7 @@ class Chooser {
     return std::move(choice_);
   }
 
+  void decide(Decision decision) { findings_.decide(std::move(decision)); }
   void warn(const char* code, std::string text) { findings_.warn(code, std::move(text)); }
 
  private:
@@ -124,28 +112,9 @@ void choose_by_recipe(const SourceModel& source, const HairRecipe& recipe, Choos
   }
 }
 
-/// Another part of the same mesh has a material with a hair name: then this part is worn in the hair.
-bool has_hair_beside(const SourceModel& source, const SourceMesh& mesh) {
-  return std::ranges::any_of(source.meshes, [&](const SourceMesh& other) {
-    return other.node == mesh.node && is_called_hair(material_name(source, other));
-  });
-}
-
-/// The reason why a mesh's names make it hair; empty where they do not.
-std::string named_hair(const SourceModel& source, const SourceMesh& mesh) {
-  const std::string material = material_name(source, mesh), texture = texture_name(source, mesh);
-  if (is_called_hair(material)) return fmt::format("its material is called '{}'", material);
-  if (is_called_adornment(material) || has_hair_beside(source, mesh)) return "";
-  if (is_called_hair(mesh.name)) return "its name says so";
-  if (!is_called_adornment(mesh.name) && is_called_hair(texture)) {
-    return fmt::format("its texture is called '{}'", texture);
-  }
-  return "";
-}
-
 void choose_by_name(const SourceModel& source, const std::vector<bool>& bones, std::uint32_t head, Chooser& chooser) {
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
-    const std::string why = named_hair(source, source.meshes[m]);
+    const std::string why = names_of(source, source.meshes[m]).why_hair;
     if (why.empty()) continue;
     chooser.take_pieces(m, bones, head, why, [](const PieceEvidence& piece) { return piece.eye_bone_share < 0.5; });
   }
@@ -153,17 +122,9 @@ void choose_by_name(const SourceModel& source, const std::vector<bool>& bones, s
 
 void choose_by_bones(const SourceModel& source, const std::vector<bool>& bones, std::uint32_t head, Chooser& chooser) {
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
-    chooser.take_pieces(m, bones, head, "pieces that hair bones move", [](const PieceEvidence& piece) {
-      return piece.hair_bone_share >= kMovedByHairBones && piece.largest_hair_bone >= kSurelyMoved;
-    });
+    chooser.take_pieces(m, bones, head, "pieces that hair bones move",
+                        [](const PieceEvidence& piece) { return piece.is_moved_as_hair(); });
   }
-}
-
-bool is_transparent(const SourceModel& source, const SourceMesh& mesh) {
-  const importer::SourceMaterial* material = material_of(source, mesh);
-  if (!material) return false;
-  return material->alpha_use == importer::AlphaUse::kBlend || material->alpha_use == importer::AlphaUse::kMask ||
-         is_called_transparent(material->name) || is_called_transparent(texture_name(source, mesh));
 }
 
 void choose_by_transparency(const SourceModel& source, const std::vector<bool>& bones, std::uint32_t head,
@@ -171,7 +132,7 @@ void choose_by_transparency(const SourceModel& source, const std::vector<bool>& 
   if (head == importer::kNoIndex) return;
   const double neck = source.nodes[head].model_from_node.translation().y();
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
-    if (!is_transparent(source, source.meshes[m])) continue;
+    if (!is_transparent(source, source.meshes[m]) || names_of(source, source.meshes[m]).say_otherwise) continue;
     const bool rigid = source.meshes[m].influence_begin.empty();
     chooser.take_pieces(m, bones, head, "transparent pieces on the head", [&](const PieceEvidence& piece) {
       const bool on_head = rigid ? piece.height > neck : piece.head_share >= kOnHead;
@@ -196,67 +157,107 @@ void take_cores(const SourceModel& source, std::uint32_t head, Chooser& chooser)
   }
 }
 
+/// Share of a part's triangles that were chosen.
+double share_chosen(const HairCandidate& part, const HairChoice& choice) {
+  std::size_t both = 0;
+  for (std::size_t t = 0; t < part.taken.size(); ++t) both += part.taken[t] && choice.takes(part.mesh, t) ? 1 : 0;
+  return part.triangles > 0 ? double(both) / double(part.triangles) : 0;
+}
+
+/// How much of the crown, or of the face, what was chosen covers.
+double chosen_share(const HairCandidates& candidates, const HairChoice& choice, Feature feature) {
+  double share = 0;
+  for (const HairCandidate& part : candidates.list) share += part.at(feature) * share_chosen(part, choice);
+  return share;
+}
+
+bool is_cover(const HairCandidate& part) {
+  return part.probability >= kLikely && part.at(Feature::kCrown) > kBare && part.at(Feature::kFace) <= kMostFace;
+}
+
 /// Takes what covers the crown, too, where what was found leaves it bare.
-void take_crown(HairChoice cover, Chooser& chooser) {
-  chooser.warn(
-      "S202",
-      "what is called hair leaves the crown of the head bare; what covers it was taken, too: name the hair by the "
-      "recipe's \"hair\" if that is something else");
-  for (std::uint32_t m = 0; m < cover.taken.size(); ++m)
-    chooser.take_triangles(m, std::move(cover.taken[m]), "it covers the crown of the head");
+bool take_crown(const SourceModel& source, const HairCandidates& candidates, Chooser& chooser) {
+  std::vector<const HairCandidate*> cover;
+  for (const HairCandidate& part : candidates.list)
+    if (is_cover(part)) cover.push_back(&part);
+  if (cover.empty()) return false;
+  chooser.decide({"hair", name_of(source, *cover[0]),
+                  "what is called hair leaves the crown of the head bare; " + reason_for(source, *cover[0]),
+                  std::min(cover[0]->probability, kMostOfGuess), recipe_line(source, *cover[0])});
+  for (const HairCandidate* part : cover)
+    chooser.take_triangles(part->mesh, part->taken, "it covers the crown of the head");
+  return true;
 }
 
-/// The mesh that a hint names: the first that covers the crown of the head, else the first of all.
-std::string likeliest_mesh(const SourceModel& source, const CrownCover& cover) {
-  for (std::size_t m = 0; m < source.meshes.size(); ++m)
-    if (!cover.choice.taken[m].empty()) return source.meshes[m].name;
-  return source.meshes.empty() ? "..." : source.meshes[0].name;
-}
-
-/// The error for a character on which nothing shows what hair is: a body is never cooked.
-tl::unexpected<ToolError> no_hair_on(const SourceModel& source, const CrownCover& cover) {
-  std::vector<std::string> meshes;
-  for (const SourceMesh& mesh : source.meshes) {
-    meshes.push_back(fmt::format("mesh '{}' (material '{}')", mesh.name, material_name(source, mesh)));
+/// Whether everything chosen is called a beard or a brow, which need no crown.
+bool is_face_hair(const SourceModel& source, const HairChoice& choice) {
+  for (std::size_t m = 0; m < source.meshes.size(); ++m) {
+    const SourceMesh& mesh = source.meshes[m];
+    const bool is_called =
+        either_is_called(source, mesh, is_called_beard) || either_is_called(source, mesh, is_called_brow);
+    if (!choice.taken[m].empty() && !is_called) return false;
   }
-  return bad_input(
-      source, fmt::format("nothing in this character is called hair, moved by hair bones or transparent on the head; "
-                          "name what is hair in a recipe, as in {{\"hair\": {{\"meshes\": [\"{}\"]}}}}; there are: {}",
-                          likeliest_mesh(source, cover), fmt::join(meshes, ", ")));
+  return true;
 }
 
-/// Whether a file without a word of hair in it is called hair itself.
+/// Parts of meshes of which hair bones move others, that cover the crown, too.
+void take_beside_moved(const SourceModel& source, const HairCandidates& candidates, Chooser& chooser) {
+  const HairCandidate* first = nullptr;
+  for (const HairCandidate& part : candidates.list) {
+    const bool is_new = share_chosen(part, chooser.so_far()) < 0.5 && part.at(Feature::kBesideMoved) > 0;
+    if (!is_new || !is_cover(part)) continue;
+    if (first == nullptr) first = &part;
+    chooser.take_triangles(part.mesh, part.taken, "it is beside what hair bones move");
+  }
+  if (first == nullptr) return;
+  chooser.decide({"hair", "what is beside the hair that bones move", reason_for(source, *first),
+                  std::min(first->probability, kMostOfGuess), recipe_line(source, *first)});
+}
+
+/// Asks whether what was found is all: takes what covers a crown that it leaves bare, or warns where nothing does.
+/// Where bones said what hair is, they may move only some of it.
+void take_rest(const SourceModel& source, const HairCandidates& candidates, bool is_by_bones, Chooser& chooser) {
+  if (!candidates.sees_head) return;
+  if (is_by_bones) take_beside_moved(source, candidates, chooser);
+  const double crown = chosen_share(candidates, chooser.so_far(), Feature::kCrown);
+  const double face = chosen_share(candidates, chooser.so_far(), Feature::kFace);
+  if (crown > kBare || take_crown(source, candidates, chooser) || is_face_hair(source, chooser.so_far())) return;
+  if (face <= crown) return;  // What hangs behind or beside a head may be all: tails, or strips on painted hair.
+  chooser.decide(
+      {"hair", "what was found", "it lies on the face and leaves the crown of the head bare", 0.6, "\"hair\""});
+}
+
+/// Whether something tells it from a face, a body or a helmet of unknown colour: a mesh of its own, its colour, bones.
+bool is_told_apart(const HairCandidate& part) {
+  return part.is_whole_mesh || part.at(Feature::kUnlikeFace) > kOtherColor || part.at(Feature::kBesideMoved) > 0;
+}
+
+/// Takes the likeliest part, and what is as likely, of a character on which nothing is called hair; false where no part
+/// is likely enough.
+bool take_likeliest(const SourceModel& source, const HairCandidates& candidates, Chooser& chooser) {
+  if (!candidates.sees_head) return false;
+  const auto likely = std::ranges::find_if(candidates.list, [](const HairCandidate& part) {
+    return part.probability >= kLikely && part.at(Feature::kCrown) > kBare && is_told_apart(part);
+  });
+  if (likely == candidates.list.end()) return false;
+  const HairCandidate& best = *likely;
+  chooser.decide({"hair", name_of(source, best), reason_for(source, best), std::min(best.probability, kMostOfGuess),
+                  recipe_line(source, best)});
+  for (const HairCandidate& part : candidates.list)
+    if (&part == &best || (part.probability >= kLikely && is_told_apart(part)))
+      chooser.take_triangles(part.mesh, part.taken, reason_for(source, part));
+  return true;
+}
+
 bool is_file_called_hair(const SourceModel& source) {
   return is_called_hair(std::filesystem::path(source.path).stem().string());
-}
-
-/// The error for a model with the form of a body. Exporters most often leave curves and particles out of such a file.
-tl::unexpected<ToolError> no_hair_in_body(const SourceModel& source) {
-  std::vector<std::string> meshes;
-  for (const SourceMesh& mesh : source.meshes) {
-    meshes.push_back(fmt::format("mesh '{}' (material '{}')", mesh.name, material_name(source, mesh)));
-  }
-  const std::string node = empty_hair_node(source);
-  const bool hides_meshes = std::ranges::any_of(
-      source.warnings, [](const Diagnostic& warning) { return warning.code == importer::source_code::kHidden; });
-  const std::string lost = hides_meshes   ? "the file hides other meshes, which are not read: show the hair; "
-                           : node.empty() ? ""
-                                          : fmt::format("node '{}' has no mesh, so its hair was not exported; ", node);
-  return bad_input(source,
-                   fmt::format("there is no hair, only what looks like a body: {}; {}export the hair, too: Blender "
-                               "leaves curves and hair particles out "
-                               "unless they are meshes (Object > Convert > Mesh, then export glTF with Data > Mesh > "
-                               "Loose Edges), or export strands "
-                               "by themselves and name this file by \"cards.body\"; if it is hair, say so in a recipe: "
-                               "{{\"hair\": {{\"meshes\": [\"{}\"]}}}}",
-                               fmt::join(meshes, ", "), lost, source.meshes.empty() ? "..." : source.meshes[0].name));
 }
 
 void take_everything(const SourceModel& source, std::uint32_t head, Chooser& chooser) {
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     chooser.take_mesh(m, "nothing in the file says what is hair, so all of it is");
   }
-  if (head == importer::kNoIndex) return;  // A file without a body is a hairstyle.
+  if (head == importer::kNoIndex && (is_file_called_hair(source) || !stands_on_ground(source))) return;  // A hairstyle.
   chooser.warn(
       "S202",
       "nothing in the file is called hair, moved by hair bones or transparent on the head; the whole model was taken: "
@@ -276,11 +277,17 @@ tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const
   const std::uint32_t head = guess_head_node(source);
   const std::vector<bool> bones = find_hair_bones(source);
   choose_by_name(source, bones, head, chooser);
-  if (!chooser.found()) choose_by_bones(source, bones, head, chooser);
+  const bool is_named = chooser.found();
+  if (!is_named) choose_by_bones(source, bones, head, chooser);
+  const bool by_bones = !is_named && chooser.found();
   if (!chooser.found()) choose_by_transparency(source, bones, head, chooser);
-  CrownCover cover = find_crown_cover(source, chooser.so_far(), head, recipe.patch_weld_distance);
-  if (!chooser.found() && moves_limbs(source)) return no_hair_on(source, cover);
-  if (chooser.found() && cover.found) take_crown(std::move(cover.choice), chooser);
+  if (!chooser.found() && moves_limbs(source)) {
+    const HairCandidates candidates = find_hair_candidates(source, recipe.patch_weld_distance);
+    if (!take_likeliest(source, candidates, chooser)) return no_hair_on(source, candidates);
+  } else if (chooser.found() && head != importer::kNoIndex) {
+    const HairCandidates candidates = find_hair_candidates(source, recipe.patch_weld_distance);
+    take_rest(source, candidates, by_bones, chooser);
+  }
   const bool is_body =
       !chooser.found() && !is_file_called_hair(source) && is_bare_body(source, recipe.patch_weld_distance);
   if (is_body) return no_hair_in_body(source);

@@ -57,6 +57,23 @@ double add_vertex(const importer::SourceMesh& mesh, std::uint32_t v, const NodeK
   return hair;
 }
 
+/// Where nothing is called head: the lowest bone of a spine above all bones called hair.
+std::uint32_t node_above_hair(const importer::SourceModel& source, const std::vector<bool>& carries_mesh) {
+  std::vector<std::size_t> below(source.nodes.size(), 0);
+  std::size_t all = 0;
+  for (std::size_t n = source.nodes.size(); n-- > 0;) {
+    if (!carries_mesh[n] && is_called_hair(source.nodes[n].name)) {
+      ++below[n];
+      ++all;
+    }
+    if (source.nodes[n].parent != importer::kNoIndex) below[source.nodes[n].parent] += below[n];
+  }
+  std::uint32_t lowest = importer::kNoIndex;
+  for (std::uint32_t n = 0; n < source.nodes.size(); ++n)
+    if (all > 1 && below[n] == all && is_called_trunk(source.nodes[n].name)) lowest = n;
+  return lowest;
+}
+
 }  // namespace
 
 bool either_is_called(const importer::SourceModel& source, const importer::SourceMesh& mesh, NameQuestion is_called) {
@@ -109,7 +126,7 @@ std::uint32_t guess_head_node(const importer::SourceModel& source) {
       if (head == importer::kNoIndex || below[n] > below[head]) head = n;
     }
   }
-  return head;
+  return head != importer::kNoIndex ? head : node_above_hair(source, carries_mesh);
 }
 
 std::vector<bool> find_hair_bones(const importer::SourceModel& source) {

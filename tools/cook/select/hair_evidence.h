@@ -8,6 +8,8 @@
 #include "import/source_model.h"
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +21,22 @@ using NameQuestion = bool (*)(std::string_view name);
 /// Whether a mesh or its material is called so.
 [[nodiscard]] bool either_is_called(const importer::SourceModel& source, const importer::SourceMesh& mesh,
                                     NameQuestion is_called);
+
+/// What the names of a mesh, its material and its texture say of it.
+struct HairNames {
+  std::string why_hair;        ///< "its material is called 'Hair'"; empty where nothing says that it is hair.
+  bool say_otherwise = false;  ///< Worn on a head or in hair, or a part of skin and face.
+};
+
+[[nodiscard]] HairNames names_of(const importer::SourceModel& source, const importer::SourceMesh& mesh);
+
+/// Its material is drawn with transparency, or named after it.
+[[nodiscard]] bool is_transparent(const importer::SourceModel& source, const importer::SourceMesh& mesh);
+
+/// A triangle's colour as seen, 0..1, by its material and its vertices; none where it has a texture.
+[[nodiscard]] std::optional<Eigen::Vector3f> color_without_texture(const importer::SourceModel& source,
+                                                                   const importer::SourceMesh& mesh,
+                                                                   std::size_t triangle);
 
 /// Whether each mesh that gave hair, or its material, is called so; the name of a file with nothing but hair counts
 /// where these say nothing.
@@ -44,6 +62,10 @@ using NameQuestion = bool (*)(std::string_view name);
 /// has hair bones, only these and the nodes above and below them carry hair.
 [[nodiscard]] std::vector<bool> find_carriers(const importer::SourceModel& source);
 
+/// Share of a piece's weight: a fringe mostly follows the head.
+inline constexpr double kMovedByHairBones = 0.03;
+inline constexpr double kSurelyMoved = 0.4;  ///< At some vertex; faces under a fringe have only a touch of its bones.
+
 /// Evidence about one connected piece.
 struct PieceEvidence {
   std::size_t triangles = 0;
@@ -53,6 +75,10 @@ struct PieceEvidence {
   double eye_bone_share = 0;          ///< Share of lids, lashes, brows and eyes, 0..1.
   double head_share = 0;              ///< Share of the head and everything below it, 0..1.
   double height = 0;                  ///< Height of its highest vertex, metres.
+
+  [[nodiscard]] bool is_moved_as_hair() const {
+    return hair_bone_share >= kMovedByHairBones && largest_hair_bone >= kSurelyMoved;
+  }
 };
 
 /// Share of a piece's weight: above it the piece is a lash, a brow or a lid.
@@ -69,6 +95,9 @@ inline constexpr double kOnHead = 0.3;  ///< Share of a piece's weight: long hai
 /// closed figure that stands on the ground. A ball of hair in one closed form looks the same, so callers look for names
 /// first.
 [[nodiscard]] bool is_bare_body(const importer::SourceModel& source, double weld_distance);
+
+/// The model reaches from the ground to well above its depth, as bodies do; hair alone lies where a head would be.
+[[nodiscard]] bool stands_on_ground(const importer::SourceModel& source);
 
 /// The first node that has a hair name but no content: exporters leave one for curves or particles that they do not
 /// write. Empty where there is none.

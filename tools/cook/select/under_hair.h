@@ -49,15 +49,4 @@ struct TriangleSoup {
 /// gave hair.
 [[nodiscard]] std::vector<bool> find_scalp_caps(const importer::SourceModel& source, const HairChoice& choice);
 
-struct CrownCover {
-  HairChoice choice;
-  bool found = false;
-};
-
-/// What covers the crown of a head, where `so_far` covers next to none of it: the parts that are outermost there and
-/// leave the face free. These are meshes of one material, all on the head; only without such ones they are connected
-/// pieces of what else there is. Nothing that is called headwear or skin. Found only where joints show the head's size.
-[[nodiscard]] CrownCover find_crown_cover(const importer::SourceModel& source, const HairChoice& so_far,
-                                          std::uint32_t head_node, double weld_distance);
-
 }  // namespace coif::cook

@@ -1,0 +1,51 @@
+#include "cook/select/hair_candidates.h"
+
+#include "cook/select/hair_evidence.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <vector>
+
+namespace coif::cook {
+
+using importer::SourceMesh, importer::SourceModel;
+
+std::string name_of(const SourceModel& source, const HairCandidate& candidate) {
+  const SourceMesh& mesh = source.meshes[candidate.mesh];
+  return fmt::format("{}mesh '{}' (material '{}')",
+                     candidate.is_whole_mesh ? "" : fmt::format("{} triangles of ", candidate.triangles), mesh.name,
+                     importer::material_name(source, mesh));
+}
+
+std::string reason_for(const SourceModel& source, const HairCandidate& candidate) {
+  std::vector<std::string> reasons;
+  const auto share = [&](Feature feature) { return 100 * candidate.at(feature); };
+  const HairNames names = names_of(source, source.meshes[candidate.mesh]);
+  if (!names.why_hair.empty()) reasons.push_back(names.why_hair);
+  if (names.say_otherwise) reasons.emplace_back("its name says something else");
+  if (candidate.at(Feature::kHairBones) > 0) reasons.emplace_back("hair bones move it");
+  if (candidate.at(Feature::kEyeBones) > kMovedByEyes) reasons.emplace_back("it moves with the eyes");
+  if (candidate.at(Feature::kTransparent) > 0) reasons.emplace_back("it is transparent");
+  reasons.push_back(fmt::format("it covers {:.0f} % of the crown and {:.0f} % of the face", share(Feature::kCrown),
+                                share(Feature::kFace)));
+  if (candidate.at(Feature::kLikeFace) > 0) reasons.emplace_back("it has the colour of the face");
+  if (candidate.at(Feature::kUnlikeFace) > 0.3) reasons.emplace_back("its colour is not that of the face");
+  return fmt::format("{}", fmt::join(reasons, "; "));
+}
+
+std::string recipe_line(const SourceModel& source, const HairCandidate& candidate) {
+  const SourceMesh& mesh = source.meshes[candidate.mesh];
+  const std::string material = importer::material_name(source, mesh);
+  const auto quoted = [](const std::string& name) {
+    return nlohmann::json(name).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  };
+  const auto has_name = [&](const SourceMesh& other) { return other.name == mesh.name; };
+  const bool needs_more = std::ranges::count_if(source.meshes, has_name) > 1 && !material.empty();
+  return fmt::format("\"hair\": {{\"meshes\": [{}]{}}}", quoted(mesh.name),
+                     needs_more ? fmt::format(", \"materials\": [{}]", quoted(material)) : "");
+}
+
+}  // namespace coif::cook
