@@ -88,13 +88,16 @@ std::vector<FittedChain> fit_curves(const HangingHair& hair, const std::vector<H
   const auto moving = std::size_t(std::ranges::count(locks, true, &HairLock::moves));
   const std::size_t room = (kMaxBones - 1) / std::max<std::size_t>(moving, 1);
   const std::size_t most_bones = std::min<std::size_t>(recipe.chain_max_bones, room);
+  std::vector<LockCurve> curves(locks.size());
+  for (std::size_t l = 0; l < locks.size(); ++l) {
+    if (locks[l].moves) curves[l] = fit_lock_curve(hair, locks[l], head, recipe, most_bones);
+  }
+  settle_curves(hair, locks, head, curves);
   std::vector<FittedChain> chains;
   for (std::size_t l = 0; l < locks.size(); ++l) {
-    if (!locks[l].moves) continue;
-    LockCurve curve = fit_lock_curve(hair, locks[l], head, recipe, most_bones);
-    if (curve.joints.empty()) continue;
-    const std::string side = side_of(curve.joints.front(), head);
-    chains.push_back({l, std::move(curve), side, ""});
+    if (curves[l].joints.empty()) continue;
+    const std::string side = side_of(curves[l].joints.front(), head);
+    chains.push_back({l, std::move(curves[l]), side, ""});
   }
   std::ranges::stable_sort(chains, std::less<>{}, &FittedChain::side);
   std::map<std::string, int> numbers;
@@ -150,8 +153,8 @@ HairRig fit_chains(const importer::SourceModel& source, const HairStrips& hair, 
   const std::vector<bool> is_rigid = rigid_vertices(hair, movable);
   HairCells cells = make_hair_cells(hair, movable, head.center, kCellSize * radius, stop);
   const std::vector<std::uint32_t> held = held_cells(cells, is_rigid);
-  const HangingHair hanging = find_hanging_hair(std::move(cells), head, held);
-  std::vector<HairLock> locks = group_locks(hanging, radius, recipe, stop);
+  HangingHair hanging = find_hanging_hair(std::move(cells), head, held);
+  std::vector<HairLock> locks = divide_wide_locks(hanging, group_locks(hanging, radius, recipe, stop), head, recipe);
 
   HairRig rig;
   rig.skeleton = rigid;

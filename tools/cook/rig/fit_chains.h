@@ -5,6 +5,7 @@
 #include "cook/rig/skeleton.h"
 #include "cook/select/head.h"
 
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -18,6 +19,10 @@ struct HairLock {
   std::vector<std::uint32_t> ways;   ///< On the ways from its tips to the scalp, shared with other locks; ascending.
   double length = 0;                 ///< Largest depth, metres.
   bool moves = false;                ///< False: too short for a chain of its own.
+  /// Turns around the head's upright axis (0 along +Z, 0.25 along +X) at which its chain hangs; none: wherever its hair
+  /// is. A part of a shell has its middle: its hair is measured from other parts, too, which would draw the chain
+  /// aside.
+  std::optional<double> turn{};
 
   // Its chain in the skeleton, once it exists.
   std::uint32_t first_bone = 0;
@@ -31,6 +36,12 @@ struct HairLock {
 [[nodiscard]] std::vector<HairLock> group_locks(const HangingHair& hair, double head_radius, const RigRecipe& recipe,
                                                 const std::stop_token& stop);
 
+/// Divides locks that go around a good part of the head, as a shell of shoulder-length hair does, into parts of about
+/// 60 degrees around its upright axis, and measures their hair anew, each part alone; not where that would be more than
+/// recipe.chain_max_count locks that move.
+[[nodiscard]] std::vector<HairLock> divide_wide_locks(HangingHair& hair, std::vector<HairLock> locks,
+                                                      const FittedHead& head, const RigRecipe& recipe);
+
 /// The bones of one lock as a line of joints: bone i goes from joint i to joint i + 1.
 struct LockCurve {
   std::vector<Eigen::Vector3d> joints;  ///< Model space, metres, from the scalp to the tip; empty: too short.
@@ -42,6 +53,12 @@ struct LockCurve {
 /// the head, so that its collider does not push the modelled pose.
 [[nodiscard]] LockCurve fit_lock_curve(const HangingHair& hair, const HairLock& lock, const FittedHead& head,
                                        const RigRecipe& recipe, std::size_t most_bones);
+
+/// Empties the curves (one per lock; empty: rigid) of hair that does not swing: what is dressed to stand up unless it
+/// is slender, what is no longer than wide unless it hangs, and what would run around the head along a hem. Locks that
+/// are mirror images in the head's middle get curves that are, and the same number of bones.
+void settle_curves(const HangingHair& hair, std::span<const HairLock> locks, const FittedHead& head,
+                   std::span<LockCurve> curves);
 
 /// Weights that change smoothly in space, so that no two vertices at one place move apart: along a chain from bone to
 /// bone, from the head to its first bone, and from lock to lock over `blend` metres of connected hair.

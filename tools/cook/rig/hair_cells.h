@@ -4,6 +4,7 @@
 #include "cook/strands/hair_strips.h"
 
 #include <array>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -62,6 +63,10 @@ struct HangingHair {
 /// themselves. `held`: cells that stay rigid for other reasons.
 [[nodiscard]] HangingHair find_hanging_hair(HairCells cells, const FittedHead& head,
                                             const std::vector<std::uint32_t>& held);
+
+/// Measures the depth of cells that have a part (kNoIndex: they keep theirs) again, by ways to the scalp within the
+/// part that follow the strands more closely.
+void measure_parts(HangingHair& hair, std::span<const std::uint32_t> part);
 
 /// The ends of the hair, and the hair that belongs to each.
 struct StrandTips {

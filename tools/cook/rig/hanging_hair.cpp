@@ -16,7 +16,8 @@ constexpr double kThickestHair = 0.5;
 constexpr double kUpperPart = 0.3;
 /// Extra length of a way across the strands, as a share of it.
 constexpr double kAcross = 1.0;
-constexpr double kRootPart = 0.25;  ///< Share of a strand that may be the root of loose hair.
+constexpr double kAcrossParts = 4.0;  ///< The same in parts of a shell, which hang side by side.
+constexpr double kRootPart = 0.25;    ///< Share of a strand that may be the root of loose hair.
 /// Share of a strand: its very end, which is held together with other ends of its piece.
 constexpr double kRootEnd = 0.05;
 /// Share of the radius by which these other ends may be farther from the head.
@@ -80,20 +81,26 @@ void tie_loose_pieces(HairCells& cells, const FittedHead& head, std::vector<std:
 }
 
 /// Ways across the strands count as longer: a strand hangs from its own root, not from its neighbour's.
-double way(const HairCells& cells, std::uint32_t from, const CellLink& link) {
+double way(const HairCells& cells, std::uint32_t from, const CellLink& link, double across) {
   const Eigen::Vector3d mean = cells.strand[from] + cells.strand[link.to];
   const Eigen::Vector3d step = cells.middle[link.to] - cells.middle[from];
   const double agreement = 0.5 * mean.norm();
   if (agreement < 1.0e-6 || link.length <= 0) return link.length;
   const double along = step.dot(mean.normalized()) / link.length;
-  return link.length * (1 + kAcross * agreement * (1 - along * along));
+  return link.length * (1 + across * agreement * (1 - along * along));
 }
 
-/// Dijkstra from the seeds. Equal lengths are settled in the order of the cells.
-HangingHair measure_from(const HairCells& cells, const std::vector<std::uint32_t>& seeds) {
+/// Dijkstra from the seeds. Equal lengths are settled in the order of the cells. `part`, per cell or empty: no way
+/// leads from one part to another.
+HangingHair measure_from(const HairCells& cells, const std::vector<std::uint32_t>& seeds,
+                         std::span<const std::uint32_t> part = {}) {
   HangingHair hair;
   hair.depth.assign(cells.count(), std::numeric_limits<double>::max());
   hair.from.assign(cells.count(), importer::kNoIndex);
+  const double across = part.empty() ? kAcross : kAcrossParts;
+  const auto is_barred = [&](std::uint32_t from, std::uint32_t to) {
+    return !part.empty() && part[from] != part[to] && hair.depth[from] > 0;
+  };
   using Entry = std::pair<double, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   for (std::uint32_t seed : seeds) {
@@ -105,8 +112,8 @@ HangingHair measure_from(const HairCells& cells, const std::vector<std::uint32_t
     queue.pop();
     if (depth > hair.depth[cell]) continue;
     for (const CellLink& link : cells.links_of(cell)) {
-      const double next = depth + way(cells, cell, link);
-      if (next >= hair.depth[link.to]) continue;
+      const double next = depth + way(cells, cell, link, across);
+      if (is_barred(cell, link.to) || next >= hair.depth[link.to]) continue;
       hair.depth[link.to] = next;
       hair.from[link.to] = cell;
       queue.emplace(next, link.to);
@@ -127,6 +134,19 @@ HangingHair find_hanging_hair(HairCells cells, const FittedHead& head, const std
   HangingHair hair = measure_from(cells, seeds);
   hair.cells = std::move(cells);
   return hair;
+}
+
+void measure_parts(HangingHair& hair, std::span<const std::uint32_t> part) {
+  std::vector<std::uint32_t> seeds;
+  for (std::uint32_t c = 0; c < hair.cells.count(); ++c) {
+    if (hair.depth[c] == 0) seeds.push_back(c);
+  }
+  const HangingHair alone = measure_from(hair.cells, seeds, part);
+  for (std::uint32_t c = 0; c < hair.cells.count(); ++c) {
+    if (part[c] == importer::kNoIndex || alone.from[c] == importer::kNoIndex) continue;
+    hair.depth[c] = alone.depth[c];
+    hair.from[c] = alone.from[c];
+  }
 }
 
 namespace {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace coif::cook {
 namespace {
@@ -55,6 +56,16 @@ Curve slice_means(const HangingHair& hair, const HairLock& lock) {
     if (weight[s] > 0) curve.push_back({sum[s] / weight[s], depth[s] / weight[s]});
   }
   return curve;
+}
+
+/// Turns every point about the head's upright axis to one side of it.
+void turn_to(double turn, const FittedHead& head, Curve& curve) {
+  const double angle = 2 * std::numbers::pi * turn;
+  for (CurvePoint3& point : curve) {
+    const double beside = std::hypot(point.at.x() - head.center.x(), point.at.z() - head.center.z());
+    point.at.x() = head.center.x() + beside * std::sin(angle);
+    point.at.z() = head.center.z() + beside * std::cos(angle);
+  }
 }
 
 void smooth(Curve& curve) {
@@ -110,6 +121,7 @@ LockCurve fit_lock_curve(const HangingHair& hair, const HairLock& lock, const Fi
   LockCurve result;
   Curve curve = slice_means(hair, lock);
   if (curve.size() < 2) return result;
+  if (lock.turn) turn_to(*lock.turn, head, curve);
   smooth(curve);
   extend(curve);
   keep_out_of_head(head, curve);

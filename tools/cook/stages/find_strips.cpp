@@ -75,9 +75,11 @@ class StrandFinder {
   }
 
   [[nodiscard]] StrandField strands_of(const Strips& strips, Findings& findings) const {
-    const StrandSettings settings{said_roots(strips.hair), strips.extracted.chosen != Connectivity::kPosition,
-                                  depths_below(source_, strips.head_bone.node),
-                                  find_strand_lines(strips.hair, color_, threads_), threads_};
+    const StrandSettings settings{.roots = said_roots(strips.hair),
+                                  .trust_texture = strips.extracted.chosen != Connectivity::kPosition,
+                                  .depth_of_node = depths_below(source_, strips.head_bone.node),
+                                  .seen = find_strand_lines(strips.hair, color_, threads_),
+                                  .threads = threads_};
     return find_strand_direction(strips.hair, strips.head, settings, findings);
   }
 

@@ -10,12 +10,29 @@
 
 namespace coif::cook {
 
+/// What speaks against the roots that were found, as shares of the hair's area, 0..1.
+struct RootDoubts {
+  double unsure = 0;             ///< Hardly anything spoke.
+  double rises = 0;              ///< Runs up, below the head's centre, of what runs up or down there.
+  double rises_above = 0;        ///< The same above it, where hair may be combed up.
+  double against_neighbour = 0;  ///< Runs against the hair beside it.
+  double against_mirror = 0;     ///< Runs against its mirror image, patch by patch or within a shell.
+  double against_ends = 0;       ///< Its own ends say the opposite.
+
+  /// That a person would say the same of most of the hair. Set by hand; tests/corpus/fit_roots.py prints fitted
+  /// weights.
+  [[nodiscard]] double probability() const;
+  /// In plain words, the heaviest first; "nothing speaks against them".
+  [[nodiscard]] std::string reason() const;
+};
+
 /// The direction of the strands.
 struct StrandField {
   std::vector<Eigen::Vector3f> tangent;  ///< Per vertex, unit, root to tip, perpendicular to the normal.
   std::vector<float> place;              ///< Per vertex, 0 root .. 1 tip.
   bool along_u = false;                  ///< Most patches run along U of the texture, not V.
   std::vector<std::uint32_t> unsure;     ///< Numbers of patches with little evidence of their root; ascending.
+  RootDoubts doubts;
 };
 
 /// The vertices and triangles of one patch.

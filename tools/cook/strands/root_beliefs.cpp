@@ -10,12 +10,7 @@ namespace coif::cook {
 namespace {
 
 constexpr int kBeliefRounds = 16;
-constexpr float kNeighbourWeight = 1.0f;  ///< Weight of the directions of neighbouring patches.
-constexpr float kMirrorWeight = 0.7f;     ///< Weight of how the patches at the mirror image run.
-/// Weight of the roots of other patches in the same part of the texture.
-constexpr float kIslandWeight = 1.0f;
-constexpr float kCommonWeight = 0.5f;  ///< Weight of the roots of other patches anywhere in the texture.
-constexpr std::uint32_t kCells = 64;   ///< Cells on each side of the texture.
+constexpr std::uint32_t kCells = 64;  ///< Cells on each side of the texture.
 
 /// Row or column of a texture that repeats.
 std::uint32_t cell_at(float coordinate) {
@@ -26,8 +21,9 @@ std::uint32_t cell_at(float coordinate) {
 /// The patches that show each part of the texture, and the side of it that they take for the roots.
 class TextureConsensus {
  public:
-  TextureConsensus(const HairMesh& mesh, const std::vector<PatchView>& views, std::span<const RootVote> votes)
-      : votes_(votes), cells_of_(views.size()) {
+  TextureConsensus(const HairMesh& mesh, const std::vector<PatchView>& views, std::span<const RootVote> votes,
+                   const RootWeights& weights)
+      : votes_(votes), weights_(weights), cells_of_(views.size()) {
     if (mesh.uvs.empty()) return;
     for (auto& sums : cells_) sums.assign(std::size_t(kCells) * kCells, {});
     for (std::size_t p = 0; p < views.size(); ++p) {
@@ -62,7 +58,7 @@ class TextureConsensus {
     for (const std::uint32_t cell : cells_of_[p]) island += cells_[axis][cell].without(own_belief, votes_[p].area);
     if (!cells_of_[p].empty()) island /= float(cells_of_[p].size());
     return votes_[p].painted *
-           (kIslandWeight * island + kCommonWeight * common_[axis].without(own_belief, votes_[p].area));
+           (weights_.island * island + weights_.common * common_[axis].without(own_belief, votes_[p].area));
   }
 
  private:
@@ -81,6 +77,7 @@ class TextureConsensus {
   };
 
   std::span<const RootVote> votes_;
+  const RootWeights& weights_;
   std::vector<std::vector<std::uint32_t>> cells_of_;
   std::array<std::vector<Sum>, 2> cells_;  ///< Per axis.
   std::array<Sum, 2> common_{};
@@ -90,8 +87,8 @@ class TextureConsensus {
 
 std::vector<float> settle_beliefs(const HairMesh& mesh, const std::vector<PatchView>& views,
                                   std::span<const RootVote> votes, const PatchCompany& company,
-                                  const std::stop_token& stop) {
-  TextureConsensus texture(mesh, views, votes);
+                                  const RootWeights& weights, const std::stop_token& stop) {
+  TextureConsensus texture(mesh, views, votes, weights);
   std::vector<float> belief(votes.size()), next(votes.size());
   for (std::size_t p = 0; p < votes.size(); ++p) belief[p] = std::tanh(votes[p].evidence);
   for (int round = 0; round < kBeliefRounds; ++round) {
@@ -99,8 +96,8 @@ std::vector<float> settle_beliefs(const HairMesh& mesh, const std::vector<PatchV
     texture.gather(belief);
     for (std::size_t p = 0; p < votes.size(); ++p) {
       float sum = votes[p].evidence + texture.about(p, belief[p]);
-      for (const Neighbour& other : company.beside[p]) sum += kNeighbourWeight * other.agreement * belief[other.patch];
-      for (const Neighbour& other : company.mirrored[p]) sum += kMirrorWeight * other.agreement * belief[other.patch];
+      for (const Neighbour& other : company.beside[p]) sum += weights.neighbour * other.agreement * belief[other.patch];
+      for (const Neighbour& other : company.mirrored[p]) sum += weights.mirror * other.agreement * belief[other.patch];
       next[p] = std::tanh(sum);
     }
     belief.swap(next);

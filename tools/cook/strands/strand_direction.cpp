@@ -3,6 +3,7 @@
 #include "base/parallel_for.h"
 #include "base/text.h"
 #include "cook/recipe/strip_recipe.h"
+#include "cook/strands/root_doubts.h"
 #include "cook/strands/strand_evidence.h"
 
 #include <fmt/format.h>
@@ -11,25 +12,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace coif::cook {
 namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kSure = 0.5f;          ///< For RootEvidence::sum(): half a radius nearer, or a bone.
-constexpr float kLongerWeight = 0.7f;  ///< Weight of a patch's longer axis; a bowl cut is wide.
-constexpr float kLinesWeight = 2.0f;   ///< Weight of lines in the images along an axis.
-constexpr float kClearEnds = 3.0f;     ///< More evidence at the ends adds nothing for the axis.
-constexpr float kCommonAxis = 0.3f;    ///< Weight of the other patches' common axis.
-constexpr float kPainted = 0.1f;       ///< Ends whose colours differ by this much were painted as root and tip.
-constexpr float kHabit = 0.25f;        ///< Weight of the others' roots where nothing is painted.
+constexpr float kSure = 0.5f;       ///< For RootEvidence::sum(): half a radius nearer, or a bone.
+constexpr float kClearEnds = 3.0f;  ///< More evidence at the ends adds nothing for the axis.
+constexpr float kPainted = 0.1f;    ///< Ends whose colours differ by this much were painted as root and tip.
 /// Share of the head's radius: patches that are nearer than this are neighbours.
 constexpr double kBeside = 0.15;
 constexpr double kMirrored = 0.08;      ///< Patches nearer than this to a mirror image are it.
-constexpr float kUnwrapped = 0.3f;      ///< What it counts that somebody unwrapped a shell along the other axes.
-constexpr float kMirroredAxis = 2.0f;   ///< What it counts that a shell's strands run alike on both sides of the head.
 constexpr double kMirroredShell = 0.2;  ///< As kMirrored, on a shell, whose triangles are large.
 constexpr float kUnsure = 0.2f;         ///< Beliefs below this are reported.
 constexpr double kBackwards = 0.5;      ///< Share of the mean strand along -Z.
@@ -40,6 +34,7 @@ struct PatchStrands {
   float area = 0;
   StrandAxis axis;
   RootEvidence evidence;
+  float mirrored = 0;  ///< mirror_agreement() of a shell along its axis.
 };
 
 /// The recipe's root of a patch.
@@ -76,19 +71,6 @@ int common_texture_axis(std::span<const PatchStrands> patches) {
   return sum >= 0 ? 1 : 0;
 }
 
-/// Whether a patch goes around a good part of the head, seen from above: then it is a shell of many locks.
-bool is_shell(const HairMesh& mesh, const PatchView& view, const FittedHead& head) {
-  constexpr std::size_t kSectors = 12, kFewest = 7;
-  constexpr double kTurn = 2 * std::numbers::pi;
-  std::array<bool, kSectors> has{};
-  for (const std::uint32_t v : view.vertices) {
-    const Eigen::Vector3d from = (mesh.positions[v].cast<double>() - head.center).cwiseQuotient(head.radii);
-    const double turn = std::atan2(from.x(), from.z()) / kTurn + 0.5;
-    has[std::min(kSectors - 1, std::size_t(turn * double(kSectors)))] = true;
-  }
-  return std::size_t(std::ranges::count(has, true)) >= kFewest;
-}
-
 /// Along what the strands may run: the axes of the texture, or, where it says nothing, a walk over the surface; on a
 /// shell also down from its top.
 std::vector<StrandAxis> possible_axes(const HairStrips& hair, const PatchView& view, bool is_textured, bool is_shell) {
@@ -107,22 +89,27 @@ std::vector<StrandAxis> possible_axes(const HairStrips& hair, const PatchView& v
 /// axis where texture coordinates say nothing. Fills axis and evidence.
 void choose_axis(const HairStrips& hair, const PatchView& view, std::uint32_t number, const Surroundings& around,
                  int common, PatchStrands& patch) {
+  const RootWeights& weights = around.weights;
   const bool shell = is_shell(hair.mesh, view, around.head);
   const auto reach = float(kMirroredShell * around.head.radii.mean());
   const bool is_textured = patch.preference != 0;
   float best = -10;
   for (StrandAxis& axis : possible_axes(hair, view, is_textured, shell)) {
     const int of_texture = axis.texture_axis;
-    const RootEvidence evidence = weigh_ends(hair.mesh, view, number, axis, patch.seen, around);
+    RootEvidence evidence = weigh_ends(hair.mesh, view, number, axis, patch.seen, around);
+    evidence.of_shell = shell;
     const float side = of_texture < 0 ? 0.0f : of_texture == 1 ? 1.0f : -1.0f;
-    float score = side * (kLongerWeight * patch.preference + kLinesWeight * patch.seen.lines) +
-                  std::min(std::abs(evidence.of_axis()), kClearEnds) + (of_texture == common ? kCommonAxis : 0.0f);
-    if (shell) score += kMirroredAxis * mirror_agreement(hair.mesh, view, axis, float(around.head.center.x()), reach);
-    if (is_textured && of_texture < 0) score -= kUnwrapped;
+    float score = side * (weights.longer * patch.preference + weights.lines * patch.seen.lines) +
+                  weights.ends * std::min(std::abs(evidence.of_axis(weights)), kClearEnds) +
+                  (of_texture == common ? weights.common_axis : 0.0f);
+    const float mirrored = shell ? mirror_agreement(hair.mesh, view, axis, float(around.head.center.x()), reach) : 0.0f;
+    score += weights.mirrored_axis * mirrored;
+    if (is_textured && of_texture < 0) score -= weights.unwrapped;
     if (score <= best) continue;
     best = score;
     patch.axis = std::move(axis);
     patch.evidence = evidence;
+    patch.mirrored = mirrored;
   }
 }
 
@@ -182,12 +169,13 @@ void warn_of_up_axis(const HairMesh& mesh, const StrandField& field, Findings& f
 }
 
 /// The votes of the patches about their roots.
-std::vector<RootVote> votes_of(std::span<const PatchStrands> patches) {
+std::vector<RootVote> votes_of(std::span<const PatchStrands> patches, const RootWeights& weights) {
   std::vector<RootVote> votes;
   for (const PatchStrands& patch : patches) {
     const int axis = patch.axis.texture_axis;
     const float differ = axis < 0 ? 0 : patch.seen.differ[std::size_t(axis)];
-    votes.push_back({axis, patch.evidence.sum(), patch.area, std::clamp(differ / kPainted, kHabit, 1.0f)});
+    votes.push_back(
+        {axis, patch.evidence.sum(weights), patch.area, std::clamp(differ / kPainted, weights.habit, 1.0f)});
   }
   return votes;
 }
@@ -217,7 +205,7 @@ StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head
   });
   const int common = common_texture_axis(strands);
   const FreeHair free_hair(mesh, views, head);
-  const Surroundings around{head, free_hair, settings.depth_of_node};
+  const Surroundings around{head, free_hair, settings.depth_of_node, settings.weights};
   parallel_for(views.size(), settings.threads, [&](std::size_t p) {
     if (declared[p].texture_axis >= 0 && strands[p].preference != 0) {
       strands[p].axis = strand_axis(hair, views[p], declared[p].texture_axis);
@@ -232,15 +220,19 @@ StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head
   const PatchCompany company{
       find_neighbours(mesh, views, field.tangent, kBeside * size, stop),
       find_mirror_images(mesh, views, field.tangent, float(head.center.x()), kMirrored * size, stop)};
-  const std::vector<float> belief = settle_beliefs(mesh, views, votes_of(strands), company, stop);
+  const std::vector<float> belief =
+      settle_beliefs(mesh, views, votes_of(strands, settings.weights), company, settings.weights, stop);
   std::size_t sure = 0, known = 0;
   float along_u = 0;
+  std::vector<FoundRoot> found;
   for (std::uint32_t p = 0; p < views.size(); ++p) {
     const int axis = strands[p].axis.texture_axis;
     const bool by_recipe = declared[p].texture_axis >= 0 && axis >= 0;
     if (by_recipe ? declared[p].at_high_end : (belief[p] < 0) != declared[p].swapped) turn_round(views[p], field);
     known += by_recipe ? 1 : 0;
-    sure += !by_recipe && std::abs(strands[p].evidence.sum()) >= kSure ? 1 : 0;
+    found.push_back({strands[p].area, belief[p], strands[p].evidence.sum(settings.weights), strands[p].mirrored,
+                     by_recipe || declared[p].swapped});
+    sure += !by_recipe && std::abs(strands[p].evidence.sum(settings.weights)) >= kSure ? 1 : 0;
     if (!by_recipe && std::abs(belief[p]) < kUnsure) field.unsure.push_back(hair.patches.number_of(p));
     along_u += by_recipe ? strands[p].area * (axis == 0 ? 1.0f : -1.0f) : 0.0f;
   }
@@ -252,6 +244,9 @@ StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head
   findings.note(
       fmt::format("roots: {}{} of {} patches by their own ends, the others by texture and neighbours; {} unsure{}",
                   given, sure, views.size() - known, field.unsure.size(), unsure));
+  field.doubts = doubts_of(mesh, views, found, company, field.tangent, head);
+  const auto told = std::size_t(std::ranges::count(found, true, &FoundRoot::is_told));
+  if (told < found.size()) findings.decide(decision_of(field.doubts, told, found.size()));
   warn_of_up_axis(mesh, field, findings);
   return field;
 }

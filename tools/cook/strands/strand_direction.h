@@ -20,7 +20,8 @@ struct StrandSettings {
   bool trust_texture = true;  ///< False where patches are not unwrapped in one piece.
   std::vector<float> depth_of_node;  ///< Bones between each node of the source and the head bone.
   std::vector<SeenStrands> seen;     ///< Per patch, the strands that images show; empty: not known.
-  platform::Threads threads = 1;     ///< The result does not depend on it.
+  RootWeights weights{};
+  platform::Threads threads = 1;  ///< The result does not depend on it.
 };
 
 /// StrandSettings::roots, for all patches: the recipe's value, else the source's.

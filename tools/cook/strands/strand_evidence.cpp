@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace coif::cook {
 namespace {
@@ -158,8 +159,9 @@ constexpr double kAround = 0.45;
 /// Share of the head's radius: hair this far off the head hangs free.
 constexpr double kRaised = 0.2;  ///< By the head's radius: hair this far off the head may only be thick,
 constexpr double kFree = 0.5;
-constexpr double kTied = 3;    ///< A third more of the hair around free: no doubt.
-constexpr float kEnd = 0.25f;  ///< Share of the patch at each end that is looked at.
+constexpr double kBesideAxis = 0.7;  ///< Radii from the head's axis: a layer of hair goes around it out there.
+constexpr double kTied = 3;          ///< A third more of the hair around free: no doubt.
+constexpr float kEnd = 0.25f;        ///< Share of the patch at each end that is looked at.
 
 struct End {
   double distance = 0, depth = 0, height = 0;
@@ -200,9 +202,25 @@ float limited(double value) { return float(std::clamp(value, -1.0, 1.0)); }
 
 }  // namespace
 
+bool is_shell(const HairMesh& mesh, const PatchView& patch, const FittedHead& head, double beside) {
+  constexpr std::size_t kSectors = 12, kFewest = 7;
+  constexpr double kTurn = 2 * std::numbers::pi;
+  std::array<bool, kSectors> has{};
+  for (const std::uint32_t v : patch.vertices) {
+    const Eigen::Vector3d from = (mesh.positions[v].cast<double>() - head.center).cwiseQuotient(head.radii);
+    if (std::hypot(from.x(), from.z()) < beside) continue;
+    const double turn = std::atan2(from.x(), from.z()) / kTurn + 0.5;
+    has[std::min(kSectors - 1, std::size_t(turn * double(kSectors)))] = true;
+  }
+  return std::size_t(std::ranges::count(has, true)) >= kFewest;
+}
+
 FreeHair::FreeHair(const HairMesh& mesh, const std::vector<PatchView>& views, const FittedHead& head)
     : cell_size_(kAround * head.radii.mean()) {
+  std::vector<bool> goes_round;  // a bun on top of the head does not: it is near the axis
+  for (const PatchView& view : views) goes_round.push_back(is_shell(mesh, view, head, kBesideAxis));
   for (const Sample& sample : take_samples(views)) {
+    if (goes_round[sample.patch]) continue;
     const Eigen::Vector3f& p = mesh.positions[sample.vertex];
     std::vector<Amount>& cell = cells_[cell_of(p, cell_size_)];
     if (cell.empty() || cell.back().patch != sample.patch) cell.push_back({sample.patch});

@@ -2,6 +2,7 @@
 
 #include "cook/select/head.h"
 #include "cook/strands/hair_strips.h"
+#include "cook/strands/root_weights.h"
 
 #include <array>
 #include <cstdint>
@@ -76,8 +77,12 @@ struct Neighbour {
                                                                      float middle, double reach,
                                                                      const std::stop_token& stop);
 
-/// Hair off the head. Strands that are combed over the skull to a tail or a bun end beside hair that hangs free;
-/// strands that grow from the scalp do not start there.
+/// Whether a patch goes around a good part of the head, seen from above, `beside` radii or more from its axis: then it
+/// is a shell of many locks.
+[[nodiscard]] bool is_shell(const HairMesh& mesh, const PatchView& patch, const FittedHead& head, double beside = 0);
+
+/// Hair off the head, without layers that go around it. Strands that are combed over the skull to a tail or a bun end
+/// beside hair that hangs free; strands that grow from the scalp do not start there.
 class FreeHair {
  public:
   FreeHair(const HairMesh& mesh, const std::vector<PatchView>& views, const FittedHead& head);
@@ -105,10 +110,15 @@ struct RootEvidence {
   float tied = 0;      ///< An end on the head with free hair beside it is not the root.
   float fade = 0;      ///< Tips are painted thinner.
 
+  bool of_shell = false;  ///< The patch goes around the head.
+
   /// The patch's own evidence: positive where the low end is the root.
-  [[nodiscard]] float sum() const { return of_axis() + tied; }
+  [[nodiscard]] float sum(const RootWeights& w) const { return of_axis(w) + w.tied * tied; }
   /// The evidence that strands run from end to end. Leaves out `tied`, which may differ from side to side, too.
-  [[nodiscard]] float of_axis() const { return distance + 1.5f * bones + 0.35f * height + 0.25f * taper + fade; }
+  [[nodiscard]] float of_axis(const RootWeights& w) const {
+    return w.distance * distance + w.bones * bones + (of_shell ? w.shell_height : w.height) * height + w.taper * taper +
+           w.fade * fade;
+  }
 };
 
 /// The data by which the ends are compared.
@@ -116,6 +126,7 @@ struct Surroundings {
   const FittedHead& head;
   const FreeHair& free_hair;
   std::span<const float> depth_of_node;  ///< Bones between each node of the source and the head.
+  const RootWeights& weights;
 };
 
 /// `number`: the patch's among all.
@@ -143,6 +154,6 @@ struct PatchCompany {
 /// Mean-field iteration on that graph: few rounds carry a belief across a head.
 [[nodiscard]] std::vector<float> settle_beliefs(const HairMesh& mesh, const std::vector<PatchView>& views,
                                                 std::span<const RootVote> votes, const PatchCompany& company,
-                                                const std::stop_token& stop);
+                                                const RootWeights& weights, const std::stop_token& stop);
 
 }  // namespace coif::cook
