@@ -239,8 +239,10 @@ TEST(Cook, ATextureOfTheSourceThatIsMissingIsAWarning) {
   model.materials.push_back(strands);
   model.meshes[0].material = 0;
   const CookResult result = cooked(model);
-  ASSERT_EQ(result.report.warnings.size(), 1u);
-  EXPECT_NE(result.report.warnings[0].message.find("no such file beside the source"), std::string::npos);
+  const auto is_of_file = [](const Diagnostic& warning) {
+    return warning.message.find("no such file beside the source") != std::string::npos;
+  };
+  EXPECT_EQ(std::ranges::count_if(result.report.warnings, is_of_file), 1);
 }
 
 TEST(Cook, HairThatSaysNothingOfItsColorIsBrownButGltfMeansWhite) {
@@ -283,6 +285,7 @@ std::vector<std::byte> cooked_wig() {
   for (importer::SourceMesh& mesh : model.meshes) mesh.material = 0;
   Recipe recipe = default_recipe();
   recipe.texture_max_size = 4;
+  recipe.acknowledged_warnings = {"S227", "S228"};  // so small a wig shows no head
   const auto result = cook(model, recipe, {});
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
   EXPECT_TRUE(result && result->report.warnings.empty()) << (result ? result->report.warnings[0].message : "");

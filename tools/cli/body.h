@@ -29,7 +29,7 @@ struct BodyOptions {
 struct Body {
   importer::SourceModel model;               ///< Without meshes if the file has only the hair's own.
   std::vector<std::filesystem::path> files;  ///< The file it was read from, and the files that this one names.
-  cook::Findings findings;                   ///< Of its size.
+  cook::Findings findings;                   ///< What its size is, and warnings of it.
 };
 
 /// Reads what is drawn with an asset's hair, in the asset's size. Where the asset was cooked from this very file, its

@@ -170,7 +170,6 @@ const RecipeKey kCookKeys[] = {
    "lowest frame rate at which the budget holds"},
   {"budget", "fastest_rate", &R::fastest_rate, "120", 10, 1000, nullptr, "1/s",
    "highest frame rate at which the budget holds"},
-
   {"head", "shape", choice_of<&R::head_shape>, "\"auto\"", 0, 0, "auto|ellipsoid|sphere|capsule|none", "",
    "what hair stays out of; auto: the file's spring colliders on the head, else an ellipsoid"},
   {"head", "faces", choice_of<&R::head_faces>, "\"auto\"", 0, 0, "auto|+Z|-Z", "",
@@ -179,7 +178,6 @@ const RecipeKey kCookKeys[] = {
    "centre of the head in the model, metres, Y up; null: fitted"},
   {"head", "radii", &R::head_radii, "null", 0.001, 1000, nullptr, "m",
    "half sizes of the head along X, Y, Z; null: fitted"},
-
   {"body", "from_file", &R::body_from_file, "true", 0, 0, nullptr, "",
    "false: the file's spring colliders (VRM) that are not on the head are left out"},
   {"body", "colliders", &R::body_colliders, "[]", 0, 0, nullptr, "",
