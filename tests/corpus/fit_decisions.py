@@ -3,7 +3,7 @@
 
     fit_decisions.py COIF JUDGE FOLDER...
 
-JUDGE is judge.py of the labelled files; each FOLDER has a TRUTH.json, as vary.py writes, too. Each file is cooked as a
+JUDGE is judge.py of the labelled files; each FOLDER has a TRUTH.json. Each file is cooked as a
 draft without a recipe; its report has the features of each decision, the judge says whether the decision is right. For
 each kind of decision this prints the weights for the table in the source, and, with the files of one maker left out at
 a time (a folder's name up to its first '_'), how often what was said to be sure was right. The variants of a file

@@ -102,7 +102,7 @@ MovingHair find_moving(const HairMesh& mesh, const FittedHead& head, const HairR
   return found;
 }
 
-// By fit_decisions.py.
+// By fit_decisions.py, on chains of an earlier way to fit them, which went astray more often.
 constexpr std::array kChainWeights{FeatureWeight{"astray", -3.69},      FeatureWeight{"crown moves", -0.38},
                                    FeatureWeight{"on the head", -1.02}, FeatureWeight{"low is still", -0.43},
                                    FeatureWeight{"too few", -0.16},     FeatureWeight{"lopsided", -0.81}};
