@@ -48,6 +48,9 @@ struct LockCurve {
   std::vector<double> depth;  ///< One per joint, ascending from 0: hair of this depth is level with the joint.
 };
 
+/// The point itself, or where the ray to it from the head's centre leaves the head, with a little room.
+[[nodiscard]] Eigen::Vector3d kept_out_of_head(const FittedHead& head, const Eigen::Vector3d& point);
+
 /// The middle of the lock from the scalp to its tip, or to where only a few wisps go on. It is divided into bones of
 /// `recipe.chain_bone_length`, or into longer equal ones where that would be more than `most_bones`. Joints are outside
 /// the head, so that its collider does not push the modelled pose.

@@ -92,11 +92,7 @@ void extend(Curve& curve) {
 }
 
 void keep_out_of_head(const FittedHead& head, Curve& curve) {
-  for (CurvePoint3& point : curve) {
-    const Vector3d from = point.at - head.center;
-    const double scaled = from.cwiseQuotient(head.radii).norm();
-    if (scaled < kClearance && scaled > 0) point.at = head.center + from * (kClearance / scaled);
-  }
+  for (CurvePoint3& point : curve) point.at = kept_out_of_head(head, point.at);
 }
 
 std::vector<double> arc_lengths(const Curve& curve) {
@@ -115,6 +111,12 @@ CurvePoint3 point_at(const Curve& curve, const std::vector<double>& arc, double 
 }
 
 }  // namespace
+
+Vector3d kept_out_of_head(const FittedHead& head, const Vector3d& point) {
+  const Vector3d from = point - head.center;
+  const double scaled = from.cwiseQuotient(head.radii).norm();
+  return scaled < kClearance && scaled > 0 ? Vector3d(head.center + from * (kClearance / scaled)) : point;
+}
 
 LockCurve fit_lock_curve(const HangingHair& hair, const HairLock& lock, const FittedHead& head, const RigRecipe& recipe,
                          std::size_t most_bones) {

@@ -122,12 +122,14 @@ bool are_near_images(const LockCurve& a, const LockCurve& b, const FittedHead& h
 }
 
 /// Makes the two exact images of each other, with as many bones; one that is its own image comes to the middle.
-void make_images(LockCurve& a, LockCurve& b, double middle) {
+/// The mean of two may be inside the head, which would push the modelled pose.
+void make_images(LockCurve& a, LockCurve& b, const FittedHead& head) {
+  const double middle = head.center.x();
   const std::size_t count = std::max(a.joints.size(), b.joints.size());
   a = sampled(a, count);
   if (&a != &b) b = sampled(b, count);
   for (std::size_t j = 0; j < count; ++j) {
-    a.joints[j] = 0.5 * (a.joints[j] + image_of(b.joints[j], middle));
+    a.joints[j] = kept_out_of_head(head, 0.5 * (a.joints[j] + image_of(b.joints[j], middle)));
     b.joints[j] = image_of(a.joints[j], middle);
     if (&a == &b) a.joints[j].x() = middle;
   }
@@ -152,7 +154,7 @@ void settle_curves(const HangingHair& hair, std::span<const HairLock> locks, con
                               imaged_share(hair, locks[b], places[a]) > kImage &&
                               are_near_images(curves[a], curves[b], head);
       if (!are_images) continue;
-      make_images(curves[a], curves[b], head.center.x());
+      make_images(curves[a], curves[b], head);
       is_done[a] = is_done[b] = true;
     }
   }
