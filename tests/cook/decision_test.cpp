@@ -2,7 +2,6 @@
 
 #include "cook/built_models.h"
 #include "cook/cook.h"
-#include "cook/recipe/logistic.h"
 #include "cook/select/head.h"
 #include "cook/select/select_hair.h"
 #include "cook/told.h"

@@ -1,6 +1,6 @@
 // How sure the cook is of roots, and what it says of them.
 
-#include "cook/strands/root_doubts.h"
+#include "cook/strands/strand_evidence.h"
 
 #include "cook/built_models.h"
 #include "cook/fitted_wig.h"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fits the weights by which `coif cook` tells hair from other parts of a model (tools/cook/select/candidate_weights.cpp).
+"""Fits the weights by which `coif cook` tells hair from other parts of a model (tools/cook/select/candidate_verdict.cpp).
 
 usage: fit_candidates.py COIF FOLDER [--variants FOLDER] [--per-part]
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fits the table of tools/cook/strands/root_weights.h.
+"""Fits the table of tools/cook/strands/strand_evidence.h.
 
     fit_roots.py TRIAL CORPUS [--sets 80] [--styles 42] [--seed 1] [--start WEIGHTS.json] [-o WEIGHTS.json]
 

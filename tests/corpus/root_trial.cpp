@@ -1,7 +1,7 @@
 // coif_root_trial WEIGHTS.json STYLES [FILE...]: how strands run with each set of weights of the table in
-// root_weights.h. WEIGHTS.json is a list of objects, {"height": 0.5, ...}; what is left out keeps its value. Prints one
-// JSON line for each style of the first STYLES ones, {"style", "right": [strips, for each set], "all"}, and for each
-// file {"file", "head": [center, radii], "rows": [for each set: [area, x, y, z, direction x, y, z, place] of each
+// strand_evidence.h. WEIGHTS.json is a list of objects, {"height": 0.5, ...}; what is left out keeps its value. Prints
+// one JSON line for each style of the first STYLES ones, {"style", "right": [strips, for each set], "all"}, and for
+// each file {"file", "head": [center, radii], "rows": [for each set: [area, x, y, z, direction x, y, z, place] of each
 // triangle]}, both with "doubts": [RootDoubts for each set]. fit_roots.py runs it.
 
 #include "cook/built_models.h"

@@ -104,7 +104,7 @@ void draw_legend(const SourceModel& model, const HairCandidates& candidates, ren
   for (std::size_t k = 0; k < std::min(kChartMostLines, candidates.list.size()); ++k, top += kChartLine) {
     const HairCandidate& part = candidates.list[k];
     const std::string text =
-        printable_ascii(fmt::format("{:.0f} % {}", 100 * std::min(part.probability, 0.99), cook::name_of(model, part)));
+        printable_ascii(fmt::format("{} {}", cook::certainty_text(part.probability), cook::name_of(model, part)));
     render::fill_rectangle(picture, 10, top, 30, top + 14, color_of_part(k));
     render::PictureText(text, 4 * picture.width, 2).draw(picture, 40, top, kChartInk);
   }

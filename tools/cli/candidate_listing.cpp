@@ -37,7 +37,7 @@ std::string candidates_text(const SourceModel& model, const HairCandidates& cand
                                  counted(candidates.list.size(), "part", "parts"),
                                  candidates.sees_head ? "" : "; no head was found, so that only names speak");
   for (const HairCandidate& part : candidates.list) {
-    text += fmt::format("{:>4.0f} %  {}{}\n        {}\n        {}{}\n", 100 * std::min(part.probability, 0.99),
+    text += fmt::format("{:>6}  {}{}\n        {}\n        {}{}\n", cook::certainty_text(part.probability),
                         printable_text(cook::name_of(model, part)),
                         part.is_whole_mesh ? ", " + counted(part.triangles, "triangle", "triangles") : "",
                         printable_text(cook::reason_for(model, part)), printable_text(cook::recipe_line(model, part)),

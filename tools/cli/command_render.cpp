@@ -140,9 +140,11 @@ tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Mes
                      messages);
     if (!body) return tl::unexpected(body.error());
     if (auto checked = check_output(options.output, body->files); !checked) return tl::unexpected(checked.error());
-    if (body->model.meshes.empty())
+    if (body->model.meshes.empty()) {
       messages.warning(options.body + ": has nothing but the hair; drawn as without --body");
-    if (!body->model.meshes.empty()) settings.body = &body->model;
+    } else {
+      settings.body = &body->model;
+    }
     settings.body_textures = render::read_body_textures(body->model, body->findings);
     messages.tell(body->findings.warnings, options.body);
   }

@@ -2,15 +2,11 @@
 
 #include "base/asset_refusal.h"
 #include "base/text.h"
-#include "base/words.h"
 #include "cook/recipe/recipe_keys.h"
-#include "cook/select/select_hair.h"
 #include "cook/texture/source_images.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cstring>
 #include <system_error>
 #include <utility>
@@ -134,55 +130,6 @@ importer::ImportSettings import_settings(const cook::Recipe& recipe, std::vector
   if (recipe.up_axis == cook::RecipeUpAxis::kY) settings.up_axis = importer::UpAxis::kY;
   if (recipe.up_axis == cook::RecipeUpAxis::kZ) settings.up_axis = importer::UpAxis::kZ;
   return settings;
-}
-
-namespace {
-
-void remove_hair(const cook::HairChoice& hair, importer::SourceModel& model) {
-  for (std::size_t m = 0; m < model.meshes.size(); ++m) {
-    std::vector<std::uint32_t>& triangles = model.meshes[m].triangles;
-    std::vector<std::uint32_t> kept;
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      if (!hair.takes(m, i / 3)) kept.push_back(triangles[i]);
-    }
-    triangles = std::move(kept);
-  }
-}
-
-bool leaves_something(const cook::HairChoice& hair, const importer::SourceModel& model) {
-  for (std::size_t m = 0; m < model.meshes.size(); ++m) {
-    for (std::size_t t = 0; t < model.meshes[m].triangles.size() / 3; ++t) {
-      if (!hair.takes(m, t)) return true;
-    }
-  }
-  return false;
-}
-
-}  // namespace
-
-tl::expected<importer::SourceModel, ToolError> keep_body(importer::SourceModel model, const std::string& pattern,
-                                                         const cook::Recipe& recipe, bool is_hairs_own) {
-  std::vector<std::string> names;
-  for (const importer::SourceMesh& mesh : model.meshes) names.push_back(fmt::format("'{}'", mesh.name));
-  if (pattern.empty()) {
-    cook::Findings unsaid;
-    const auto hair = cook::choose_hair(model, recipe, unsaid);
-    if (!hair) return tl::unexpected(hair.error());
-    const bool leaves_body = leaves_something(*hair, model);
-    if (!leaves_body && is_hairs_own) {
-      model.meshes.clear();
-      return model;
-    }
-    // A model without a sign of hair counts as hair; a caller who passes it as a body knows better.
-    if (leaves_body) remove_hair(*hair, model);
-  }
-  std::erase_if(model.meshes, [&](const importer::SourceMesh& mesh) {
-    return mesh.triangles.empty() || !(pattern.empty() || matches(mesh.name, pattern));
-  });
-  if (!model.meshes.empty()) return model;
-  return tl::unexpected(ToolError{
-      ToolError::Kind::kBadInput,
-      fmt::format("{}: no mesh is left for the body; give --body-mesh one of {}", model.path, fmt::join(names, ", "))});
 }
 
 }  // namespace coif::cli

@@ -86,11 +86,4 @@ void choose_body(const std::filesystem::path& body, RecipeChoice& choice);
 [[nodiscard]] importer::ImportSettings import_settings(const cook::Recipe& recipe,
                                                        std::vector<std::filesystem::path> roots);
 
-/// Keeps only the body's meshes, so that hair is not drawn twice. `pattern`: meshes to keep, with * and ?; empty:
-/// everything that a cook with this recipe would not take for hair. `is_hairs_own`: the hair was cooked from this
-/// model; if it has nothing else, it is left without meshes. Errors: kBadInput with all names where nothing is left;
-/// those of choose_hair().
-tl::expected<importer::SourceModel, ToolError> keep_body(importer::SourceModel model, const std::string& pattern,
-                                                         const cook::Recipe& recipe, bool is_hairs_own);
-
 }  // namespace coif::cli

@@ -1,4 +1,4 @@
-#include "cook/recipe/logistic.h"
+#include "cook/recipe/decision.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -9,20 +9,18 @@
 #include <utility>
 
 namespace coif::cook {
-namespace {
 
-/// Never "100 %": what nobody said is not certain.
-std::string percent(double probability) { return fmt::format("{:.0f} %", 100 * std::min(probability, 0.99)); }
+double probability_of_odds(double log_odds) { return 1 / (1 + std::exp(-log_odds)); }
 
-}  // namespace
+std::string certainty_text(double probability) { return fmt::format("{:.0f} %", 100 * std::min(probability, 0.99)); }
 
 std::string Decision::text() const {
-  return fmt::format("{}: {}, {} sure: {}", what, chosen, percent(probability), reason);
+  return fmt::format("{}: {}, {} sure: {}", what, chosen, certainty_text(probability), reason);
 }
 
 std::string Decision::doubt() const {
-  return fmt::format("in doubt: {}: {}, {} sure ({}); set {} in the recipe", what, chosen, percent(probability), reason,
-                     key);
+  return fmt::format("in doubt: {}: {}, {} sure ({}); set {} in the recipe", what, chosen, certainty_text(probability),
+                     reason, key);
 }
 
 bool Decision::asks() const { return probability < kAskBelow && (what == "hair" || what == "head"); }
@@ -40,7 +38,7 @@ double Logistic::probability(const Features& features) const {
     const auto found = std::ranges::find(weights, name, [](const FeatureWeight& w) { return std::string(w.name); });
     if (found != weights.end()) odds += found->weight * value;
   }
-  return 1 / (1 + std::exp(-odds));
+  return probability_of_odds(odds);
 }
 
 void from_json(const nlohmann::json& in, Decision& decision) {

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,27 @@ namespace coif::cook {
 
 /// Numbers by name, each about 0..1, from which a probability follows.
 using Features = std::vector<std::pair<std::string, double>>;
+
+/// 0..1, from the logarithm of the odds.
+[[nodiscard]] double probability_of_odds(double log_odds);
+
+/// "96 %", but never "100 %": what nobody said is not certain.
+[[nodiscard]] std::string certainty_text(double probability);
+
+/// A feature's weight in the logarithm of the odds.
+struct FeatureWeight {
+  const char* name;
+  double weight;
+};
+
+/// A table of weights that tests/corpus/fit_decisions.py fitted.
+struct Logistic {
+  double bias;
+  std::span<const FeatureWeight> weights;
+
+  /// 0..1; features without a weight count for nothing.
+  [[nodiscard]] double probability(const Features& features) const;
+};
 
 /// What a cook decided where neither the file nor the recipe says it, and how sure it is of that.
 struct Decision {

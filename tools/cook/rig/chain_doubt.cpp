@@ -1,4 +1,4 @@
-#include "cook/recipe/logistic.h"
+#include "cook/recipe/decision.h"
 #include "cook/rig/fit_chains.h"
 
 #include <fmt/format.h>

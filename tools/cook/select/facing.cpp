@@ -1,5 +1,5 @@
+#include "cook/recipe/decision.h"
 #include "cook/recipe/hair_recipe.h"
-#include "cook/recipe/logistic.h"
 #include "cook/select/hair_evidence.h"
 #include "cook/select/head.h"
 

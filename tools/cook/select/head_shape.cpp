@@ -1,7 +1,7 @@
 #include "base/geometry.h"
 #include "base/text.h"
+#include "cook/recipe/decision.h"
 #include "cook/recipe/hair_recipe.h"
-#include "cook/recipe/logistic.h"
 #include "cook/select/head.h"
 #include "cook/select/head_landmarks.h"
 

@@ -1,4 +1,4 @@
-#include "cook/strands/root_doubts.h"
+#include "cook/strands/strand_evidence.h"
 
 #include <fmt/format.h>
 
@@ -42,7 +42,7 @@ double against(std::span<const Neighbour> company, std::span<const FoundRoot> fo
 double RootDoubts::probability() const {
   const double odds = kBase - kOfUnsure * unsure - kOfRises * rises - kOfRisesAbove * rises_above -
                       kOfNeighbour * against_neighbour - kOfMirror * against_mirror - kOfEnds * against_ends;
-  return 1 / (1 + std::exp(-odds));
+  return probability_of_odds(odds);
 }
 
 std::string RootDoubts::reason() const {

@@ -3,7 +3,6 @@
 #include "base/parallel_for.h"
 #include "base/text.h"
 #include "cook/recipe/strip_recipe.h"
-#include "cook/strands/root_doubts.h"
 #include "cook/strands/strand_evidence.h"
 
 #include <fmt/format.h>
