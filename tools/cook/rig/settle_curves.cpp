@@ -18,7 +18,7 @@ constexpr double kSlender = 6, kStout = 1.5;
 /// Share of a lock that must have a mirror image in the other for the two to be images.
 constexpr double kImage = 0.6;
 /// Share of the head's radius: the mean distance up to which two chains are images, if their locks are.
-constexpr double kImageReach = 0.35;
+constexpr double kImageReach = 0.2;
 constexpr std::size_t kPoints = 8;  ///< At which two chains are compared.
 
 double arc_of(const LockCurve& curve) {
