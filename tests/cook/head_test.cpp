@@ -167,9 +167,9 @@ TEST(FitHead, ComesOutThroughNoHair) {
       EXPECT_LE(inside.vertices, 0.03);
       EXPECT_LE(inside.pokes, 0.005);
       EXPECT_GT(head.radii.mean(), (root < 1 ? 0.8 : 0.85) * lift * kHead.radii.mean());
-      ASSERT_FALSE(findings.notes.empty());
-      EXPECT_NE(findings.notes.back().find("head: the inside of the hair; centre (0.0"), std::string::npos)
-          << findings.notes.back();
+      ASSERT_EQ(findings.decisions.size(), 1u);
+      EXPECT_EQ(findings.decisions[0].reason, "the inside of the hair");
+      EXPECT_EQ(findings.decisions[0].chosen.find("centre (0.0"), 0u) << findings.decisions[0].chosen;
     }
   }
 }

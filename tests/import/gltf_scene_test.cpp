@@ -87,7 +87,6 @@ TEST_F(GltfScene, MaterialsOfWhichNothingWouldBeSeenAreTold) {
     if (shines) material["emissiveTexture"] = {{"index", 0}};
     return model_of(file);
   };
-  EXPECT_TRUE(tells(read_with({1, 1, 1, 0}, true, false).warnings, "wholly transparent"));
   EXPECT_TRUE(tells(read_with({0, 0, 0, 1}, true, true).warnings, "nothing is seen of its texture 'hair.png'"));
   EXPECT_TRUE(read_with({0, 0, 0, 1}, false, false).warnings.empty()) << "black hair";
   EXPECT_TRUE(read_with({1, 1, 1, 1}, false, true).warnings.empty()) << "white hair that glows";
@@ -95,6 +94,29 @@ TEST_F(GltfScene, MaterialsOfWhichNothingWouldBeSeenAreTold) {
   EXPECT_TRUE(tells(model.warnings, "its texture 'hair.png' shines"));
   EXPECT_EQ(model.materials.at(0).base_texture.path, "hair.png");
   EXPECT_EQ(model.materials.at(0).base_color, Eigen::Vector4f::Ones());
+}
+
+TEST_F(GltfScene, WhatIsAllTransparentIsTakenForOpaqueAndOtherThingsAreNot) {
+  const auto read_with = [&](float other_alpha, bool is_textured) {
+    GltfBuilder file;
+    file.textured({{"index", 0}});
+    json& materials = file.document["materials"];
+    materials[0]["alphaMode"] = "MASK";
+    materials[0]["pbrMetallicRoughness"]["baseColorFactor"] = {0.5, 0.25, 0.125, 0};
+    if (!is_textured) materials[0]["pbrMetallicRoughness"].erase("baseColorTexture");
+    materials.push_back(materials[0]);
+    materials[1]["pbrMetallicRoughness"]["baseColorFactor"][3] = other_alpha;
+    return model_of(file);
+  };
+  const SourceModel all = read_with(0, false);
+  EXPECT_TRUE(tells(all.warnings, "every material is wholly transparent"));
+  EXPECT_FALSE(tells(all.warnings, "nothing of it is seen")) << "one word is enough";
+  EXPECT_EQ(all.materials.at(0).base_color, Eigen::Vector4f(0.5f, 0.25f, 0.125f, 1));
+  EXPECT_EQ(all.materials.at(0).alpha_use, AlphaUse::kOpaque);
+  EXPECT_EQ(read_with(0, true).materials.at(0).alpha_use, AlphaUse::kMask) << "the texture has an alpha of its own";
+  const SourceModel one = read_with(1, false);
+  EXPECT_TRUE(tells(one.warnings, "nothing of it is seen"));
+  EXPECT_EQ(one.materials.at(0).base_color.w(), 0);
 }
 
 TEST_F(GltfScene, TheBaseTextureNamesItsSetOfUvs) {

@@ -97,9 +97,7 @@ bool is_hair_beside_mesh(const groom::Groom& groom) {
 /// The strands of a file that may have a mesh as well; none where its mesh is the hair.
 std::optional<groom::Groom> strands_beside(const Model& model, const fs::path& path, const cook::Recipe& recipe,
                                            const importer::ImportSettings& import) {
-  const bool says_what_is_hair =
-      !recipe.hair_meshes.empty() || !recipe.hair_materials.empty() || !recipe.hair_bones.empty();
-  if (model && (says_what_is_hair || has_mesh_called_hair(*model) || !mentions_lines(path))) return std::nullopt;
+  if (model && (recipe.names_hair() || has_mesh_called_hair(*model) || !mentions_lines(path))) return std::nullopt;
   auto groom = groom::read_groom(path, import);
   if (!groom || (model && !is_hair_beside_mesh(*groom))) return std::nullopt;
   return std::move(*groom);

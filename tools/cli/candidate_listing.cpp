@@ -37,11 +37,10 @@ std::string candidates_text(const SourceModel& model, const HairCandidates& cand
                                  counted(candidates.list.size(), "part", "parts"),
                                  candidates.sees_head ? "" : "; no head was found, so that only names speak");
   for (const HairCandidate& part : candidates.list) {
-    text += fmt::format("{:>6}  {}{}\n        {}\n        {}{}\n", cook::certainty_text(part.probability),
+    text += fmt::format("{:>6}  {}{}\n        {}\n        {}\n", cook::certainty_text(part.probability),
                         printable_text(cook::name_of(model, part)),
                         part.is_whole_mesh ? ", " + counted(part.triangles, "triangle", "triangles") : "",
-                        printable_text(cook::reason_for(model, part)), printable_text(cook::recipe_line(model, part)),
-                        part.is_whole_mesh ? "" : " takes all of the mesh, not this part alone");
+                        printable_text(cook::reason_for(model, part)), printable_text(cook::recipe_line(model, part, candidates)));
   }
   return text;
 }
@@ -59,7 +58,7 @@ std::string candidates_json(const SourceModel& model, const HairCandidates& cand
                     {"triangles", part.triangles},
                     {"probability", part.probability},
                     {"reason", cook::reason_for(model, part)},
-                    {"recipe", cook::recipe_line(model, part)},
+                    {"recipe", cook::recipe_line(model, part, candidates)},
                     {"features", std::move(features)},
                     {"middles", middles_of(model, part)}});
   }

@@ -53,7 +53,6 @@ class MaterialReader {
       warn_of_other_uvs(normal, uvs.back(), material);
       read_alpha(entry, material);
       if (!material.base_texture.is_there()) take_emission(entry, material, uvs.back());
-      warn_of_factors(material);
       add_other_maps(entry, metallic, specular, material);
       material.roughness = specular.is_object() ? 1 - number_or(member(specular, "glossinessFactor"), 1, 1)
                                                 : number_or(member(metallic, "roughnessFactor"), 1, 1);
@@ -61,6 +60,7 @@ class MaterialReader {
       model_.materials.push_back(std::move(material));
       if (!fault_.empty()) return fault_;
     }
+    settle_unseen_materials(model_.materials, model_.warnings);
     return {};
   }
 
@@ -98,27 +98,8 @@ class MaterialReader {
     material.base_color.head<3>().setOnes();
     warn(model_.warnings, source_code::kClear,
          "material '{}': its base colour is black, and its texture '{}' shines; that is taken for the base colour: "
-         "connect it "
-         "to the base colour and export again",
+         "connect it to the base colour and export again",
          material.name, material.base_texture.path);
-  }
-
-  void warn_of_factors(const SourceMaterial& material) {
-    constexpr float kSeen = 1e-3f;
-    const bool is_blended = material.alpha_use == AlphaUse::kBlend || material.alpha_use == AlphaUse::kMask;
-    if (is_blended && material.base_color.w() < kSeen) {
-      warn(model_.warnings, source_code::kClear,
-           "material '{}': it is wholly transparent (the alpha of its base colour is 0), so that nothing of it is "
-           "seen; set it "
-           "to 1 and export again",
-           material.name);
-    } else if (material.base_texture.is_there() && material.base_color.head<3>().maxCoeff() < kSeen) {
-      warn(model_.warnings, source_code::kClear,
-           "material '{}': its base colour is black, so that nothing is seen of its texture '{}'; set it to white and "
-           "export "
-           "again",
-           material.name, material.base_texture.path);
-    }
   }
 
   /// The image that a texture shows: one that every reader knows, or the WebP in its place.

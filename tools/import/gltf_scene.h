@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,9 @@ struct GltfUvs {
 [[nodiscard]] tl::expected<std::vector<GltfUvs>, std::string> read_gltf_materials(const nlohmann::json& document,
                                                                                   gltf::GltfBuffers& buffers,
                                                                                   SourceModel& model);
+
+/// Materials of which nothing would be seen: warned of; where that is so of all, their alpha is taken for 1.
+void settle_unseen_materials(std::span<SourceMaterial> materials, Diagnostics& warnings);
 
 /// Fills `meshes`: each primitive of triangles, once for each node and instance that shows it. The model has its nodes
 /// and materials; a material is added where a primitive names none. `variant` is the name of one of

@@ -19,6 +19,13 @@ struct HairRecipe {
   std::vector<std::string> hair_meshes;
   std::vector<std::string> hair_materials;
   std::vector<std::string> hair_bones;
+  std::vector<std::array<double, 3>> hair_parts;  ///< Points on parts that are hair, model space, metres.
+
+  /// The recipe names what is hair.
+  [[nodiscard]] bool names_hair() const {
+    return !hair_meshes.empty() || !hair_materials.empty() || !hair_bones.empty() || !hair_parts.empty();
+  }
+
   double patch_weld_distance = 0;  ///< Metres.
   std::string head_bone;           ///< Pattern; "": found by name and hierarchy.
   HeadShape head_shape = HeadShape::kAuto;

@@ -105,6 +105,17 @@ Outcome read(const RecipeKey& key, const json& value, NumberOrCurve& out) {
   return {};
 }
 
+Outcome read(const RecipeKey&, const json& value, std::vector<std::array<double, 3>>& out) {
+  constexpr std::size_t kMostPoints = 4096;
+  const auto read_point = [](const json& item, std::array<double, 3>& point) -> Outcome {
+    const auto numbers = read_numbers<3>(item);
+    if (!numbers) return wants("a point [x, y, z] in metres", item);
+    point = *numbers;
+    return {};
+  };
+  return read_entries(value, "a list of points [x, y, z]", kMostPoints, read_point, out);
+}
+
 Outcome read(const RecipeKey&, const json& value, std::vector<PatchOverride>& out) {
   return read_overrides(value, out);
 }

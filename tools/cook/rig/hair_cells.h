@@ -58,8 +58,8 @@ struct HangingHair {
   std::vector<std::uint32_t> from;  ///< Per cell, the next one on the shortest way to the scalp; kNoIndex on it.
 };
 
-/// Hair within a small distance of the head lies on the scalp; where hair has more body, a larger one. Hair that
-/// touches nothing of that hangs from the hair next to its roots, to which this adds links, or else from the roots
+/// Hair within a small distance of the head lies on the scalp; where hair has more body, a larger one. A beard lies on
+/// the jaw. Hair that touches nothing of that hangs from the hair next to its roots, to which this adds links, or else from the roots
 /// themselves. `held`: cells that stay rigid for other reasons.
 [[nodiscard]] HangingHair find_hanging_hair(HairCells cells, const FittedHead& head,
                                             const std::vector<std::uint32_t>& held);

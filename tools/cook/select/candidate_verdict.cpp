@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <vector>
@@ -64,16 +63,10 @@ std::string reason_for(const SourceModel& source, const HairCandidate& candidate
   return fmt::format("{}", fmt::join(reasons, "; "));
 }
 
-std::string recipe_line(const SourceModel& source, const HairCandidate& candidate) {
-  const SourceMesh& mesh = source.meshes[candidate.mesh];
-  const std::string material = importer::material_name(source, mesh);
-  const auto quoted = [](const std::string& name) {
-    return nlohmann::json(name).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  };
-  const auto has_name = [&](const SourceMesh& other) { return other.name == mesh.name; };
-  const bool needs_more = std::ranges::count_if(source.meshes, has_name) > 1 && !material.empty();
-  return fmt::format("\"hair\": {{\"meshes\": [{}]{}}}", quoted(mesh.name),
-                     needs_more ? fmt::format(", \"materials\": [{}]", quoted(material)) : "");
+double HairCandidate::share_of(const HairChoice& choice) const {
+  std::size_t both = 0;
+  for (std::size_t t = 0; t < taken.size(); ++t) both += taken[t] && choice.takes(mesh, t) ? 1 : 0;
+  return triangles > 0 ? double(both) / double(triangles) : 0;
 }
 
 }  // namespace coif::cook

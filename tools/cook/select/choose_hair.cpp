@@ -1,7 +1,5 @@
 #include "base/words.h"
-#include "cook/recipe/hair_recipe.h"
-#include "cook/select/hair_candidates.h"
-#include "cook/select/hair_evidence.h"
+#include "cook/select/hair_chooser.h"
 #include "cook/select/select_hair.h"
 #include "cook/select/under_hair.h"
 
@@ -18,8 +16,6 @@ namespace coif::cook {
 namespace {
 using importer::SourceMesh, importer::SourceModel;
 
-using Names = std::vector<std::string>;
-
 constexpr double kBare = 0.05;  ///< Share of the crown: hair that covers more may be all.
 /// What nobody called hair is never surer than this, so that the cook warns of it.
 constexpr double kMostOfGuess = 0.79;
@@ -27,76 +23,8 @@ constexpr double kLikely = 0.5;       ///< Probability of what is taken besides 
 constexpr double kMostFace = 0.2;     ///< Share of the face that hair covers beside other hair.
 constexpr double kOtherColor = 0.14;  ///< Distance of colours.
 
-/// Collects a choice mesh by mesh.
-class Chooser {
- public:
-  Chooser(const SourceModel& source, const HairRecipe& recipe, Findings& findings)
-      : source_(source), recipe_(recipe), findings_(findings) {
-    choice_.taken.resize(source.meshes.size());
-  }
-
-  [[nodiscard]] bool found() const { return found_ > 0; }
-  [[nodiscard]] const HairChoice& so_far() const { return choice_; }
-
-  void take_mesh(std::uint32_t m, const std::string& why) {
-    const std::size_t count = source_.meshes[m].triangles.size() / 3;
-    choice_.taken[m].assign(count, true);
-    note(m, count, why);
-  }
-
-  /// Takes the pieces of mesh `m` for which `fits`.
-  void take_pieces(std::uint32_t m, const std::vector<bool>& bones, std::uint32_t head, const std::string& why,
-                   const std::function<bool(const PieceEvidence&)>& fits) {
-    const SourceMesh& mesh = source_.meshes[m];
-    const MeshPieces pieces = find_pieces(mesh, recipe_.patch_weld_distance);
-    const std::vector<PieceEvidence> evidence = weigh_pieces(source_, mesh, pieces, bones, head);
-    std::vector<bool> taken;
-    for (std::uint32_t piece : pieces.piece_of) taken.push_back(fits(evidence[piece]));
-    take_triangles(m, std::move(taken), why);
-  }
-
-  void take_triangles(std::uint32_t m, std::vector<bool> taken, const std::string& why) {
-    const auto count = std::size_t(std::ranges::count(taken, true));
-    if (count == 0) return;
-    if (choice_.taken[m].empty()) {
-      choice_.taken[m] = std::move(taken);
-    } else {
-      for (std::size_t t = 0; t < taken.size(); ++t) choice_.taken[m][t] = choice_.taken[m][t] || taken[t];
-    }
-    note(m, count, why);
-  }
-
-  HairChoice finish() && {
-    for (std::uint32_t m = 0; m < source_.meshes.size(); ++m) {
-      const std::size_t count = source_.meshes[m].triangles.size() / 3;
-      const auto taken = std::size_t(std::ranges::count(choice_.taken[m], true));
-      if (taken == 0) {
-        findings_.leave_out({fmt::format("mesh '{}' ({} triangles)", source_.meshes[m].name, count), "not hair"});
-      } else if (taken < count) {
-        findings_.leave_out({fmt::format("mesh '{}', {} triangles", source_.meshes[m].name, count - taken),
-                             "of pieces that are not hair"});
-      }
-    }
-    return std::move(choice_);
-  }
-
-  void decide(Decision decision) { findings_.decide(std::move(decision)); }
-  void warn(const char* code, std::string text) { findings_.warn(code, std::move(text)); }
-
- private:
-  void note(std::uint32_t m, std::size_t triangles, const std::string& why) {
-    found_ += triangles;
-    findings_.note(fmt::format("hair: mesh '{}' ({} triangles): {}", source_.meshes[m].name, triangles, why));
-  }
-
-  const SourceModel& source_;
-  const HairRecipe& recipe_;
-  Findings& findings_;
-  HairChoice choice_;
-  std::size_t found_ = 0;
-};
-
-void choose_by_recipe(const SourceModel& source, const HairRecipe& recipe, Chooser& chooser) {
+void choose_by_names_of_recipe(const SourceModel& source, const HairRecipe& recipe, HairChooser& chooser) {
+  if (recipe.hair_meshes.empty() && recipe.hair_materials.empty() && recipe.hair_bones.empty()) return;
   std::vector<bool> bones;
   for (const importer::SourceNode& node : source.nodes) bones.push_back(matches_any(node.name, recipe.hair_bones));
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
@@ -112,7 +40,19 @@ void choose_by_recipe(const SourceModel& source, const HairRecipe& recipe, Choos
   }
 }
 
-void choose_by_name(const SourceModel& source, const std::vector<bool>& bones, std::uint32_t head, Chooser& chooser) {
+tl::expected<void, ToolError> choose_by_recipe(const SourceModel& source, const HairRecipe& recipe,
+                                               HairChooser& chooser) {
+  choose_by_names_of_recipe(source, recipe, chooser);
+  if (recipe.hair_parts.empty()) return {};
+  const HairCandidates candidates = find_hair_candidates(source, recipe.patch_weld_distance);
+  const auto parts = parts_at(source, candidates, recipe.hair_parts);
+  if (!parts) return tl::unexpected(parts.error());
+  for (const std::size_t part : *parts)
+    chooser.take_triangles(candidates.list[part].mesh, candidates.list[part].taken, "the recipe has a point on it");
+  return {};
+}
+
+void choose_by_name(const SourceModel& source, const std::vector<bool>& bones, std::uint32_t head, HairChooser& chooser) {
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     const std::string why = names_of(source, source.meshes[m]).why_hair;
     if (why.empty()) continue;
@@ -120,7 +60,7 @@ void choose_by_name(const SourceModel& source, const std::vector<bool>& bones, s
   }
 }
 
-void choose_by_bones(const SourceModel& source, const std::vector<bool>& bones, std::uint32_t head, Chooser& chooser) {
+void choose_by_bones(const SourceModel& source, const std::vector<bool>& bones, std::uint32_t head, HairChooser& chooser) {
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     chooser.take_pieces(m, bones, head, "pieces that hair bones move",
                         [](const PieceEvidence& piece) { return piece.is_moved_as_hair(); });
@@ -128,7 +68,7 @@ void choose_by_bones(const SourceModel& source, const std::vector<bool>& bones, 
 }
 
 void choose_by_transparency(const SourceModel& source, const std::vector<bool>& bones, std::uint32_t head,
-                            Chooser& chooser) {
+                            HairChooser& chooser) {
   if (head == importer::kNoIndex) return;
   const double neck = source.nodes[head].model_from_node.translation().y();
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
@@ -141,7 +81,7 @@ void choose_by_transparency(const SourceModel& source, const std::vector<bool>& 
   }
 }
 
-void take_caps(const SourceModel& source, Chooser& chooser) {
+void take_caps(const SourceModel& source, HairChooser& chooser) {
   const std::vector<bool> caps = find_scalp_caps(source, chooser.so_far());
   for (std::uint32_t m = 0; m < caps.size(); ++m) {
     if (!caps[m] || either_is_called(source, source.meshes[m], is_called_adornment)) continue;
@@ -149,25 +89,18 @@ void take_caps(const SourceModel& source, Chooser& chooser) {
   }
 }
 
-void take_cores(const SourceModel& source, std::uint32_t head, Chooser& chooser) {
+void take_cores(const SourceModel& source, std::uint32_t head, HairChooser& chooser) {
   HairChoice cores = find_hair_cores(source, chooser.so_far(), head);
   for (std::uint32_t m = 0; m < cores.taken.size(); ++m) {
     if (either_is_called(source, source.meshes[m], is_called_adornment)) continue;
-    chooser.take_triangles(m, std::move(cores.taken[m]), "what hair is wrapped around, in the mesh of a head");
+    chooser.take_triangles(m, cores.taken[m], "what hair is wrapped around, in the mesh of a head");
   }
-}
-
-/// Share of a part's triangles that were chosen.
-double share_chosen(const HairCandidate& part, const HairChoice& choice) {
-  std::size_t both = 0;
-  for (std::size_t t = 0; t < part.taken.size(); ++t) both += part.taken[t] && choice.takes(part.mesh, t) ? 1 : 0;
-  return part.triangles > 0 ? double(both) / double(part.triangles) : 0;
 }
 
 /// How much of the crown, or of the face, what was chosen covers.
 double chosen_share(const HairCandidates& candidates, const HairChoice& choice, Feature feature) {
   double share = 0;
-  for (const HairCandidate& part : candidates.list) share += part.at(feature) * share_chosen(part, choice);
+  for (const HairCandidate& part : candidates.list) share += part.at(feature) * part.share_of(choice);
   return share;
 }
 
@@ -176,14 +109,14 @@ bool is_cover(const HairCandidate& part) {
 }
 
 /// Takes what covers the crown, too, where what was found leaves it bare.
-bool take_crown(const SourceModel& source, const HairCandidates& candidates, Chooser& chooser) {
+bool take_crown(const SourceModel& source, const HairCandidates& candidates, HairChooser& chooser) {
   std::vector<const HairCandidate*> cover;
   for (const HairCandidate& part : candidates.list)
     if (is_cover(part)) cover.push_back(&part);
   if (cover.empty()) return false;
   chooser.decide({"hair", name_of(source, *cover[0]),
                   "what is called hair leaves the crown of the head bare; " + reason_for(source, *cover[0]),
-                  std::min(cover[0]->probability, kMostOfGuess), recipe_line(source, *cover[0])});
+                  std::min(cover[0]->probability, kMostOfGuess), ""});
   for (const HairCandidate* part : cover)
     chooser.take_triangles(part->mesh, part->taken, "it covers the crown of the head");
   return true;
@@ -201,22 +134,22 @@ bool is_face_hair(const SourceModel& source, const HairChoice& choice) {
 }
 
 /// Parts of meshes of which hair bones move others, that cover the crown, too.
-void take_beside_moved(const SourceModel& source, const HairCandidates& candidates, Chooser& chooser) {
+void take_beside_moved(const SourceModel& source, const HairCandidates& candidates, HairChooser& chooser) {
   const HairCandidate* first = nullptr;
   for (const HairCandidate& part : candidates.list) {
-    const bool is_new = share_chosen(part, chooser.so_far()) < 0.5 && part.at(Feature::kBesideMoved) > 0;
+    const bool is_new = part.share_of(chooser.so_far()) < 0.5 && part.at(Feature::kBesideMoved) > 0;
     if (!is_new || !is_cover(part)) continue;
     if (first == nullptr) first = &part;
     chooser.take_triangles(part.mesh, part.taken, "it is beside what hair bones move");
   }
   if (first == nullptr) return;
   chooser.decide({"hair", "what is beside the hair that bones move", reason_for(source, *first),
-                  std::min(first->probability, kMostOfGuess), recipe_line(source, *first)});
+                  std::min(first->probability, kMostOfGuess), ""});
 }
 
 /// Asks whether what was found is all: takes what covers a crown that it leaves bare, or warns where nothing does.
 /// Where bones said what hair is, they may move only some of it.
-void take_rest(const SourceModel& source, const HairCandidates& candidates, bool is_by_bones, Chooser& chooser) {
+void take_rest(const SourceModel& source, const HairCandidates& candidates, bool is_by_bones, HairChooser& chooser) {
   if (!candidates.sees_head) return;
   if (is_by_bones) take_beside_moved(source, candidates, chooser);
   const double crown = chosen_share(candidates, chooser.so_far(), Feature::kCrown);
@@ -224,7 +157,7 @@ void take_rest(const SourceModel& source, const HairCandidates& candidates, bool
   if (crown > kBare || take_crown(source, candidates, chooser) || is_face_hair(source, chooser.so_far())) return;
   if (face <= crown) return;  // What hangs behind or beside a head may be all: tails, or strips on painted hair.
   chooser.decide(
-      {"hair", "what was found", "it lies on the face and leaves the crown of the head bare", 0.6, "\"hair\""});
+      {"hair", "what was found", "it lies on the face and leaves the crown of the head bare", 0.6, ""});
 }
 
 /// Whether something tells it from a face, a body or a helmet of unknown colour: a mesh of its own, its colour, bones.
@@ -234,15 +167,14 @@ bool is_told_apart(const HairCandidate& part) {
 
 /// Takes the likeliest part, and what is as likely, of a character on which nothing is called hair; false where no part
 /// is likely enough.
-bool take_likeliest(const SourceModel& source, const HairCandidates& candidates, Chooser& chooser) {
+bool take_likeliest(const SourceModel& source, const HairCandidates& candidates, HairChooser& chooser) {
   if (!candidates.sees_head) return false;
   const auto likely = std::ranges::find_if(candidates.list, [](const HairCandidate& part) {
     return part.probability >= kLikely && part.at(Feature::kCrown) > kBare && is_told_apart(part);
   });
   if (likely == candidates.list.end()) return false;
   const HairCandidate& best = *likely;
-  chooser.decide({"hair", name_of(source, best), reason_for(source, best), std::min(best.probability, kMostOfGuess),
-                  recipe_line(source, best)});
+  chooser.decide({"hair", name_of(source, best), reason_for(source, best), std::min(best.probability, kMostOfGuess), ""});
   for (const HairCandidate& part : candidates.list)
     if (&part == &best || (part.probability >= kLikely && is_told_apart(part)))
       chooser.take_triangles(part.mesh, part.taken, reason_for(source, part));
@@ -253,11 +185,12 @@ bool is_file_called_hair(const SourceModel& source) {
   return is_called_hair(std::filesystem::path(source.path).stem().string());
 }
 
-void take_everything(const SourceModel& source, std::uint32_t head, Chooser& chooser) {
+void take_everything(const SourceModel& source, std::uint32_t head, HairChooser& chooser) {
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     chooser.take_mesh(m, "nothing in the file says what is hair, so all of it is");
   }
   if (head == importer::kNoIndex && (is_file_called_hair(source) || !stands_on_ground(source))) return;  // A hairstyle.
+  if (is_face_hair(source, chooser.so_far())) return;
   chooser.warn(
       "S202",
       "nothing in the file is called hair, moved by hair bones or transparent on the head; the whole model was taken: "
@@ -269,9 +202,9 @@ void take_everything(const SourceModel& source, std::uint32_t head, Chooser& cho
 tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const HairRecipe& recipe,
                                                 Findings& findings) {
   if (auto ok = check_hair_names(source, recipe); !ok) return tl::unexpected(ok.error());
-  Chooser chooser(source, recipe, findings);
-  if (!recipe.hair_meshes.empty() || !recipe.hair_materials.empty() || !recipe.hair_bones.empty()) {
-    choose_by_recipe(source, recipe, chooser);
+  HairChooser chooser(source, recipe, findings);
+  if (recipe.names_hair()) {
+    if (auto ok = choose_by_recipe(source, recipe, chooser); !ok) return tl::unexpected(ok.error());
     return std::move(chooser).finish();
   }
   const std::uint32_t head = guess_head_node(source);

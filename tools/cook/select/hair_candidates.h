@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,8 @@ struct HairCandidate {
   double probability = 0;                    ///< That a person would call it hair.
 
   [[nodiscard]] double at(Feature feature) const { return features[std::size_t(feature)]; }
+  /// Share of its triangles that are chosen, 0..1.
+  [[nodiscard]] double share_of(const HairChoice& choice) const;
 };
 
 struct HairCandidates {
@@ -65,8 +68,20 @@ struct HairCandidates {
 /// What speaks for it and against it, in words: "its material is called 'Hair'; it covers 61 % of the crown".
 [[nodiscard]] std::string reason_for(const importer::SourceModel& source, const HairCandidate& candidate);
 
-/// The recipe's value of "hair" that takes it: {"meshes": ["Head"], "materials": ["Red"]}. Pieces cannot be named.
-[[nodiscard]] std::string recipe_line(const importer::SourceModel& source, const HairCandidate& candidate);
+/// The numbers of the candidates that are nearest to the points (model space, metres), each once. Error (kBadInput): a
+/// point is more than 10 cm from all of them.
+[[nodiscard]] tl::expected<std::vector<std::size_t>, ToolError> parts_at(const importer::SourceModel& source,
+                                                                         const HairCandidates& candidates,
+                                                                         std::span<const std::array<double, 3>> points);
+
+/// The recipe's value of "hair" that takes what is chosen and nothing else: {"meshes": ["Head"], "materials": ["Red"]},
+/// or, where names do not tell it apart, points on its parts: {"parts": [[0, 1.7, 0.1]]}. What is chosen in no
+/// candidate is left out of these.
+[[nodiscard]] std::string recipe_line(const importer::SourceModel& source, const HairChoice& choice,
+                                      const HairCandidates& candidates);
+/// That of one candidate of the list.
+[[nodiscard]] std::string recipe_line(const importer::SourceModel& source, const HairCandidate& candidate,
+                                      const HairCandidates& candidates);
 
 /// "mesh 'Head' (material 'Red')", "612 triangles of mesh 'Head' (material 'Red')"
 [[nodiscard]] std::string name_of(const importer::SourceModel& source, const HairCandidate& candidate);

@@ -177,9 +177,9 @@ FittedHead fit_head(const importer::SourceModel& source, const HairMesh& hair, c
     findings.decide(std::move(decision));
   }
   const HairInside inside = hair_inside(hair, head);
-  findings.note(
-      fmt::format("head: {}; {}, {:.1f} % of the hair's surface and {:.1f} % of its vertices inside; moved by '{}'",
-                  head.origin, place_text(head), 100 * inside.area, 100 * inside.vertices, head_bone.name));
+  findings.note(fmt::format("head: {}{:.1f} % of the hair's surface and {:.1f} % of its vertices inside; moved by '{}'",
+                            head.declared ? head.origin + ", " + place_text(head) + "; " : "", 100 * inside.area,
+                            100 * inside.vertices, head_bone.name));
   return head;
 }
 

@@ -35,7 +35,7 @@ std::string hints_of(const SourceModel& source, const HairCandidates& candidates
   std::vector<std::string> parts;
   for (const HairCandidate& part : candidates.list) {
     if (parts.size() == kHints) break;
-    parts.push_back(fmt::format("{} ({:.0f} %)", name_of(source, part), 100 * part.probability));
+    parts.push_back(fmt::format("{} ({})", name_of(source, part), certainty_text(part.probability)));
   }
   if (candidates.list.size() > kHints) parts.push_back(fmt::format("{} more", candidates.list.size() - kHints));
   return fmt::format("most likely first: {}; 'coif cook --list candidates' says why", fmt::join(parts, ", "));
@@ -46,7 +46,7 @@ std::string hints_of(const SourceModel& source, const HairCandidates& candidates
 tl::unexpected<ToolError> no_hair_on(const SourceModel& source, const HairCandidates& candidates) {
   const std::string first = source.meshes.empty() ? "..." : source.meshes[0].name;
   const std::string line = candidates.sees_head && !candidates.list.empty()
-                               ? recipe_line(source, candidates.list[0])
+                               ? recipe_line(source, candidates.list[0], candidates)
                                : fmt::format("\"hair\": {{\"meshes\": [\"{}\"]}}", first);
   return bad_input(source, fmt::format("nothing in this character is called hair, moved by hair bones or transparent "
                                        "on the head; name what is hair in a recipe, as in {{{}}}; {}",

@@ -49,7 +49,9 @@ KnownModel know_model(const importer::SourceModel& source, const HairRecipe& rec
     known.scale = 1 / size;
     transform_model(known.model, known.scale, Eigen::Matrix3d::Identity());
   }
-  if (auto hair = select_hair(known.model, recipe, known.found)) {
+  HairRecipe named = recipe;
+  named.hair_parts.clear();  // Points in metres, which are not yet known.
+  if (auto hair = select_hair(known.model, named, known.found)) {
     known.hair = std::move(*hair);
     known.on_face = hair_is_called(known.model, known.hair, is_called_face_hair, is_file_of_face_hair);
   }

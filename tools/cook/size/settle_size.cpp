@@ -206,7 +206,8 @@ JudgedSize judge_size(const importer::SourceModel& source, const HairRecipe& rec
     turn_hair(known.hair, judged.rotation);
   }
   judge_unit(known, recipe, judged);
-  if (!judged.changes() && known.scale == 1 && !known.hair.triangles.empty()) {
+  const bool is_as_it_was = !judged.changes() && known.scale == 1;
+  if (is_as_it_was && recipe.hair_parts.empty() && !known.hair.triangles.empty()) {
     judged.hair = SelectedHair{std::move(known.hair), std::move(known.found)};
   }
   return judged;

@@ -96,12 +96,12 @@ RootDoubts doubts_of(const HairMesh& mesh, std::span<const PatchView> views, std
   return doubts;
 }
 
-Decision decision_of(const RootDoubts& doubts, std::size_t told, std::size_t patches) {
+Decision decision_of(const RootDoubts& doubts, std::size_t told, std::size_t sure, std::size_t patches) {
   Decision decision;
   decision.what = "roots";
   const std::string of = told == 0 ? "" : fmt::format("{} of ", patches - told);
   decision.chosen = fmt::format("the ends that fit best, of {}{} {}", of, patches, patches == 1 ? "patch" : "patches");
-  decision.reason = doubts.reason();
+  decision.reason = fmt::format("{}; {} by their own ends, the others by texture and neighbours", doubts.reason(), sure);
   decision.probability = doubts.probability();
   decision.key = "\"strands.root\", or \"root\" of single \"patches\"";
   return decision;

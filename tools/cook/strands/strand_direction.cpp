@@ -25,7 +25,6 @@ constexpr double kBeside = 0.15;
 constexpr double kMirrored = 0.08;      ///< Patches nearer than this to a mirror image are it.
 constexpr double kMirroredShell = 0.2;  ///< As kMirrored, on a shell, whose triangles are large.
 constexpr float kUnsure = 0.2f;         ///< Beliefs below this are reported.
-constexpr double kBackwards = 0.5;      ///< Share of the mean strand along -Z.
 
 struct PatchStrands {
   float preference = 0;  ///< texture_preference().
@@ -146,27 +145,6 @@ void write_patch(const HairMesh& mesh, const PatchView& view, const StrandAxis& 
   write_tangents(mesh, view, axis.texture_axis, field);
 }
 
-/// Mean over the area, of length 1 where all are the same.
-Eigen::Vector3d mean_tangent(const HairMesh& mesh, std::span<const Vector3f> tangents) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  double area = 0;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto weight = double(doubled_area(mesh, i / 3 * 3));
-    sum += weight * tangents[mesh.triangles[i]].cast<double>();
-    area += weight;
-  }
-  return area > 0 ? Eigen::Vector3d(sum / area) : sum;
-}
-
-/// Hair hangs. If nearly all of it runs straight backwards, the file was probably written with Z up.
-void warn_of_up_axis(const HairMesh& mesh, const StrandField& field, Findings& findings) {
-  const Eigen::Vector3d mean = mean_tangent(mesh, field.tangent);
-  if (mean.z() > -kBackwards || mean.y() < -0.5 * kBackwards) return;
-  findings.warn("S210",
-                "most strands run horizontally, along -Z; if the hair hangs in the modeller, the file has Z up: set "
-                "\"source.up_axis\": \"z\" in the recipe");
-}
-
 /// The votes of the patches about their roots.
 std::vector<RootVote> votes_of(std::span<const PatchStrands> patches, const RootWeights& weights) {
   std::vector<RootVote> votes;
@@ -221,14 +199,13 @@ StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head
       find_mirror_images(mesh, views, field.tangent, float(head.center.x()), kMirrored * size, stop)};
   const std::vector<float> belief =
       settle_beliefs(mesh, views, votes_of(strands, settings.weights), company, settings.weights, stop);
-  std::size_t sure = 0, known = 0;
+  std::size_t sure = 0;
   float along_u = 0;
   std::vector<FoundRoot> found;
   for (std::uint32_t p = 0; p < views.size(); ++p) {
     const int axis = strands[p].axis.texture_axis;
     const bool by_recipe = declared[p].texture_axis >= 0 && axis >= 0;
     if (by_recipe ? declared[p].at_high_end : (belief[p] < 0) != declared[p].swapped) turn_round(views[p], field);
-    known += by_recipe ? 1 : 0;
     found.push_back({strands[p].area, belief[p], strands[p].evidence.sum(settings.weights), strands[p].mirrored,
                      by_recipe || declared[p].swapped});
     sure += !by_recipe && std::abs(strands[p].evidence.sum(settings.weights)) >= kSure ? 1 : 0;
@@ -237,16 +214,16 @@ StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head
   }
   field.along_u = (along_u != 0 ? along_u > 0 : common == 0) && !mesh.uvs.empty();
   std::ranges::sort(field.unsure);
-  const std::string unsure =
-      field.unsure.empty() ? "" : ": " + numbers_text(field.unsure) + " of 'coif cook --list patches'";
-  const std::string given = known > 0 ? fmt::format("{} known, ", known) : "";
-  findings.note(
-      fmt::format("roots: {}{} of {} patches by their own ends, the others by texture and neighbours; {} unsure{}",
-                  given, sure, views.size() - known, field.unsure.size(), unsure));
+  if (!field.unsure.empty())
+    findings.note(fmt::format("roots: {} of {} patches unsure: {} of 'coif cook --list patches'", field.unsure.size(),
+                              views.size(), numbers_text(field.unsure)));
   field.doubts = doubts_of(mesh, views, found, company, field.tangent, head);
   const auto told = std::size_t(std::ranges::count(found, true, &FoundRoot::is_told));
-  if (told < found.size()) findings.decide(decision_of(field.doubts, told, found.size()));
-  warn_of_up_axis(mesh, field, findings);
+  if (told < found.size()) {
+    findings.decide(decision_of(field.doubts, told, sure, found.size()));
+  } else {
+    findings.note(fmt::format("roots: told of all {} patches", told));
+  }
   return field;
 }
 

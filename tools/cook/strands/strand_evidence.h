@@ -198,7 +198,8 @@ struct FoundRoot {
                                    std::span<const FoundRoot> found, const PatchCompany& company,
                                    std::span<const Eigen::Vector3f> tangents, const FittedHead& head);
 
-/// The decision about the roots of all patches but those that the recipe told.
-[[nodiscard]] Decision decision_of(const RootDoubts& doubts, std::size_t told, std::size_t patches);
+/// The decision about the roots of all patches but those that the recipe or the file told; `sure`: how many of them
+/// were sure by their own ends.
+[[nodiscard]] Decision decision_of(const RootDoubts& doubts, std::size_t told, std::size_t sure, std::size_t patches);
 
 }  // namespace coif::cook
