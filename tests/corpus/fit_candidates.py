@@ -1,13 +1,12 @@
 #!/usr/bin/env python3
 """Fits the weights by which `coif cook` tells hair from other parts of a model (tools/cook/select/candidate_verdict.cpp).
 
-usage: fit_candidates.py COIF FOLDER [--variants FOLDER] [--per-part]
+usage: fit_candidates.py COIF FOLDER... [--per-part]
 
-FOLDER has a TRUTH.json: points on hair ("points") and near by on what is none ("not"), and the meshes that are hair
-("is"). Each part that `coif cook --list candidates` prints is labelled by the points that are nearest to it. The
-variants of rename_models.py, in a folder with the same names, are fitted to as well: they have the same truth. Prints
-the table, and how well it does on each maker (a folder's name up to the first '_') that it was not fitted to.
-Exit code 77 where FOLDER or numpy is absent.
+Each FOLDER has a TRUTH.json, as vary_models.py writes one, too: points on hair ("points") and near by on what is none
+("not"), and the meshes that are hair ("is"). Each part that `coif cook --list candidates` prints is labelled by the
+points that are nearest to it. Prints the table, and how well it does on each maker (a folder's name up to the first
+'_') that it was not fitted to. Exit code 77 where a FOLDER or numpy is absent.
 """
 import argparse
 import json
@@ -53,24 +52,22 @@ def fit(np, x, y, weight):
 
 
 def gather(np, ask):
-    truths = json.loads((Path(ask.folder) / "TRUTH.json").read_text())
     rows, names = [], None
-    for name, truth in sorted(truths.items()):
-        for folder in [ask.folder] + ([ask.variants] if ask.variants else []):
-            for path in sorted(Path(folder).glob(f"{name}*") if folder != ask.folder else [Path(folder) / name]):
-                said = candidates_of(ask.coif, path)
-                if not said:
+    for folder in map(Path, ask.folder):
+        for name, truth in sorted(json.loads((folder / "TRUTH.json").read_text()).items()):
+            said = candidates_of(ask.coif, folder / name)
+            if not said:
+                continue
+            parts = said["candidates"]
+            labels = labels_of(np, truth, parts)
+            count = max(1, sum(label is not None for label in labels))
+            for part, label in zip(parts, labels):
+                if label is None:
                     continue
-                parts = said["candidates"]
-                labels = labels_of(np, truth, parts)
-                count = max(1, sum(label is not None for label in labels))
-                for part, label in zip(parts, labels):
-                    if label is None:
-                        continue
-                    names = names or list(part["features"])
-                    rows.append({"maker": name.split("/")[0].split("_")[0], "file": path.name, "sees": said["sees_head"], "y": label,
-                                 "weight": 1 / count ** 0.5, "x": list(part["features"].values()) + [1.0],
-                                 "name": f"{part['mesh']}/{part['material']} {part['triangles']}", "now": part["probability"]})
+                names = names or list(part["features"])
+                rows.append({"maker": name.split("/")[0].split("_")[0], "file": name, "sees": said["sees_head"], "y": label,
+                             "weight": 1 / count ** 0.5, "x": list(part["features"].values()) + [1.0],
+                             "name": f"{part['mesh']}/{part['material']} {part['triangles']}", "now": part["probability"]})
     return rows, names
 
 
@@ -109,13 +106,13 @@ def report(np, rows, names, title, per_part):
 def main():
     ask = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     ask.add_argument("coif")
-    ask.add_argument("folder")
-    ask.add_argument("--variants")
+    ask.add_argument("folder", nargs="+")
     ask.add_argument("--per-part", action="store_true")
     ask = ask.parse_args()
-    if not (Path(ask.folder) / "TRUTH.json").exists():
-        print(f"SKIP: {ask.folder} has no TRUTH.json")
-        return 77
+    for folder in ask.folder:
+        if not (Path(folder) / "TRUTH.json").exists():
+            print(f"SKIP: {folder} has no TRUTH.json")
+            return 77
     try:
         import numpy as np
     except ImportError:

@@ -40,7 +40,8 @@ std::string candidates_text(const SourceModel& model, const HairCandidates& cand
     text += fmt::format("{:>6}  {}{}\n        {}\n        {}\n", cook::certainty_text(part.probability),
                         printable_text(cook::name_of(model, part)),
                         part.is_whole_mesh ? ", " + counted(part.triangles, "triangle", "triangles") : "",
-                        printable_text(cook::reason_for(model, part)), printable_text(cook::recipe_line(model, part, candidates)));
+                        printable_text(cook::reason_for(model, part)),
+                        printable_text(cook::recipe_line(model, part, candidates)));
   }
   return text;
 }

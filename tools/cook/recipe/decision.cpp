@@ -20,7 +20,8 @@ std::string Decision::text() const {
 
 std::string Decision::doubt() const {
   return fmt::format("in doubt: {}: {}, {} sure ({}); {} in the recipe {}", what, chosen, certainty_text(probability),
-                     reason, key, what == "hair" ? "says so, where that is right; see 'coif cook --list candidates'" : "decides it");
+                     reason, key,
+                     what == "hair" ? "says so, where that is right; see 'coif cook --list candidates'" : "decides it");
 }
 
 bool Decision::asks() const { return probability < kAskBelow && (what == "hair" || what == "head"); }

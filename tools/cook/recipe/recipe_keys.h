@@ -30,11 +30,12 @@ inline constexpr ChoiceField choice_of = {[](const Recipe& recipe) { return std:
 using RecipeField =
     std::variant<bool Recipe::*, double Recipe::*, std::uint32_t Recipe::*, std::string Recipe::*,
                  std::vector<std::string> Recipe::*, std::vector<CurvePoint> Recipe::*, std::array<double, 3> Recipe::*,
-                 std::vector<std::array<double, 3>> Recipe::*, std::array<double, 4> Recipe::*, std::optional<double> Recipe::*,
-                 std::optional<NumberOrCurve> Recipe::*, std::optional<std::array<double, 3>> Recipe::*,
-                 std::optional<std::array<double, 2>> Recipe::*, std::optional<std::uint32_t> Recipe::*,
-                 std::vector<PatchOverride> Recipe::*, std::vector<RecipeBodyCollider> Recipe::*,
-                 std::vector<RecipeBoneLimit> Recipe::*, RecipeLinks Recipe::*, RecipeTexture Recipe::*, ChoiceField>;
+                 std::vector<std::array<double, 3>> Recipe::*, std::array<double, 4> Recipe::*,
+                 std::optional<double> Recipe::*, std::optional<NumberOrCurve> Recipe::*,
+                 std::optional<std::array<double, 3>> Recipe::*, std::optional<std::array<double, 2>> Recipe::*,
+                 std::optional<std::uint32_t> Recipe::*, std::vector<PatchOverride> Recipe::*,
+                 std::vector<RecipeBodyCollider> Recipe::*, std::vector<RecipeBoneLimit> Recipe::*,
+                 RecipeLinks Recipe::*, RecipeTexture Recipe::*, ChoiceField>;
 
 /// One key of a recipe, with everything that reading, checking and printing it needs.
 struct RecipeKey {

@@ -59,8 +59,8 @@ struct HangingHair {
 };
 
 /// Hair within a small distance of the head lies on the scalp; where hair has more body, a larger one. A beard lies on
-/// the jaw. Hair that touches nothing of that hangs from the hair next to its roots, to which this adds links, or else from the roots
-/// themselves. `held`: cells that stay rigid for other reasons.
+/// the jaw. Hair that touches nothing of that hangs from the hair next to its roots, to which this adds links, or else
+/// from the roots themselves. `held`: cells that stay rigid for other reasons.
 [[nodiscard]] HangingHair find_hanging_hair(HairCells cells, const FittedHead& head,
                                             const std::vector<std::uint32_t>& held);
 

@@ -52,7 +52,8 @@ tl::expected<void, ToolError> choose_by_recipe(const SourceModel& source, const 
   return {};
 }
 
-void choose_by_name(const SourceModel& source, const std::vector<bool>& bones, std::uint32_t head, HairChooser& chooser) {
+void choose_by_name(const SourceModel& source, const std::vector<bool>& bones, std::uint32_t head,
+                    HairChooser& chooser) {
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     const std::string why = names_of(source, source.meshes[m]).why_hair;
     if (why.empty()) continue;
@@ -60,7 +61,8 @@ void choose_by_name(const SourceModel& source, const std::vector<bool>& bones, s
   }
 }
 
-void choose_by_bones(const SourceModel& source, const std::vector<bool>& bones, std::uint32_t head, HairChooser& chooser) {
+void choose_by_bones(const SourceModel& source, const std::vector<bool>& bones, std::uint32_t head,
+                     HairChooser& chooser) {
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     chooser.take_pieces(m, bones, head, "pieces that hair bones move",
                         [](const PieceEvidence& piece) { return piece.is_moved_as_hair(); });
@@ -114,9 +116,9 @@ bool take_crown(const SourceModel& source, const HairCandidates& candidates, Hai
   for (const HairCandidate& part : candidates.list)
     if (is_cover(part)) cover.push_back(&part);
   if (cover.empty()) return false;
-  chooser.decide({"hair", name_of(source, *cover[0]),
-                  "what is called hair leaves the crown of the head bare; " + reason_for(source, *cover[0]),
-                  std::min(cover[0]->probability, kMostOfGuess), ""});
+  chooser.guess(name_of(source, *cover[0]),
+                "what is called hair leaves the crown of the head bare; " + reason_for(source, *cover[0]),
+                std::min(cover[0]->probability, kMostOfGuess));
   for (const HairCandidate* part : cover)
     chooser.take_triangles(part->mesh, part->taken, "it covers the crown of the head");
   return true;
@@ -143,8 +145,8 @@ void take_beside_moved(const SourceModel& source, const HairCandidates& candidat
     chooser.take_triangles(part.mesh, part.taken, "it is beside what hair bones move");
   }
   if (first == nullptr) return;
-  chooser.decide({"hair", "what is beside the hair that bones move", reason_for(source, *first),
-                  std::min(first->probability, kMostOfGuess), ""});
+  chooser.guess("what is beside the hair that bones move", reason_for(source, *first),
+                std::min(first->probability, kMostOfGuess));
 }
 
 /// Asks whether what was found is all: takes what covers a crown that it leaves bare, or warns where nothing does.
@@ -156,8 +158,7 @@ void take_rest(const SourceModel& source, const HairCandidates& candidates, bool
   const double face = chosen_share(candidates, chooser.so_far(), Feature::kFace);
   if (crown > kBare || take_crown(source, candidates, chooser) || is_face_hair(source, chooser.so_far())) return;
   if (face <= crown) return;  // What hangs behind or beside a head may be all: tails, or strips on painted hair.
-  chooser.decide(
-      {"hair", "what was found", "it lies on the face and leaves the crown of the head bare", 0.6, ""});
+  chooser.guess("what was found", "it lies on the face and leaves the crown of the head bare", 0.6);
 }
 
 /// Whether something tells it from a face, a body or a helmet of unknown colour: a mesh of its own, its colour, bones.
@@ -174,7 +175,7 @@ bool take_likeliest(const SourceModel& source, const HairCandidates& candidates,
   });
   if (likely == candidates.list.end()) return false;
   const HairCandidate& best = *likely;
-  chooser.decide({"hair", name_of(source, best), reason_for(source, best), std::min(best.probability, kMostOfGuess), ""});
+  chooser.guess(name_of(source, best), reason_for(source, best), std::min(best.probability, kMostOfGuess));
   for (const HairCandidate& part : candidates.list)
     if (&part == &best || (part.probability >= kLikely && is_told_apart(part)))
       chooser.take_triangles(part.mesh, part.taken, reason_for(source, part));

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace coif::cook {
@@ -27,8 +28,10 @@ class HairChooser {
   /// `taken`: of each triangle of mesh `m`.
   void take_triangles(std::uint32_t m, const std::vector<bool>& taken, const std::string& why);
 
-  /// A guess, to which finish() adds the recipe's line that confirms all that was taken.
-  void decide(Decision decision) { guesses_.push_back(std::move(decision)); }
+  /// A decision to which finish() adds the recipe's line that confirms all that was taken.
+  void guess(std::string chosen, std::string reason, double probability) {
+    guesses_.push_back({"hair", std::move(chosen), std::move(reason), probability, "", {}});
+  }
   void warn(const char* code, std::string text) { findings_.warn(code, std::move(text)); }
 
   /// Reports the guesses, and what was not taken.

@@ -123,10 +123,11 @@ tl::expected<std::vector<std::size_t>, ToolError> parts_at(const SourceModel& so
   for (const std::array<double, 3>& point : points) {
     const std::size_t part = finder.nearest(Vector3d(point.data()));
     if (part == candidates.list.size()) {
-      return file_failure(ToolError::Kind::kBadInput, source.path,
-                          "recipe key \"hair.parts\": no part that may be hair is within {} m of [{}]; 'coif cook --list "
-                          "candidates' prints a point of each",
-                          kReach, fmt::join(point, ", "));
+      return file_failure(
+          ToolError::Kind::kBadInput, source.path,
+          "recipe key \"hair.parts\": no part that may be hair is within {} m of [{}]; 'coif cook --list "
+          "candidates' prints a point of each",
+          kReach, fmt::join(point, ", "));
     }
     if (std::ranges::find(found, part) == found.end()) found.push_back(part);
   }

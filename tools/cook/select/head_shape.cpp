@@ -2,6 +2,7 @@
 #include "base/text.h"
 #include "cook/recipe/decision.h"
 #include "cook/recipe/hair_recipe.h"
+#include "cook/select/hair_evidence.h"
 #include "cook/select/head.h"
 #include "cook/select/head_landmarks.h"
 
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace coif::cook {
@@ -23,6 +25,8 @@ constexpr double kSmallestRadius = 0.001;  ///< Metres: flat hair encloses nothi
 /// Hair that a head may hold at rest: sunk roots, and no more of the picture than a few of them.
 constexpr HairInside kMostInside{0.03, 0.03, 0.005};
 constexpr double kWorthAWord = 1.3;    ///< Times kMostInside: less is what shrinking leaves over.
+constexpr double kLeastOfBoth = 0.87;  ///< Where joints and a mesh tell, thick hair is modelled into the skull.
+constexpr double kMuchInside = 0.25;   ///< Share of the hair that may then be inside without a word.
 constexpr double kLeastOfWhole = 0.7;  ///< A whole head's mesh that has to shrink further was none.
 constexpr double kLeastOfPart = 0.8;   ///< Where joints or a face tell, hair around the skull may be modelled inside.
 constexpr double kLeastOfHair = 0.4;   ///< Hair alone is less certain: strips on one side show little.
@@ -74,14 +78,37 @@ HeadGuess guess_by_hair(const HairMesh& hair) {
   return guess;
 }
 
-/// Shrinks it, to `least` of its size at the utmost, until hardly any hair is inside. Returns the factor.
-double make_room(const HairMesh& hair, double least, FittedHead& head, Findings& findings) {
+/// The head behind a full beard, which is as wide as the jaw and runs from the ears round the chin. Nothing where it is
+/// not as deep as that, as a moustache.
+std::optional<HeadEllipsoid> head_behind_beard(const HairMesh& hair, double forwards) {
+  // In semi-axes of the head, of beards of two makers, which agree within a tenth.
+  constexpr double kWidth = 1.03, kTop = -0.28, kFront = 1.06, kLeastDepth = 0.45;
+  constexpr double kFlatness = 0.887, kDepth = 0.98;
+  const Box box = hair.box();
+  if (!(box.sizes().z() > kLeastDepth * box.sizes().x())) return std::nullopt;
+  double high = 0, low = 0, of_high = 0, of_low = 0;
+  for (const Eigen::Vector3f& p : hair.positions) {
+    const bool is_high = double(p.y()) > box.center().y();
+    (is_high ? high : low) += double(p.z());
+    (is_high ? of_high : of_low) += 1;
+  }
+  if (forwards == 0) forwards = low / std::max(of_low, 1.0) < high / std::max(of_high, 1.0) ? -1 : 1;
+  HeadEllipsoid head;
+  const double width = box.sizes().x() / 2 / kWidth, height = width / kFlatness, depth = kDepth * height;
+  head.radii = {width, height, depth};
+  const double front = forwards < 0 ? box.min().z() : box.max().z();
+  head.center = {box.center().x(), box.max().y() - kTop * height, front - forwards * kFront * depth};
+  return head;
+}
+
+/// Shrinks it, to `least` of its size at the utmost, until hardly any hair is inside. Warns where more than `most` of
+/// the hair still is. Returns the factor.
+double make_room(const HairMesh& hair, double least, double most, FittedHead& head, Findings& findings) {
   const double share = share_with_room(hair, head, kMostInside);
   const double factor = std::clamp(share * 0.999, least, 1.0);
   head.radii *= factor;
   head.radii = head.radii.cwiseMax(kSmallestRadius);
   const HairInside inside = hair_inside(hair, head);
-  const double most = kWorthAWord * kMostInside.area;
   if (inside.area <= most && inside.vertices <= std::max(most, 1.0 / double(hair.positions.size()))) return factor;
   findings.warn(
       "C111",
@@ -129,6 +156,10 @@ Features features_of(const HairMesh& hair, const HeadLandmarks& marks, const Hea
           {"shrunk", std::min(1.0, 3 * (1 - fit.share))}};
 }
 
+bool is_beard(const importer::SourceModel& source, const HairMesh& hair) {
+  return hair_is_called(source, hair, is_called_beard, is_called_beard);
+}
+
 std::string place_text(const HeadEllipsoid& head) {
   return fmt::format("centre ({:.3f}, {:.3f}, {:.3f}) m, radii ({:.3f}, {:.3f}, {:.3f}) m", head.center.x(),
                      head.center.y(), head.center.z(), head.radii.x(), head.radii.y(), head.radii.z());
@@ -142,7 +173,7 @@ FittedHead fit_head(const importer::SourceModel& source, const HairMesh& hair, c
   head.shape = recipe.head_shape;
   const HeadLandmarks landmarks = find_landmarks(source, hair, head_bone);
   head.forwards = landmarks.forwards;
-  double least = 1;
+  double least = 1, most = kWorthAWord * kMostInside.area;
   HeadFit fit;
   if (recipe.head_center && recipe.head_radii) {
     head.center = Vector3d(recipe.head_center->data());
@@ -155,6 +186,9 @@ FittedHead fit_head(const importer::SourceModel& source, const HairMesh& hair, c
       fit.first = likeliest_head(landmarks);
       const auto by_landmarks = [&](const HeadEllipsoid& h) { return surprise(h, landmarks); };
       fit.fitted = fit_head_room(hair, fit.first, by_landmarks, stop);
+    } else if (const auto behind = is_beard(source, hair) ? head_behind_beard(hair, head.forwards) : std::nullopt) {
+      head.origin = "the width and the place of the beard";
+      fit.first = fit.fitted = *behind;
     } else {
       head.origin = "the inside of the hair";
       const HeadGuess guess = guess_by_hair(hair);
@@ -163,10 +197,14 @@ FittedHead fit_head(const importer::SourceModel& source, const HairMesh& hair, c
     }
     static_cast<HeadEllipsoid&>(head) = fit.fitted;
     least = landmarks.has_whole_mesh() ? kLeastOfWhole : landmarks.show_size() ? kLeastOfPart : kLeastOfHair;
+    if (landmarks.joint && landmarks.mesh) {
+      least = kLeastOfBoth;
+      most = kMuchInside;
+    }
   }
   if (head.shape == HeadShape::kSphere) head.radii.setConstant(head.radii.mean());
   if (!head.declared) {
-    fit.share = make_room(hair, least, head, findings);
+    fit.share = make_room(hair, least, most, head, findings);
     Decision decision{"head",
                       place_text(head),
                       head.origin,

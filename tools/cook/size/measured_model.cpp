@@ -38,7 +38,9 @@ importer::SourceModel without_images(const importer::SourceModel& source) {
 }
 
 bool is_called_face_hair(std::string_view name) { return is_called_brow(name) || is_called_beard(name); }
-bool is_file_of_face_hair(std::string_view name) { return is_called_face_hair(name) && !is_called_hair(name); }
+bool is_file_of_face_hair(std::string_view name) {
+  return is_called_beard(name) || (is_called_brow(name) && !is_called_hair(name));
+}
 
 }  // namespace
 

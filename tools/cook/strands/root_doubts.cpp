@@ -101,7 +101,8 @@ Decision decision_of(const RootDoubts& doubts, std::size_t told, std::size_t sur
   decision.what = "roots";
   const std::string of = told == 0 ? "" : fmt::format("{} of ", patches - told);
   decision.chosen = fmt::format("the ends that fit best, of {}{} {}", of, patches, patches == 1 ? "patch" : "patches");
-  decision.reason = fmt::format("{}; {} by their own ends, the others by texture and neighbours", doubts.reason(), sure);
+  decision.reason =
+      fmt::format("{}; {} by their own ends, the others by texture and neighbours", doubts.reason(), sure);
   decision.probability = doubts.probability();
   decision.key = "\"strands.root\", or \"root\" of single \"patches\"";
   return decision;
