@@ -19,9 +19,10 @@ std::string Decision::text() const {
 }
 
 std::string Decision::doubt() const {
-  return fmt::format("in doubt: {}: {}, {} sure ({}); {} in the recipe {}", what, chosen, certainty_text(probability),
-                     reason, key,
-                     what == "hair" ? "says so, where that is right; see 'coif cook --list candidates'" : "decides it");
+  const char* then =
+      what == "hair" ? "confirms it; 'coif cook --list candidates' shows what else it may be" : "says it";
+  return fmt::format("in doubt: {}: {}, {} sure ({}); in the recipe, {} {}", what, chosen, certainty_text(probability),
+                     reason, key, then);
 }
 
 bool Decision::asks() const { return probability < kAskBelow && (what == "hair" || what == "head"); }

@@ -125,8 +125,10 @@ void judge_chains(const HairStrips& hair, const FittedHead& head, const HairRig&
                     kChains.probability(features),
                     "\"chains.max_count\", \"chains.exclude\" or \"chains.source\": \"none\"",
                     features};
-  decision.reason = fmt::format("{:.0f} % of their length hangs down; {:.0f} % of what moves lies on the head",
-                                100 * (1 - features[0].second), 100 * features[2].second);
+  decision.reason = chains == 0
+                        ? "no hair hangs free far enough to swing"
+                        : fmt::format("{:.0f} % of their length hangs down; {:.0f} % of what moves lies on the head",
+                                      100 * (1 - features[0].second), 100 * features[2].second);
   findings.decide(std::move(decision));
 }
 

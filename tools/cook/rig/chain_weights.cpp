@@ -143,6 +143,7 @@ class WeightBlender {
     };
     add(home);
     for (const CellLink& link : hair_.cells.links_of(home)) add(link.to);
+    std::erase_if(locks, [](const LockShare& lock) { return !(lock.share > 0); });
     if (locks.empty()) return {{0, 1.0}};
     keep_two(locks);
     normalize(locks);

@@ -1,4 +1,5 @@
 #include "base/words.h"
+#include "cook/select/crown_view.h"
 #include "cook/select/hair_chooser.h"
 #include "cook/select/select_hair.h"
 #include "cook/select/under_hair.h"
@@ -19,6 +20,10 @@ using importer::SourceMesh, importer::SourceModel;
 constexpr double kBare = 0.05;  ///< Share of the crown: hair that covers more may be all.
 /// What nobody called hair is never surer than this, so that the cook warns of it.
 constexpr double kMostOfGuess = 0.79;
+constexpr double kOpenFace = 0.06;  ///< Share of the circle around a head that its hair leaves open.
+constexpr double kHairAlone = 0.95, kMaybeHead = 0.4;
+constexpr double kMuchOfCrown = 0.3;
+constexpr double kPerhaps = 0.38;     ///< Probability of a part that is asked about.
 constexpr double kLikely = 0.5;       ///< Probability of what is taken besides the likeliest part.
 constexpr double kMostFace = 0.2;     ///< Share of the face that hair covers beside other hair.
 constexpr double kOtherColor = 0.14;  ///< Distance of colours.
@@ -149,14 +154,49 @@ void take_beside_moved(const SourceModel& source, const HairCandidates& candidat
                 std::min(first->probability, kMostOfGuess));
 }
 
+/// Parts of a material that hair has, too, where names spoke of some of them alone.
+void take_alike(const SourceModel& source, const HairCandidates& candidates, HairChooser& chooser) {
+  std::vector<bool> is_of_hair(source.materials.size() + 1, false);
+  const auto material = [&](std::uint32_t m) {
+    return std::min<std::size_t>(source.meshes[m].material, source.materials.size());
+  };
+  for (std::uint32_t m = 0; m < source.meshes.size(); ++m)
+    if (!chooser.so_far().taken[m].empty() && material(m) < source.materials.size()) is_of_hair[material(m)] = true;
+  const HairCandidate* first = nullptr;
+  for (const HairCandidate& part : candidates.list) {
+    const bool is_new = part.share_of(chooser.so_far()) < 0.5 && part.at(Feature::kCalledOther) == 0;
+    if (!is_new || !is_of_hair[material(part.mesh)] || part.probability < kLikely) continue;
+    if (part.at(Feature::kFace) > kMostFace) continue;
+    if (first == nullptr) first = &part;
+    chooser.take_triangles(part.mesh, part.taken, "it has the material of the hair");
+  }
+  if (first == nullptr) return;
+  chooser.guess("what has the material of the hair, too", reason_for(source, *first),
+                std::min(first->probability, kMostOfGuess));
+}
+
+/// Asks about the likeliest part that was left, where names spoke of others.
+void ask_about_rest(const SourceModel& source, const HairCandidates& candidates, HairChooser& chooser) {
+  for (const HairCandidate& part : candidates.list) {
+    if (part.share_of(chooser.so_far()) > 0 || part.at(Feature::kCalledOther) > 0 || part.probability < kPerhaps)
+      continue;
+    return chooser.guess("what was found, without " + name_of(source, part),
+                         "that may be hair, too: " + reason_for(source, part),
+                         std::max(1 - part.probability, kAskBelow));
+  }
+}
+
 /// Asks whether what was found is all: takes what covers a crown that it leaves bare, or warns where nothing does.
 /// Where bones said what hair is, they may move only some of it.
 void take_rest(const SourceModel& source, const HairCandidates& candidates, bool is_by_bones, HairChooser& chooser) {
   if (!candidates.sees_head) return;
   if (is_by_bones) take_beside_moved(source, candidates, chooser);
+  if (!is_by_bones) take_alike(source, candidates, chooser);
   const double crown = chosen_share(candidates, chooser.so_far(), Feature::kCrown);
   const double face = chosen_share(candidates, chooser.so_far(), Feature::kFace);
-  if (crown > kBare || take_crown(source, candidates, chooser) || is_face_hair(source, chooser.so_far())) return;
+  if (crown <= kBare && take_crown(source, candidates, chooser)) return;
+  if (!is_by_bones) ask_about_rest(source, candidates, chooser);
+  if (crown > kBare || is_face_hair(source, chooser.so_far())) return;
   if (face <= crown) return;  // What hangs behind or beside a head may be all: tails, or strips on painted hair.
   chooser.guess("what was found", "it lies on the face and leaves the crown of the head bare", 0.6);
 }
@@ -182,20 +222,32 @@ bool take_likeliest(const SourceModel& source, const HairCandidates& candidates,
   return true;
 }
 
+/// Whether the likeliest part is opaque: what is transparent may be a glass, or soft edges of brows.
+bool knows_better_than_alpha(const SourceModel& source, const HairCandidates& candidates) {
+  if (!candidates.sees_head || candidates.list.empty()) return false;
+  const HairCandidate& best = candidates.list[0];
+  return best.probability >= kLikely && best.at(Feature::kCrown) > kMuchOfCrown && is_told_apart(best) &&
+         !is_transparent(source, source.meshes[best.mesh]);
+}
+
 bool is_file_called_hair(const SourceModel& source) {
   return is_called_hair(std::filesystem::path(source.path).stem().string());
 }
 
+/// Hair by itself leaves the face open; a head closes it, a body stands on its feet.
 void take_everything(const SourceModel& source, std::uint32_t head, HairChooser& chooser) {
-  for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
-    chooser.take_mesh(m, "nothing in the file says what is hair, so all of it is");
-  }
-  if (head == importer::kNoIndex && (is_file_called_hair(source) || !stands_on_ground(source))) return;  // A hairstyle.
+  for (std::uint32_t m = 0; m < source.meshes.size(); ++m) chooser.take_mesh(m, "all of it may be hair");
   if (is_face_hair(source, chooser.so_far())) return;
-  chooser.warn(
-      "S202",
-      "nothing in the file is called hair, moved by hair bones or transparent on the head; the whole model was taken: "
-      "name the hair by the recipe's \"hair\"");
+  const double open = open_face(source);
+  const bool is_open = open > kOpenFace, stands = stands_on_ground(source);
+  chooser.guess("all of it",
+                fmt::format("nothing says what is hair; {}{}",
+                            is_open ? "it leaves a face open, as hair alone does" : "it goes all round, as a head does",
+                            stands ? ", and stands on the ground as a body does" : ""),
+                stands || !is_open           ? kMaybeHead
+                : head == importer::kNoIndex ? kHairAlone
+                                             : kMostOfGuess,
+                {{"open", open}, {"stands", stands ? 1 : 0}, {"called", is_file_called_hair(source) ? 1 : 0}});
 }
 
 }  // namespace
@@ -214,17 +266,16 @@ tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const
   const bool is_named = chooser.found();
   if (!is_named) choose_by_bones(source, bones, head, chooser);
   const bool by_bones = !is_named && chooser.found();
-  if (!chooser.found()) choose_by_transparency(source, bones, head, chooser);
-  if (!chooser.found() && moves_limbs(source)) {
-    const HairCandidates candidates = find_hair_candidates(source, recipe.patch_weld_distance);
+  const HairCandidates candidates = find_hair_candidates(source, recipe.patch_weld_distance);
+  const bool is_character = moves_limbs(source);
+  if (!chooser.found() && !(is_character && knows_better_than_alpha(source, candidates)))
+    choose_by_transparency(source, bones, head, chooser);
+  if (!chooser.found() && is_character) {
     if (!take_likeliest(source, candidates, chooser)) return no_hair_on(source, candidates);
   } else if (chooser.found() && head != importer::kNoIndex) {
-    const HairCandidates candidates = find_hair_candidates(source, recipe.patch_weld_distance);
     take_rest(source, candidates, by_bones, chooser);
   }
-  const bool is_body =
-      !chooser.found() && !is_file_called_hair(source) && is_bare_body(source, recipe.patch_weld_distance);
-  if (is_body) return no_hair_in_body(source);
+  if (!chooser.found() && is_bare_body(source, recipe.patch_weld_distance)) return no_hair_in_body(source);
   if (!chooser.found()) take_everything(source, head, chooser);
   take_caps(source, chooser);
   take_cores(source, head, chooser);

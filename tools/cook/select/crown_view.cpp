@@ -1,9 +1,11 @@
 #include "cook/select/crown_view.h"
 
+#include "cook/select/head.h"
 #include "cook/select/head_landmarks.h"
 #include "cook/select/mesh_topology.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -89,6 +91,52 @@ std::optional<HeadView> view_of_head(const SourceModel& source, std::uint32_t no
   const Eigen::AlignedBox3d box = box_at_joint(source, node, weld_distance);
   if (box.isEmpty()) return std::nullopt;
   return HeadView{{box.center(), box.sizes() / 2}, forwards};
+}
+
+namespace {
+
+/// The widest part of the circle around a view in which nothing is seen at the height of a face, 0..1.
+double widest_opening(const SourceModel& source, const HeadView& view) {
+  constexpr std::size_t kSectors = 36;
+  constexpr std::array kHeights{-0.45, -0.25, 0.0};
+  std::array<std::array<bool, kHeights.size()>, kSectors> seen{};
+  for (const SourceMesh& mesh : source.meshes) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
+      const auto corner = [&](std::size_t k) { return view.in_axes(mesh.positions[mesh.triangles[t + k]]); };
+      const Vector3d a = corner(0), b = corner(1), c = corner(2);
+      if (std::max({a.y(), b.y(), c.y()}) < kHeights[0] * kFarthestSeen) continue;
+      for (std::size_t i = 0; i < kSectors; ++i) {
+        const double turn = 2 * std::numbers::pi * double(i) / double(kSectors);
+        for (std::size_t h = 0; h < kHeights.size(); ++h) {
+          if (seen[i][h]) continue;
+          const double far = meeting(Vector3d(std::sin(turn), kHeights[h], std::cos(turn)).normalized(), a, b, c);
+          seen[i][h] = far > kNearestSeen && far < kFarthestSeen;
+        }
+      }
+    }
+  }
+  std::size_t widest = 0, run = 0;
+  for (std::size_t i = 0; i < 2 * kSectors; ++i) {
+    run = std::ranges::count(seen[i % kSectors], true) < 2 ? run + 1 : 0;
+    widest = std::max(widest, std::min(run, kSectors));
+  }
+  return double(widest) / double(kSectors);
+}
+
+}  // namespace
+
+double open_face(const SourceModel& source) {
+  constexpr double kBelowTop = 0.65, kRadius = 0.45;  // of the model's width: hair may stand high over a head
+  HairMesh all;
+  for (const SourceMesh& mesh : source.meshes)
+    all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
+  if (all.positions.empty()) return 0;
+  const HeadEllipsoid under_top = ellipsoid_under_top(all);
+  const Eigen::AlignedBox3d box = all.box();
+  const double width = std::min(box.sizes().x(), box.sizes().z());
+  const HeadEllipsoid lower{{box.center().x(), box.max().y() - kBelowTop * width, under_top.center.z()},
+                            Vector3d::Constant(kRadius * width)};
+  return std::max(widest_opening(source, {under_top, 1}), widest_opening(source, {lower, 1}));
 }
 
 Outermost::Outermost() : directions_(directions()), far_(kDirections, 0.0), part_(kDirections, kNoIndex) {}

@@ -53,4 +53,8 @@ class Outermost {
   std::vector<std::uint32_t> part_;
 };
 
+/// How wide the face is open in what surrounds the top of a model, all of which may be hair: the widest part of the
+/// circle around the head, 0..1, in which nothing is seen at the height of a face. A head closes it, and hair over it.
+[[nodiscard]] double open_face(const importer::SourceModel& source);
+
 }  // namespace coif::cook

@@ -46,6 +46,17 @@ constexpr std::array kFacingWeights{FeatureWeight{"joints", 1.12}, FeatureWeight
                                     FeatureWeight{"beard", 1.25}, FeatureWeight{"bald", -3.87}};
 constexpr Logistic kFacing{2.68, kFacingWeights};
 
+/// On which side of the head meshes that are called eyes lie: 1, -1, or 0 where there are none.
+double side_of_eyes(const importer::SourceModel& source, const FittedHead& head) {
+  Eigen::AlignedBox3d eyes;
+  for (const importer::SourceMesh& mesh : source.meshes) {
+    if (!either_is_called(source, mesh, is_called_eyeball)) continue;
+    for (const Eigen::Vector3f& p : mesh.positions) eyes.extend(p.cast<double>());
+  }
+  const double at = eyes.isEmpty() ? 0 : (eyes.center().z() - head.center.z()) / head.radii.z();
+  return std::abs(at) > 0.3 ? std::copysign(1.0, at) : 0;
+}
+
 }  // namespace
 
 bool faces_backwards(const importer::SourceModel& source, const HairMesh& hair, const FittedHead& head,
@@ -54,21 +65,23 @@ bool faces_backwards(const importer::SourceModel& source, const HairMesh& hair, 
   if (source.facing != importer::Facing::kUnknown) return source.facing == importer::Facing::kBackwards;
   const HairBySide sides = hair_by_side(hair, head);
   const double least = kLeastHair * head.radii.x() * head.radii.z();
-  const bool beard = hair_is_called(source, hair, is_called_beard, is_called_beard);
-  bool backwards = head.forwards < 0;
-  if (head.forwards == 0)
+  const bool beard = is_beard(source, hair);
+  const double forwards = head.forwards != 0 ? head.forwards : side_of_eyes(source, head);
+  bool backwards = forwards < 0;
+  if (forwards == 0)
     backwards = beard ? sides.back > sides.front : sides.front > least && sides.front > kClearly * sides.back;
 
   // Hair hangs at the back of the head, beards at its front.
   const double lead = std::log((sides.back + 0.1 * least) / (sides.front + 0.1 * least)) / std::log(10.0);
   const double behind = std::clamp((backwards != beard ? -1 : 1) * lead, -1.0, 1.0);
+  const bool by_joints = forwards != 0;
   Decision facing{"facing", backwards ? "-Z" : "+Z", {}, 1, "\"head.faces\": \"+Z\" or \"-Z\"", {}};
-  facing.reason = head.forwards != 0 ? "joints of eyes or toes show it"
+  facing.reason = head.forwards != 0 ? (beard ? "a beard runs back to the ears" : "joints of eyes or toes show it")
+                  : by_joints        ? "meshes of eyes show it"
                                      : fmt::format("{:.0f} % of what hangs at a face's height is {}",
                                                    100 * (backwards != beard ? sides.front : sides.back) /
                                                        std::max(sides.front + sides.back, 1.0e-9),
-                                                   beard ? "before it" : "behind it");
-  const bool by_joints = head.forwards != 0;
+                                            beard ? "before it" : "behind it");
   facing.features = {{"joints", by_joints ? 1 : 0},
                      {"behind", behind},
                      {"beard", beard ? 1 : 0},

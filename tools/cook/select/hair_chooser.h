@@ -29,8 +29,8 @@ class HairChooser {
   void take_triangles(std::uint32_t m, const std::vector<bool>& taken, const std::string& why);
 
   /// A decision to which finish() adds the recipe's line that confirms all that was taken.
-  void guess(std::string chosen, std::string reason, double probability) {
-    guesses_.push_back({"hair", std::move(chosen), std::move(reason), probability, "", {}});
+  void guess(std::string chosen, std::string reason, double probability, Features features = {}) {
+    guesses_.push_back({"hair", std::move(chosen), std::move(reason), probability, "", std::move(features)});
   }
   void warn(const char* code, std::string text) { findings_.warn(code, std::move(text)); }
 

@@ -3,6 +3,7 @@
 #include "cook/select/called.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace coif::cook {
@@ -86,6 +87,22 @@ bool hair_is_called(const importer::SourceModel& source, const HairMesh& hair, N
   if (!hair.source_meshes.empty() && std::ranges::all_of(hair.source_meshes, says_so)) return true;
   return source.meshes.size() == hair.source_meshes.size() &&
          is_file_called(std::filesystem::path(source.path).stem().string());
+}
+
+bool is_beard(const importer::SourceModel& source, const HairMesh& hair) {
+  constexpr double kMiddle = 0.35, kHardlyAny = 0.02;  // of half the box's sides; of the hair's surface
+  if (!hair_is_called(source, hair, is_called_beard, is_called_beard)) return false;
+  const Eigen::AlignedBox3d box = hair.box();
+  double above = 0, all = 0;
+  for (std::size_t t = 0; t < hair.triangle_count(); ++t) {
+    const Eigen::Vector3f a = hair.corner(t, 0), b = hair.corner(t, 1), c = hair.corner(t, 2);
+    const auto area = double((b - a).cross(c - a).norm());
+    const Eigen::Vector3d at = ((a + b + c) / 3).cast<double>() - box.center();
+    const Eigen::Vector3d reach = kMiddle * box.sizes() / 2;
+    all += area;
+    if (at.y() > 0 && std::abs(at.x()) < reach.x() && std::abs(at.z()) < reach.z()) above += area;
+  }
+  return above <= kHardlyAny * all;
 }
 
 float weight_on(const importer::SourceMesh& mesh, std::size_t v, const std::vector<bool>& counts) {

@@ -43,6 +43,9 @@ struct HairNames {
 [[nodiscard]] bool hair_is_called(const importer::SourceModel& source, const HairMesh& hair, NameQuestion is_called,
                                   NameQuestion is_file_called);
 
+/// Whether the hair is called a beard and nothing lies over the middle of a head.
+[[nodiscard]] bool is_beard(const importer::SourceModel& source, const HairMesh& hair);
+
 /// Weight of the vertex `v` on those nodes for which `counts` is true, 0..1; a mesh without a skin has all of it on its
 /// node.
 [[nodiscard]] float weight_on(const importer::SourceMesh& mesh, std::size_t v, const std::vector<bool>& counts);

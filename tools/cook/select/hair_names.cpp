@@ -36,6 +36,7 @@ std::string why_hair(const SourceModel& source, const SourceMesh& mesh) {
   if (is_called_hair(material)) return fmt::format("its material is called '{}'", material);
   if (is_called_adornment(material) || has_hair_beside(source, mesh)) return "";
   if (is_called_hair(mesh.name)) return "its name says so";
+  if (is_called_beard(material) || is_called_beard(mesh.name)) return "it is called a beard";
   if (!is_called_adornment(mesh.name) && is_called_hair(texture)) {
     return fmt::format("its texture is called '{}'", texture);
   }

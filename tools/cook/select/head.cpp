@@ -21,9 +21,13 @@ std::uint32_t heaviest(const importer::SourceModel& source, const NodeWeights& b
   return best;
 }
 
-/// The lowest node that carries all of the hair, itself or below it.
-std::uint32_t lowest_common_node(const importer::SourceModel& source, const NodeWeights& below) {
+/// The node that moves nearly all of the hair by itself, or else the lowest one that carries all of it, itself or below.
+std::uint32_t lowest_common_node(const importer::SourceModel& source, const NodeWeights& own,
+                                 const NodeWeights& below) {
+  constexpr double kNearlyAll = 0.9;
   const double total = *std::ranges::max_element(below);
+  const auto most = std::ranges::max_element(own);
+  if (total > 0 && *most >= kNearlyAll * total) return std::uint32_t(most - own.begin());
   std::uint32_t lowest = importer::kNoIndex;
   for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
     if (total > 0 && below[n] >= total * (1 - 1.0e-9)) lowest = n;
@@ -75,7 +79,7 @@ NodeWeights weights_below(const importer::SourceModel& source, const NodeWeights
 
 tl::expected<HeadBone, ToolError> find_head_bone(const importer::SourceModel& source, const HairMesh& hair,
                                                  const std::string& pattern) {
-  const NodeWeights below = weights_below(source, hair_weights(source, hair));
+  const NodeWeights own = hair_weights(source, hair), below = weights_below(source, own);
   if (!pattern.empty()) {
     const auto named = [&](std::uint32_t n) { return matches(source.nodes[n].name, pattern); };
     if (const std::uint32_t head = heaviest(source, below, named); head != importer::kNoIndex) {
@@ -94,7 +98,7 @@ tl::expected<HeadBone, ToolError> find_head_bone(const importer::SourceModel& so
   if (const std::uint32_t head = heaviest(source, below, by_name); head != importer::kNoIndex) {
     return head_bone_at(source, hair, head);
   }
-  const std::uint32_t lowest = lowest_common_node(source, below);
+  const std::uint32_t lowest = lowest_common_node(source, own, below);
   return head_bone_at(source, hair, is_far_mesh_node(source, hair, lowest) ? importer::kNoIndex : lowest);
 }
 

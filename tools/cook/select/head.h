@@ -45,10 +45,10 @@ tl::expected<HeadBone, ToolError> find_head_bone(const importer::SourceModel& so
 /// The head as an ellipsoid. Roots are near it, patches are sorted by the distance from its centre, and hair keeps out
 /// of it unless there are better colliders.
 struct FittedHead : HeadEllipsoid {
-  HeadShape shape{};             ///< The recipe's shape that hair keeps out of.
-  std::string origin;            ///< How it was found, for the report.
-  bool declared = false;         ///< Declared by the recipe: must not be shrunk.
-  double forwards = 0;           ///< Which way its joints look: 1 along +Z, -1 along -Z, 0: they do not show it.
+  HeadShape shape{};      ///< The recipe's shape that hair keeps out of.
+  std::string origin;     ///< How it was found, for the report.
+  bool declared = false;  ///< Declared by the recipe: must not be shrunk.
+  double forwards = 0;    ///< Which way its joints or a beard look: 1 along +Z, -1 along -Z, 0: nothing shows it.
   bool faces_backwards = false;  ///< Looks along -Z instead of +Z.
 };
 

@@ -80,7 +80,7 @@ HeadGuess guess_by_hair(const HairMesh& hair) {
 
 /// The head behind a full beard, which is as wide as the jaw and runs from the ears round the chin. Nothing where it is
 /// not as deep as that, as a moustache.
-std::optional<HeadEllipsoid> head_behind_beard(const HairMesh& hair, double forwards) {
+std::optional<HeadEllipsoid> head_behind_beard(const HairMesh& hair, double& forwards) {
   // In semi-axes of the head, of beards of two makers, which agree within a tenth.
   constexpr double kWidth = 1.03, kTop = -0.28, kFront = 1.06, kLeastDepth = 0.45;
   constexpr double kFlatness = 0.887, kDepth = 0.98;
@@ -133,14 +133,38 @@ namespace {
 constexpr std::array kHeadWeights{FeatureWeight{"joint", 1.47},     FeatureWeight{"mesh", -0.93},
                                   FeatureWeight{"moved", -1.96},    FeatureWeight{"moved alone", -0.86},
                                   FeatureWeight{"hovering", -0.98}, FeatureWeight{"bare", -1.16},
-                                  FeatureWeight{"shrunk", -0.43}};
+                                  FeatureWeight{"rival", -1.35},    FeatureWeight{"shrunk", -0.43}};
 constexpr Logistic kHead{3.41, kHeadWeights};
 
 /// The head as it was before the hair was looked at, as it was with it, and how much it shrank.
 struct HeadFit {
   HeadEllipsoid first, fitted;
   double share = 1;
+  bool has_rival = false;  ///< Hair may lie on a larger head as well.
 };
+
+/// The room under the hair's top, or a clearly larger one below, on which a bun or a crest stands, that hair covers
+/// well and closely.
+HeadFit fit_by_hair(const HairMesh& hair, const std::stop_token& stop) {
+  constexpr double kBelowTop = 0.65, kRadius = 0.45;  // of the hair's width
+  constexpr double kLarger = 1.28, kNotThatLarge = 5;
+  constexpr double kSome = 0.4, kWell = 0.75, kClosely = 0.15;  // of its upper half, and of its radii
+  const HeadGuess under_top = guess_by_hair(hair);
+  HeadFit best{under_top.shape, fit_head_room(hair, under_top, stop)};
+  const Box box = hair.box();
+  for (const double width : {box.sizes().x(), box.sizes().z()}) {
+    HeadGuess lower = under_top;
+    lower.shape.center = Vector3d(box.center().x(), box.max().y() - kBelowTop * width, under_top.shape.center.z());
+    lower.shape.radii = (kRadius * width * Vector3d(0.9, 1.1, 1.0)).cwiseMax(kSmallestRadius);
+    const HeadEllipsoid fitted = fit_head_room(hair, lower, stop);
+    const HairCover other = hair_cover(hair, fitted);
+    const double larger = fitted.radii.mean() / best.fitted.radii.mean();
+    if (!(larger > kLarger && larger < kNotThatLarge)) continue;
+    best.has_rival = best.has_rival || other.around > kSome;
+    if (other.around > kWell && other.hovering < kClosely) best = {lower.shape, fitted, 1, true};
+  }
+  return best;
+}
 
 Features features_of(const HairMesh& hair, const HeadLandmarks& marks, const HeadFit& fit) {
   const HairCover cover = hair_cover(hair, fit.fitted);
@@ -153,11 +177,8 @@ Features features_of(const HairMesh& hair, const HeadLandmarks& marks, const Hea
           {"moved alone", alone ? std::min(1.0, moved) : 0},
           {"hovering", alone ? 2 * cover.hovering : 0},
           {"bare", alone ? 1 - cover.around : 0},
+          {"rival", fit.has_rival ? 1 : 0},
           {"shrunk", std::min(1.0, 3 * (1 - fit.share))}};
-}
-
-bool is_beard(const importer::SourceModel& source, const HairMesh& hair) {
-  return hair_is_called(source, hair, is_called_beard, is_called_beard);
 }
 
 std::string place_text(const HeadEllipsoid& head) {
@@ -191,9 +212,7 @@ FittedHead fit_head(const importer::SourceModel& source, const HairMesh& hair, c
       fit.first = fit.fitted = *behind;
     } else {
       head.origin = "the inside of the hair";
-      const HeadGuess guess = guess_by_hair(hair);
-      fit.first = guess.shape;
-      fit.fitted = fit_head_room(hair, guess, stop);
+      fit = fit_by_hair(hair, stop);
     }
     static_cast<HeadEllipsoid&>(head) = fit.fitted;
     least = landmarks.has_whole_mesh() ? kLeastOfWhole : landmarks.show_size() ? kLeastOfPart : kLeastOfHair;

@@ -13,6 +13,7 @@ namespace {
 
 using importer::SourceMesh, importer::SourceModel;
 
+constexpr double kProbablyNone = 0.35;
 constexpr std::size_t kHints = 5;  ///< Parts that an error names.
 
 tl::unexpected<ToolError> bad_input(const SourceModel& source, const std::string& what) {
@@ -48,8 +49,12 @@ tl::unexpected<ToolError> no_hair_on(const SourceModel& source, const HairCandid
   const std::string line = candidates.sees_head && !candidates.list.empty()
                                ? recipe_line(source, candidates.list[0], candidates)
                                : fmt::format("\"hair\": {{\"meshes\": [\"{}\"]}}", first);
+  const bool may_be_none =
+      candidates.sees_head && (candidates.list.empty() || candidates.list[0].probability < kProbablyNone);
   return bad_input(source, fmt::format("nothing in this character is called hair, moved by hair bones or transparent "
-                                       "on the head; name what is hair in a recipe, as in {{{}}}; {}",
+                                       "on the head{}, as in {{{}}}; {}",
+                                       may_be_none ? ", and probably there is none; else name it in a recipe"
+                                                   : "; name what is hair in a recipe",
                                        line, hints_of(source, candidates)));
 }
 

@@ -37,10 +37,7 @@ importer::SourceModel without_images(const importer::SourceModel& source) {
   return model;
 }
 
-bool is_called_face_hair(std::string_view name) { return is_called_brow(name) || is_called_beard(name); }
-bool is_file_of_face_hair(std::string_view name) {
-  return is_called_beard(name) || (is_called_brow(name) && !is_called_hair(name));
-}
+bool is_file_of_brows(std::string_view name) { return is_called_brow(name) && !is_called_hair(name); }
 
 }  // namespace
 
@@ -55,7 +52,8 @@ KnownModel know_model(const importer::SourceModel& source, const HairRecipe& rec
   named.hair_parts.clear();  // Points in metres, which are not yet known.
   if (auto hair = select_hair(known.model, named, known.found)) {
     known.hair = std::move(*hair);
-    known.on_face = hair_is_called(known.model, known.hair, is_called_face_hair, is_file_of_face_hair);
+    known.on_face =
+        hair_is_called(known.model, known.hair, is_called_brow, is_file_of_brows) || is_beard(known.model, known.hair);
   }
   return known;
 }

@@ -230,7 +230,13 @@ const char* code_of(SizeDoubt::Of of) {
 
 SettledSource settle_size(const importer::SourceModel& source, const HairRecipe& recipe, Findings& findings) {
   JudgedSize size = judge_size(source, recipe);
-  for (Decision& decision : size.decisions) findings.say(std::move(decision));
+  for (Decision& decision : size.decisions) {
+    if (size.doubts.empty()) {
+      findings.decide(std::move(decision));
+    } else {
+      findings.say(std::move(decision));
+    }
+  }
   for (const SizeDoubt& doubt : size.doubts) findings.warn(code_of(doubt.of), doubt.text);
   if (!size.changes()) return {std::nullopt, std::move(size.hair)};
   return {settled(source, size), std::nullopt};

@@ -263,7 +263,7 @@ ShellSplit split_shells(HairStrips& hair, double widest, Findings& findings, con
   split.left = std::uint32_t(std::ranges::count_if(after, [&](const Extent& e) { return e.width() > limit; }));
   hair.separate_patches();
   findings.note(fmt::format("patches: {} too wide to sort, cut along the strands into {}{}", split.shells, split.parts,
-                            split.left == 0 ? "" : fmt::format("; {} are still too wide", split.left)));
+                            split.left == 0 ? "" : fmt::format("; {} still too wide", split.left)));
   return split;
 }
 

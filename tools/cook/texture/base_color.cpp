@@ -191,10 +191,10 @@ BaseColor in_one_image(SurfaceLooks& looks, const DrawnRecipe& recipe, HairMesh&
   auto atlas = joined(looks, texture_limit(recipe), hair, findings);
   if (atlas) return *atlas;
   const SurfaceLook& main = looks.looks[looks.main];
-  findings.warn("C150",
-                fmt::format("the hair has {} materials that look different, and {} cannot be joined; all of it gets "
-                            "that with most triangles ('{}')",
-                            looks.looks.size(), atlas.error(), main.name));
+  findings.warn(
+      "C150", fmt::format("the hair has {} materials that look different, which cannot be joined ({}); all of it gets "
+                          "that with most triangles ('{}')",
+                          looks.looks.size(), atlas.error(), main.name));
   return whole(main, findings);
 }
 
