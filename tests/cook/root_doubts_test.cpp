@@ -73,7 +73,7 @@ TEST(RootDoubts, WhatTheRecipeToldIsNotDoubted) {
   two.found[1].belief = -0.9f;
   for (FoundRoot& found : two.found) found.is_told = true;
   EXPECT_DOUBLE_EQ(two.doubts().against_mirror, 0);
-  EXPECT_EQ(decision_of({}, 1, 3).chosen, "the ends that fit best, of 2 of 3 patches");
+  EXPECT_EQ(decision_of({}, 1, 0, 3).chosen, "the ends that fit best, of 2 of 3 patches");
 }
 
 TEST(RootBeliefs, AMirrorImageSaysWhereTheRootIs) {

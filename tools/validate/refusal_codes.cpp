@@ -89,7 +89,8 @@ constexpr IssueCode kOriginCodes[] = {
     {"S103", kSource, kError, "recipe unusable", "The recipe has an unknown key or a value out of its range.",
      "'coif cook --print-recipe' prints all keys with their ranges."},
     {"S104", kSource, kError, "no hair found", "Nothing in the source is hair, so that a cook ends here.",
-     "Name it in the recipe: \"hair.meshes\", \"hair.materials\" or \"hair.bones\"."},
+     "Name it in the recipe: \"hair.meshes\", \"hair.materials\", \"hair.bones\" or \"hair.parts\"; 'coif cook --list "
+     "candidates' prints the lines."},
     {"S105", kSource, kError, "cannot be cooked", "The source is read and has hair, and a cook ends with an error.",
      "The message names the place and the cure."},
     broken("S111", "breaks glTF's rules",
@@ -122,7 +123,8 @@ constexpr IssueCode kOriginCodes[] = {
      "Triangles, vertices, normals or colours are wrong and were repaired or dropped.",
      "Correct it in the modeller; the message names the place."},
     {"S202", kSource, kWarning, "doubtful choice of hair", "The hair was found, but not beyond doubt.",
-     "Name it in the recipe: \"hair.meshes\", \"hair.materials\" or \"hair.bones\"."},
+     "Name it in the recipe: \"hair.meshes\", \"hair.materials\", \"hair.bones\" or \"hair.parts\"; 'coif cook --list "
+     "candidates' prints the lines."},
     {"S203", kSource, kInfo, "hair without texture coordinates",
      "It shows one texel of a texture, and the strands' direction is guessed from their shape.",
      "Unwrap the strips along their length."},

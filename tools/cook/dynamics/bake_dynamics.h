@@ -74,7 +74,6 @@ struct SaidMotion {
   std::vector<double> damping_ratios;
   /// NaturalMotion::is_tied of bones that a preset moves; empty: none is.
   std::vector<bool> tied{};
-  double head_scale = 1;  ///< HeadEllipsoid::excess(): with it grow the lengths of presets.
 
   [[nodiscard]] bool is_tied(std::size_t bone) const { return bone < tied.size() && tied[bone]; }
 };

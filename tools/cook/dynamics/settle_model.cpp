@@ -58,12 +58,12 @@ void bake_natural_dynamics(const SaidMotion& said, AssetContents& contents, Find
     auto& [counted, count] = counts[preset.name];
     counted = &preset;
     ++count;
-    const NaturalMotion motion{said.head_scale * preset.bending_length, said.damping_ratios[b], said.is_tied(b)};
+    const NaturalMotion motion{preset.bending_length, said.damping_ratios[b], said.is_tied(b)};
     bake_natural(rig, carried, i, motion, contents.dynamics[b]);
   }
   for (const auto& [name, counted] : counts) {
     findings.note(fmt::format("{} bones move as {} hair: what is longer than {:.0f} mm hangs", counted.second, name,
-                              1000 * said.head_scale * counted.first->bending_length));
+                              1000 * counted.first->bending_length));
   }
 }
 

@@ -52,9 +52,7 @@ const RecipeKey kCookKeys[] = {
    "names of the materials that are hair; with meshes given too, both must match"},
   {"hair", "bones", &R::hair_bones, "[]", 0, 0, nullptr, "",
    "names of hair bones; connected pieces that they move are hair, to cut hair out of a merged body"},
-  {"hair", "parts", &R::hair_parts, "[]", 0, 0, nullptr, "m",
-   "points [x, y, z] on parts that are hair, beside what is named: of the parts that 'coif cook SOURCE --list candidates' lists, which "
-   "prints such points, the nearest to each is taken", "", false, nullptr, kIsLater},
+  {"hair", "parts", &R::hair_parts, "[]", 0, 0, nullptr, "m", "points on parts that are hair, beside what is named; 'coif cook SOURCE --list candidates' prints one of each", "", false, nullptr, kIsLater},
   {"hair", "brows", &R::hair_brows, "true", 0, 0, nullptr, "",
    "false: brows and lashes among the hair are left out; the cook says which patches they are"},
   {"hair", "beard", &R::hair_beard, "true", 0, 0, nullptr, "",

@@ -58,6 +58,10 @@ struct HangingHair {
   std::vector<std::uint32_t> from;  ///< Per cell, the next one on the shortest way to the scalp; kNoIndex on it.
 };
 
+/// What lies on a jaw, which the ellipsoid of a head does not have: pieces of hair that begin below the eyes and lie
+/// before the face, down to a little below the chin. A longer beard hangs free from there.
+[[nodiscard]] std::vector<std::uint32_t> cells_on_jaw(const HairCells& cells, const FittedHead& head);
+
 /// Hair within a small distance of the head lies on the scalp; where hair has more body, a larger one. A beard lies on
 /// the jaw. Hair that touches nothing of that hangs from the hair next to its roots, to which this adds links, or else
 /// from the roots themselves. `held`: cells that stay rigid for other reasons.

@@ -24,9 +24,6 @@ constexpr double kRootEnd = 0.05;
 constexpr double kRootSpread = 0.5;
 /// Share of the radius: loose hair hangs from other hair at most this far away.
 constexpr double kBridge = 0.35;
-/// Shares of the radii from the centre: the highest and the rearmost of a beard, how far before the centre and how wide
-/// its larger part lies, and how far down it lies on jaw and chin.
-constexpr double kBeardTop = 0.45, kBeardBack = -0.25, kBeforeFace = 0.3, kJawWidth = 0.8, kBelowChin = 1.75;
 
 /// Thickness of the layer that lies on the skull: how far off half of the hair is on top of the head.
 double layer_thickness(const HairCells& cells, const FittedHead& head) {
@@ -46,30 +43,6 @@ double layer_thickness(const HairCells& cells, const FittedHead& head) {
     median = distance;
   }
   return std::clamp(median + 0.5 * kOnScalp * radius, kOnScalp * radius, kThickestHair * radius);
-}
-
-/// What lies on a jaw, which the ellipsoid of a head does not have: pieces of hair that begin below the eyes and lie
-/// before the face, down to a little below the chin. A longer beard hangs free from there.
-std::vector<std::uint32_t> cells_on_jaw(const HairCells& cells, const FittedHead& head) {
-  const std::vector<std::uint32_t> piece = connected_pieces(cells);
-  std::vector<double> area(cells.count(), 0), before_face(cells.count(), 0);  // by the piece's number
-  std::vector<bool> is_beard(cells.count(), true);
-  const auto on_head = [&](std::uint32_t c) {
-    Eigen::Vector3d p = (cells.middle[c] - head.center).cwiseQuotient(head.radii);
-    return head.faces_backwards ? Eigen::Vector3d(-p.x(), p.y(), -p.z()) : p;
-  };
-  for (std::uint32_t c = 0; c < cells.count(); ++c) {
-    const Eigen::Vector3d p = on_head(c);
-    area[piece[c]] += cells.area[c];
-    if (p.z() > kBeforeFace && std::abs(p.x()) < kJawWidth) before_face[piece[c]] += cells.area[c];
-    if (p.y() > kBeardTop || p.z() < kBeardBack) is_beard[piece[c]] = false;
-  }
-  std::vector<std::uint32_t> found;
-  for (std::uint32_t c = 0; c < cells.count(); ++c) {
-    const bool lies_on_face = is_beard[piece[c]] && before_face[piece[c]] > 0.5 * area[piece[c]];
-    if (lies_on_face && on_head(c).y() > -kBelowChin) found.push_back(c);
-  }
-  return found;
 }
 
 /// How unlikely a cell is as the root of its piece: its distance from the head, plus more towards the tips of strands.

@@ -56,8 +56,12 @@ std::string reason_for(const SourceModel& source, const HairCandidate& candidate
   if (candidate.at(Feature::kHairBones) > 0) reasons.emplace_back("hair bones move it");
   if (candidate.at(Feature::kEyeBones) > kMovedByEyes) reasons.emplace_back("it moves with the eyes");
   if (candidate.at(Feature::kTransparent) > 0) reasons.emplace_back("it is transparent");
-  reasons.push_back(fmt::format("it covers {:.0f} % of the crown and {:.0f} % of the face", share(Feature::kCrown),
-                                share(Feature::kFace)));
+  if (candidate.at(Feature::kLarge) > 0) {
+    reasons.push_back(fmt::format("it covers {:.0f} % of the crown and {:.0f} % of the face", share(Feature::kCrown),
+                                  share(Feature::kFace)));
+  } else {
+    reasons.emplace_back("without a head bone its place says nothing");
+  }
   if (candidate.at(Feature::kLikeFace) > 0) reasons.emplace_back("it has the colour of the face");
   if (candidate.at(Feature::kUnlikeFace) > 0.3) reasons.emplace_back("its colour is not that of the face");
   return fmt::format("{}", fmt::join(reasons, "; "));

@@ -154,6 +154,9 @@ void take_beside_moved(const SourceModel& source, const HairCandidates& candidat
                 std::min(first->probability, kMostOfGuess));
 }
 
+/// What said first what hair is.
+enum class FoundBy { kName, kBones, kAlpha };
+
 /// Parts of a material that hair has, too, where names spoke of some of them alone.
 void take_alike(const SourceModel& source, const HairCandidates& candidates, HairChooser& chooser) {
   std::vector<bool> is_of_hair(source.materials.size() + 1, false);
@@ -166,7 +169,7 @@ void take_alike(const SourceModel& source, const HairCandidates& candidates, Hai
   for (const HairCandidate& part : candidates.list) {
     const bool is_new = part.share_of(chooser.so_far()) < 0.5 && part.at(Feature::kCalledOther) == 0;
     if (!is_new || !is_of_hair[material(part.mesh)] || part.probability < kLikely) continue;
-    if (part.at(Feature::kFace) > kMostFace) continue;
+    if (part.at(Feature::kFace) > kMostFace || part.at(Feature::kEyeBones) > kMovedByEyes) continue;
     if (first == nullptr) first = &part;
     chooser.take_triangles(part.mesh, part.taken, "it has the material of the hair");
   }
@@ -188,14 +191,14 @@ void ask_about_rest(const SourceModel& source, const HairCandidates& candidates,
 
 /// Asks whether what was found is all: takes what covers a crown that it leaves bare, or warns where nothing does.
 /// Where bones said what hair is, they may move only some of it.
-void take_rest(const SourceModel& source, const HairCandidates& candidates, bool is_by_bones, HairChooser& chooser) {
+void take_rest(const SourceModel& source, const HairCandidates& candidates, FoundBy found, HairChooser& chooser) {
   if (!candidates.sees_head) return;
-  if (is_by_bones) take_beside_moved(source, candidates, chooser);
-  if (!is_by_bones) take_alike(source, candidates, chooser);
+  if (found == FoundBy::kBones) take_beside_moved(source, candidates, chooser);
+  if (found == FoundBy::kName) take_alike(source, candidates, chooser);
   const double crown = chosen_share(candidates, chooser.so_far(), Feature::kCrown);
   const double face = chosen_share(candidates, chooser.so_far(), Feature::kFace);
   if (crown <= kBare && take_crown(source, candidates, chooser)) return;
-  if (!is_by_bones) ask_about_rest(source, candidates, chooser);
+  if (found == FoundBy::kName) ask_about_rest(source, candidates, chooser);
   if (crown > kBare || is_face_hair(source, chooser.so_far())) return;
   if (face <= crown) return;  // What hangs behind or beside a head may be all: tails, or strips on painted hair.
   chooser.guess("what was found", "it lies on the face and leaves the crown of the head bare", 0.6);
@@ -262,20 +265,25 @@ tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const
   }
   const std::uint32_t head = guess_head_node(source);
   const std::vector<bool> bones = find_hair_bones(source);
+  FoundBy by = FoundBy::kName;
   choose_by_name(source, bones, head, chooser);
-  const bool is_named = chooser.found();
-  if (!is_named) choose_by_bones(source, bones, head, chooser);
-  const bool by_bones = !is_named && chooser.found();
+  if (!chooser.found()) {
+    by = FoundBy::kBones;
+    choose_by_bones(source, bones, head, chooser);
+  }
   const HairCandidates candidates = find_hair_candidates(source, recipe.patch_weld_distance);
   const bool is_character = moves_limbs(source);
-  if (!chooser.found() && !(is_character && knows_better_than_alpha(source, candidates)))
+  if (!chooser.found() && !(is_character && knows_better_than_alpha(source, candidates))) {
+    by = FoundBy::kAlpha;
     choose_by_transparency(source, bones, head, chooser);
+  }
   if (!chooser.found() && is_character) {
     if (!take_likeliest(source, candidates, chooser)) return no_hair_on(source, candidates);
   } else if (chooser.found() && head != importer::kNoIndex) {
-    take_rest(source, candidates, by_bones, chooser);
+    take_rest(source, candidates, by, chooser);
   }
-  if (!chooser.found() && is_bare_body(source, recipe.patch_weld_distance)) return no_hair_in_body(source);
+  const bool is_body = !chooser.found() && is_bare_body(source, recipe.patch_weld_distance);
+  if (is_body && !is_file_called_hair(source)) return no_hair_in_body(source);
   if (!chooser.found()) take_everything(source, head, chooser);
   take_caps(source, chooser);
   take_cores(source, head, chooser);

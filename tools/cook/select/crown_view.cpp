@@ -87,10 +87,11 @@ std::optional<HeadView> view_of_head(const SourceModel& source, std::uint32_t no
   // Its mesh may be the hair.
   const HeadLandmarks marks = find_joint_landmarks(source, node);
   const double forwards = marks.forwards < 0 ? -1.0 : 1.0;
-  if (marks.show_size()) return HeadView{likeliest_head(marks), forwards};
+  const bool shown = marks.forwards != 0;
+  if (marks.show_size()) return HeadView{likeliest_head(marks), forwards, shown};
   const Eigen::AlignedBox3d box = box_at_joint(source, node, weld_distance);
   if (box.isEmpty()) return std::nullopt;
-  return HeadView{{box.center(), box.sizes() / 2}, forwards};
+  return HeadView{{box.center(), box.sizes() / 2}, forwards, shown};
 }
 
 namespace {
@@ -136,7 +137,7 @@ double open_face(const SourceModel& source) {
   const double width = std::min(box.sizes().x(), box.sizes().z());
   const HeadEllipsoid lower{{box.center().x(), box.max().y() - kBelowTop * width, under_top.center.z()},
                             Vector3d::Constant(kRadius * width)};
-  return std::max(widest_opening(source, {under_top, 1}), widest_opening(source, {lower, 1}));
+  return std::max(widest_opening(source, {under_top}), widest_opening(source, {lower}));
 }
 
 Outermost::Outermost() : directions_(directions()), far_(kDirections, 0.0), part_(kDirections, kNoIndex) {}

@@ -15,7 +15,8 @@ namespace coif::cook {
 /// A head as the centre of a view in all directions, in its own radii.
 struct HeadView {
   HeadEllipsoid head;
-  double forwards = 1;  ///< 1: it looks along +Z, -1: along -Z.
+  double forwards = 1;          ///< 1: it looks along +Z, -1: along -Z.
+  bool shows_forwards = false;  ///< Its joints say so.
 
   [[nodiscard]] Eigen::Vector3d in_axes(const Eigen::Vector3f& p) const {
     const Eigen::Vector3d at = (p.cast<double>() - head.center).cwiseQuotient(head.radii);

@@ -1,12 +1,12 @@
 #include "cook/select/hair_candidates.h"
 
 #include "cook/select/crown_view.h"
-#include "cook/select/hair_evidence.h"
-#include "cook/select/mesh_topology.h"
+#include "cook/select/surface_islands.h"
 
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <ranges>
 
 namespace coif::cook {
 namespace {
@@ -24,30 +24,13 @@ constexpr double kOtherCell = 0.4;     ///< How far colours of one palette are t
 constexpr std::size_t kMostIslands = 2000;
 constexpr double kSmallPiece = 0.02;  ///< Share of the crown or the face that a piece of an own covers at least.
 
-/// One island of a mesh: triangles that hang together in its surface and its texture.
-struct SurfaceIsland {
-  std::uint32_t mesh = 0;
-  std::uint32_t piece = 0;  ///< Pieces hang together in the surface alone.
-  PieceEvidence evidence;
-  Eigen::AlignedBox3d box;
-  double area = 0;
-  Eigen::AlignedBox2f cell;  ///< Box in the texture.
-  Vector3f color = Vector3f::Zero();
-  bool has_color = true;
-};
-
 class CandidateFinder {
  public:
-  CandidateFinder(const SourceModel& source, double weld_distance)
-      : source_(source),
-        head_(guess_head_node(source)),
-        view_(view_of_head(source, head_, weld_distance)),
-        bones_(find_hair_bones(source)),
-        weld_(weld_distance) {}
+  CandidateFinder(const SourceModel& source, const SurfaceIslands& surface, const std::optional<HeadView>& view)
+      : source_(source), view_(view), islands_(surface.list), islands_of_(surface.of_mesh), first_(surface.first) {}
 
   HairCandidates find() && {
     has_cells_.assign(source_.meshes.size(), false);
-    for (std::uint32_t m = 0; m < source_.meshes.size(); ++m) add_islands(m);
     look_from_head();
     HairCandidates all;
     all.sees_head = view_.has_value();
@@ -59,39 +42,6 @@ class CandidateFinder {
   }
 
  private:
-  void add_islands(std::uint32_t m) {
-    const SourceMesh& mesh = source_.meshes[m];
-    islands_of_.push_back(find_islands(mesh, weld_));
-    first_.push_back(std::uint32_t(islands_.size()));
-    const MeshPieces& islands = islands_of_.back();
-    const MeshPieces pieces = find_pieces(mesh, weld_);
-    const std::vector<PieceEvidence> evidence = weigh_pieces(source_, mesh, islands, bones_, head_);
-    islands_.resize(islands_.size() + islands.count);
-    for (std::uint32_t i = 0; i < islands.count; ++i) {
-      islands_[first_[m] + i].mesh = m;
-      islands_[first_[m] + i].evidence = evidence[i];
-    }
-    for (std::size_t t = 0; t < islands.piece_of.size(); ++t) {
-      SurfaceIsland& island = islands_[first_[m] + islands.piece_of[t]];
-      island.piece = pieces.piece_of[t];
-      const Vector3f corner[3] = {mesh.positions[mesh.triangles[3 * t]], mesh.positions[mesh.triangles[3 * t + 1]],
-                                  mesh.positions[mesh.triangles[3 * t + 2]]};
-      for (const Vector3f& c : corner) island.box.extend(c.cast<double>());
-      const double area = 0.5 * double((corner[1] - corner[0]).cross(corner[2] - corner[0]).norm());
-      if (view_ && island.evidence.head_share < kOnHead) continue;
-      for (std::size_t k = 0; k < 3 && !mesh.uvs.empty(); ++k) island.cell.extend(mesh.uvs[mesh.triangles[3 * t + k]]);
-      const auto color = color_without_texture(source_, mesh, t);
-      island.has_color = island.has_color && color;
-      if (color) island.color += float(area) * *color;
-      island.area += area;
-    }
-    for (std::uint32_t i = 0; i < islands.count; ++i) {
-      SurfaceIsland& island = islands_[first_[m] + i];
-      island.has_color = island.has_color && island.area > 0;
-      if (island.has_color) island.color /= float(island.area);
-    }
-  }
-
   void look_from_head() {
     coverage_.resize(islands_.size());
     if (!view_) return;
@@ -178,6 +128,12 @@ class CandidateFinder {
     return a.has_color ? (a.color - b.color).norm() < kOneColor : a.cell.intersects(b.cell);
   }
 
+  static std::vector<std::vector<std::uint32_t>> values_of(
+      const std::map<std::uint32_t, std::vector<std::uint32_t>>& groups) {
+    const auto values = groups | std::views::values;
+    return {values.begin(), values.end()};
+  }
+
   /// Groups of islands that look alike; none where that does not tell parts apart.
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> by_color(const std::vector<std::uint32_t>& islands) const {
     DisjointSets sets(islands.size());
@@ -187,26 +143,23 @@ class CandidateFinder {
     std::map<std::uint32_t, std::vector<std::uint32_t>> groups;
     for (std::uint32_t a = 0; a < islands.size(); ++a) groups[sets.find(a)].push_back(islands[a]);
     if (groups.size() < 2 || double(groups.size()) > kMostColors) return {};
-    std::vector<std::vector<std::uint32_t>> result;
-    for (auto& [root, group] : groups) result.push_back(std::move(group));
-    return result;
+    return values_of(groups);
   }
 
   /// Connected pieces that cover something of the head.
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> by_piece(const std::vector<std::uint32_t>& islands) const {
     std::map<std::uint32_t, std::vector<std::uint32_t>> pieces;
     for (const std::uint32_t i : islands) pieces[islands_[i].piece].push_back(i);
-    std::vector<std::vector<std::uint32_t>> groups;
-    for (auto& [piece, group] : pieces) {
+    std::erase_if(pieces, [&](const auto& piece) {
       double covered = 0;
       bool is_moved = false;
-      for (const std::uint32_t i : group) {
+      for (const std::uint32_t i : piece.second) {
         covered += coverage_[i].crown + coverage_[i].face;
         is_moved = is_moved || islands_[i].evidence.hair_bone_share > kMovedByHairBones;
       }
-      if (covered >= kSmallPiece || is_moved) groups.push_back(std::move(group));
-    }
-    return groups;
+      return covered < kSmallPiece && !is_moved;
+    });
+    return values_of(pieces);
   }
 
   /// How far a part's colour is from that of the face; -1 where that is not known.
@@ -277,13 +230,10 @@ class CandidateFinder {
   }
 
   const SourceModel& source_;
-  std::uint32_t head_;
-  std::optional<HeadView> view_;
-  std::vector<bool> bones_;
-  double weld_;
-  std::vector<SurfaceIsland> islands_;
-  std::vector<MeshPieces> islands_of_;       ///< One entry per mesh.
-  std::vector<std::uint32_t> first_;         ///< Per mesh: the number of its island 0.
+  const std::optional<HeadView>& view_;
+  const std::vector<SurfaceIsland>& islands_;
+  const std::vector<MeshPieces>& islands_of_;
+  const std::vector<std::uint32_t>& first_;
   std::vector<Coverage> coverage_;           ///< Per island.
   std::vector<bool> has_cells_;              ///< Per mesh: colours tell its parts apart.
   std::uint32_t face_ = importer::kNoIndex;  ///< The island that is most of the middle of the face.
@@ -292,7 +242,15 @@ class CandidateFinder {
 }  // namespace
 
 HairCandidates find_hair_candidates(const SourceModel& source, double weld_distance) {
-  return CandidateFinder(source, weld_distance).find();
+  const std::uint32_t head = guess_head_node(source);
+  std::optional<HeadView> view = view_of_head(source, head, weld_distance);
+  const SurfaceIslands surface = find_surface_islands(source, head, view.has_value(), weld_distance);
+  HairCandidates found = CandidateFinder(source, surface, view).find();
+  if (!view || view->shows_forwards || found.list.empty()) return found;
+  view->forwards = -view->forwards;  // What covers a face may cover the back of a head that looks the other way.
+  HairCandidates other = CandidateFinder(source, surface, view).find();
+  constexpr double kLead = 0.1;  // Most heads look along +Z.
+  return other.list[0].probability > found.list[0].probability + kLead ? other : found;
 }
 
 }  // namespace coif::cook

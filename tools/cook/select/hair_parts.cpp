@@ -16,7 +16,6 @@ namespace {
 
 using Eigen::Vector3d;
 using importer::SourceMesh, importer::SourceModel;
-using nlohmann::json;
 
 constexpr std::size_t kMostTries = 64;  ///< Triangles of a part that are tried for a point that is on no other.
 constexpr double kReach = 0.1;          ///< Metres: a point that is farther from every part is on none.
@@ -84,22 +83,27 @@ class PartFinder {
   std::vector<Eigen::AlignedBox3d> boxes_;
 };
 
-/// A JSON text; names may have bytes that are no UTF-8.
-std::string quoted(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
+/// ["Hair", "Tail"]; names may have bytes that are no UTF-8.
+std::string list_text(const std::vector<std::string>& names) {
+  std::vector<std::string> quoted;
+  for (const std::string& name : names)
+    quoted.push_back(nlohmann::json(name).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  return fmt::format("[{}]", fmt::join(quoted, ", "));
+}
 
 bool is_whole(const HairChoice& choice, const SourceModel& source, std::size_t m) {
   return std::size_t(std::ranges::count(choice.taken[m], true)) == source.meshes[m].triangles.size() / 3;
 }
 
-/// What is taken by names alone; no names where they would take something else.
-json names_of_whole(const SourceModel& source, const HairChoice& choice) {
+/// What takes it by names alone; empty where they would take something else.
+std::string line_of_names(const SourceModel& source, const HairChoice& choice) {
   std::vector<std::string> meshes, materials;
   const auto add = [](std::vector<std::string>& list, const std::string& name) {
     if (std::ranges::find(list, name) == list.end()) list.push_back(name);
   };
   for (std::size_t m = 0; m < source.meshes.size(); ++m) {
     if (choice.taken[m].empty()) continue;
-    if (!is_whole(choice, source, m) || source.meshes[m].name.empty()) return nullptr;
+    if (!is_whole(choice, source, m) || source.meshes[m].name.empty()) return "";
     add(meshes, source.meshes[m].name);
     add(materials, importer::material_name(source, source.meshes[m]));
   }
@@ -110,8 +114,9 @@ json names_of_whole(const SourceModel& source, const HairChoice& choice) {
     meshes_alone = false;
     if (std::ranges::find(materials, importer::material_name(source, mesh)) != materials.end()) both = false;
   }
-  if (meshes_alone) return {{"meshes", meshes}};
-  return both ? json{{"meshes", meshes}, {"materials", materials}} : json(nullptr);
+  if (meshes_alone) return fmt::format("\"hair\": {{\"meshes\": {}}}", list_text(meshes));
+  if (!both) return "";
+  return fmt::format("\"hair\": {{\"meshes\": {}, \"materials\": {}}}", list_text(meshes), list_text(materials));
 }
 
 }  // namespace
@@ -135,7 +140,7 @@ tl::expected<std::vector<std::size_t>, ToolError> parts_at(const SourceModel& so
 }
 
 std::string recipe_line(const SourceModel& source, const HairChoice& choice, const HairCandidates& candidates) {
-  if (const json names = names_of_whole(source, choice); names.is_object()) return "\"hair\": " + quoted(names);
+  if (std::string line = line_of_names(source, choice); !line.empty()) return line;
   const PartFinder finder(source, candidates);
   std::vector<std::string> points;
   for (std::size_t p = 0; p < candidates.list.size(); ++p) {

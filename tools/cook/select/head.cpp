@@ -21,7 +21,8 @@ std::uint32_t heaviest(const importer::SourceModel& source, const NodeWeights& b
   return best;
 }
 
-/// The node that moves nearly all of the hair by itself, or else the lowest one that carries all of it, itself or below.
+/// The node that moves nearly all of the hair by itself, or else the lowest one that carries all of it, itself or
+/// below.
 std::uint32_t lowest_common_node(const importer::SourceModel& source, const NodeWeights& own,
                                  const NodeWeights& below) {
   constexpr double kNearlyAll = 0.9;

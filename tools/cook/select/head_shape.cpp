@@ -25,8 +25,6 @@ constexpr double kSmallestRadius = 0.001;  ///< Metres: flat hair encloses nothi
 /// Hair that a head may hold at rest: sunk roots, and no more of the picture than a few of them.
 constexpr HairInside kMostInside{0.03, 0.03, 0.005};
 constexpr double kWorthAWord = 1.3;    ///< Times kMostInside: less is what shrinking leaves over.
-constexpr double kLeastOfBoth = 0.87;  ///< Where joints and a mesh tell, thick hair is modelled into the skull.
-constexpr double kMuchInside = 0.25;   ///< Share of the hair that may then be inside without a word.
 constexpr double kLeastOfWhole = 0.7;  ///< A whole head's mesh that has to shrink further was none.
 constexpr double kLeastOfPart = 0.8;   ///< Where joints or a face tell, hair around the skull may be modelled inside.
 constexpr double kLeastOfHair = 0.4;   ///< Hair alone is less certain: strips on one side show little.
@@ -101,14 +99,14 @@ std::optional<HeadEllipsoid> head_behind_beard(const HairMesh& hair, double& for
   return head;
 }
 
-/// Shrinks it, to `least` of its size at the utmost, until hardly any hair is inside. Warns where more than `most` of
-/// the hair still is. Returns the factor.
-double make_room(const HairMesh& hair, double least, double most, FittedHead& head, Findings& findings) {
+/// Shrinks it, to `least` of its size at the utmost, until hardly any hair is inside. Returns the factor.
+double make_room(const HairMesh& hair, double least, FittedHead& head, Findings& findings) {
   const double share = share_with_room(hair, head, kMostInside);
   const double factor = std::clamp(share * 0.999, least, 1.0);
   head.radii *= factor;
   head.radii = head.radii.cwiseMax(kSmallestRadius);
   const HairInside inside = hair_inside(hair, head);
+  const double most = kWorthAWord * kMostInside.area;
   if (inside.area <= most && inside.vertices <= std::max(most, 1.0 / double(hair.positions.size()))) return factor;
   findings.warn(
       "C111",
@@ -194,7 +192,7 @@ FittedHead fit_head(const importer::SourceModel& source, const HairMesh& hair, c
   head.shape = recipe.head_shape;
   const HeadLandmarks landmarks = find_landmarks(source, hair, head_bone);
   head.forwards = landmarks.forwards;
-  double least = 1, most = kWorthAWord * kMostInside.area;
+  double least = 1;
   HeadFit fit;
   if (recipe.head_center && recipe.head_radii) {
     head.center = Vector3d(recipe.head_center->data());
@@ -216,14 +214,10 @@ FittedHead fit_head(const importer::SourceModel& source, const HairMesh& hair, c
     }
     static_cast<HeadEllipsoid&>(head) = fit.fitted;
     least = landmarks.has_whole_mesh() ? kLeastOfWhole : landmarks.show_size() ? kLeastOfPart : kLeastOfHair;
-    if (landmarks.joint && landmarks.mesh) {
-      least = kLeastOfBoth;
-      most = kMuchInside;
-    }
   }
   if (head.shape == HeadShape::kSphere) head.radii.setConstant(head.radii.mean());
   if (!head.declared) {
-    fit.share = make_room(hair, least, most, head, findings);
+    fit.share = make_room(hair, least, head, findings);
     Decision decision{"head",
                       place_text(head),
                       head.origin,

@@ -65,9 +65,8 @@ void say_other_unit(const importer::SourceSpace& space, const std::vector<SizeEv
   judged.doubts.push_back(
       {SizeDoubt::Of::kOtherUnit,
        space.unit == importer::Statement::kUnsaid
-           ? fmt::format("{}; in metres there were {}; taken as {} m per unit, with {}: set \"source.metres_per_unit\" "
-                         "in the recipe "
-                         "if that is wrong",
+           ? fmt::format("{}; one metre would make {}; taken as {} m per unit, which makes {}: set "
+                         "\"source.metres_per_unit\" in the recipe if that is wrong",
                          space.unit_words, before, unit_text(space, factor), after)
            : fmt::format("the file's unit ({}) would make {}; taken as {} m per unit instead, with {}: set "
                          "\"source.metres_per_unit\": {} in the recipe if the file is right",

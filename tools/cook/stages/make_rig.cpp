@@ -88,7 +88,6 @@ class RigMaker {
     AssetContents& contents = made_.contents;
     const auto of_chain = chain_overrides(strips_.hair, made_.rig, findings_);
     said_ = bake_dynamics(source_, skeleton(), recipe_, of_chain, findings_);
-    said_.head_scale = strips_.head.excess();
     const std::vector<bool> tied = find_tied_chains(strips_.hair, made_.rig);
     loosen_tied_chains(skeleton(), tied, recipe_, of_chain, said_, findings_);
     contents.dynamics = said_.records;
