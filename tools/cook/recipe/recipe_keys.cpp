@@ -46,8 +46,7 @@ const RecipeKey kCookKeys[] = {
   {"source", "variant", &R::source_variant, "\"\"", 0, 0, nullptr, "",
    "which look of a glTF with KHR_materials_variants, by its name; empty: the materials that its meshes have", "", false, nullptr, kIsLater},
 
-  {"hair", "meshes", &R::hair_meshes, "[]", 0, 0, nullptr, "",
-   "names of the meshes that are hair; * and ? are wildcards; all empty: whatever is called hair, else everything"},
+  {"hair", "meshes", &R::hair_meshes, "[]", 0, 0, nullptr, "", "names of the meshes that are hair; * and ? are wildcards; all empty: whatever is called hair, else everything"},
   {"hair", "materials", &R::hair_materials, "[]", 0, 0, nullptr, "",
    "names of the materials that are hair; with meshes given too, both must match"},
   {"hair", "bones", &R::hair_bones, "[]", 0, 0, nullptr, "",
