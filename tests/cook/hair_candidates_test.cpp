@@ -96,7 +96,7 @@ TEST(HairCandidates, SeeNoHeadWithoutABone) {
 TEST(HairCandidates, TellTheRecipesLineAndTheReason) {
   const importer::SourceModel model = person("Object_2");
   const HairCandidates found = find_hair_candidates(model, 1.0e-5);
-  EXPECT_EQ(recipe_line(model, found.list[0]), "\"hair\": {\"meshes\": [\"Object_2\"]}");
+  EXPECT_EQ(recipe_line(model, found.list[0], found), "\"hair\": {\"meshes\": [\"Object_2\"]}");
   EXPECT_NE(reason_for(model, found.list[0]).find("of the crown"), std::string::npos);
 }
 

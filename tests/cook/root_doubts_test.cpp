@@ -73,7 +73,7 @@ TEST(RootDoubts, WhatTheRecipeToldIsNotDoubted) {
   two.found[1].belief = -0.9f;
   for (FoundRoot& found : two.found) found.is_told = true;
   EXPECT_DOUBLE_EQ(two.doubts().against_mirror, 0);
-  EXPECT_EQ(decision_of({}, 1, 3).chosen, "the ends that fit best, of 2 of 3 patches");
+  EXPECT_EQ(decision_of({}, 1, 0, 3).chosen, "the ends that fit best, of 2 of 3 patches");
 }
 
 TEST(RootBeliefs, AMirrorImageSaysWhereTheRootIs) {
@@ -85,6 +85,16 @@ TEST(RootBeliefs, AMirrorImageSaysWhereTheRootIs) {
   PatchCompany opposite = two.company;  // its low end is where the image has its high end
   for (auto& of_patch : opposite.mirrored) of_patch[0].agreement = -1;
   EXPECT_LT(settle_beliefs(two.mesh, two.views, votes, opposite, {}, {})[1], -0.3f);
+}
+
+TEST(RootBeliefs, TwinsBelieveTheSame) {
+  TwoSides two;
+  two.company.mirrored.assign(2, {});
+  two.company.twins = {{1, -1.0f}, {0, -1.0f}};  // the low end of one is the high end of the other
+  const std::vector<RootVote> votes = {{-1, 0.3f, 1, 1}, {-1, 0.9f, 1, 1}};
+  const std::vector<float> belief = settle_beliefs(two.mesh, two.views, votes, two.company, {}, {});
+  EXPECT_FLOAT_EQ(belief[0], -belief[1]);
+  EXPECT_GT(belief[1], 0.2f) << "the one that is surer is believed";
 }
 
 TEST(RootEvidence, HeightCountsMoreOnAShell) {
