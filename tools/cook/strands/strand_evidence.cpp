@@ -160,7 +160,7 @@ constexpr double kAround = 0.45;
 constexpr double kRaised = 0.2;  ///< By the head's radius: hair this far off the head may only be thick,
 constexpr double kFree = 0.5;
 constexpr double kBesideAxis = 0.7;  ///< Radii from the head's axis: a layer of hair goes around it out there.
-constexpr double kTied = 3;          ///< A third more of the hair around free: no doubt.
+constexpr double kTied = 4;          ///< A quarter more of the hair around free: no doubt.
 constexpr float kEnd = 0.25f;        ///< Share of the patch at each end that is looked at.
 
 struct End {
@@ -234,7 +234,7 @@ double FreeHair::freedom(const Eigen::Vector3d& point) const {
   return std::clamp((head_.distance(point) / head_.radii.mean() - kRaised) / (kFree - kRaised), 0.0, 1.0);
 }
 
-std::optional<double> FreeHair::beside(std::uint32_t patch, const Eigen::Vector3d& point) const {
+double FreeHair::beside(std::uint32_t patch, const Eigen::Vector3d& point) const {
   const Cell home = cell_of(point.cast<float>(), cell_size_);
   Amount sum;
   for (int n = 0; n < 27; ++n) {
@@ -246,13 +246,7 @@ std::optional<double> FreeHair::beside(std::uint32_t patch, const Eigen::Vector3
       sum.all += amount.all;
     }
   }
-  return sum.all > 0 ? std::optional(sum.free / sum.all) : std::nullopt;
-}
-
-double FreeHair::difference(std::uint32_t patch, const Eigen::Vector3d& freer, const Eigen::Vector3d& tied) const {
-  const std::optional<double> by_freer = beside(patch, freer), by_tied = beside(patch, tied);
-  if (!by_freer && !by_tied) return 0;
-  return by_freer.value_or(freedom(freer)) - by_tied.value_or(freedom(tied));
+  return sum.all > 0 ? sum.free / sum.all : freedom(point);
 }
 
 RootEvidence weigh_ends(const HairMesh& mesh, const PatchView& patch, std::uint32_t number, const StrandAxis& axis,
@@ -279,7 +273,10 @@ RootEvidence weigh_ends(const HairMesh& mesh, const PatchView& patch, std::uint3
   const double says = 1 + kOnSkull * (1 - away);
   evidence.height = float(says * std::clamp((low.height - high.height) / size, -kMostHeight, kMostHeight));
   evidence.taper = limited((low.spread() - high.spread()) / std::max(low.spread() + high.spread(), 1.0e-9));
-  evidence.tied = limited(kTied * around.free_hair.difference(number, high.sum, low.sum));
+  const double freer = around.free_hair.beside(number, high.sum) - around.free_hair.beside(number, low.sum);
+  // Thick hair hides roots that lie off the head: only where an end lies on it is free hair beside it a tail.
+  const double on_head = 1 - around.free_hair.freedom(freer > 0 ? high.sum : low.sum);
+  evidence.tied = limited(kTied * on_head * freer);
   if (axis.texture_axis >= 0) evidence.fade = seen.fade[std::size_t(axis.texture_axis)];
   return evidence;
 }

@@ -7,7 +7,6 @@
 #include <array>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -123,21 +122,17 @@ class FreeHair {
  public:
   FreeHair(const HairMesh& mesh, const std::vector<PatchView>& views, const FittedHead& head);
 
-  /// How much freer the hair of other patches than `patch` is around one point than around another, -1..1; 0 where
-  /// there is none around either. Where there is none around one of them, that point itself counts: a tip that hangs
-  /// alone is no better tied to the head for that.
-  [[nodiscard]] double difference(std::uint32_t patch, const Eigen::Vector3d& freer, const Eigen::Vector3d& tied) const;
+  /// How free the hair of other patches than `patch` is around a point, 0..1; where there is none, how free
+  /// the point is: a tip that hangs alone is no better tied to the head for that.
+  [[nodiscard]] double beside(std::uint32_t patch, const Eigen::Vector3d& point) const;
+  /// How free a point is: 0 on the head .. 1 half a radius away from it.
+  [[nodiscard]] double freedom(const Eigen::Vector3d& point) const;
 
  private:
   struct Amount {
     std::uint32_t patch = 0;
     double free = 0, all = 0;
   };
-  /// 0 on the head .. 1 half a radius away from it.
-  [[nodiscard]] double freedom(const Eigen::Vector3d& point) const;
-  /// Mean freedom of the hair of other patches around a point; none without such hair.
-  [[nodiscard]] std::optional<double> beside(std::uint32_t patch, const Eigen::Vector3d& point) const;
-
   const FittedHead& head_;
   double cell_size_;
   std::map<std::array<std::int64_t, 3>, std::vector<Amount>> cells_;  ///< One amount for each patch in a cell.
