@@ -87,6 +87,16 @@ TEST(RootBeliefs, AMirrorImageSaysWhereTheRootIs) {
   EXPECT_LT(settle_beliefs(two.mesh, two.views, votes, opposite, {}, {})[1], -0.3f);
 }
 
+TEST(RootBeliefs, TwinsBelieveTheSame) {
+  TwoSides two;
+  two.company.mirrored.assign(2, {});
+  two.company.twins = {{1, -1.0f}, {0, -1.0f}};  // the low end of one is the high end of the other
+  const std::vector<RootVote> votes = {{-1, 0.3f, 1, 1}, {-1, 0.9f, 1, 1}};
+  const std::vector<float> belief = settle_beliefs(two.mesh, two.views, votes, two.company, {}, {});
+  EXPECT_FLOAT_EQ(belief[0], -belief[1]);
+  EXPECT_GT(belief[1], 0.2f) << "the one that is surer is believed";
+}
+
 TEST(RootEvidence, HeightCountsMoreOnAShell) {
   RootEvidence evidence;
   evidence.height = 1;

@@ -129,6 +129,54 @@ TEST(StrandDirection, StrandsThatAreCombedOverTheHeadToATailEndThere) {
   EXPECT_LT(field.tangent[of_comb + 12].y(), -0.9f);
 }
 
+TEST(StrandDirection, ALockThatHangsAloneHasItsRootWhereItMeetsOtherHair) {
+  // From thick hair above the forehead down in front of the face, everywhere equally far from the head.
+  importer::SourceMesh hair =
+      make_strip({.root = {0.02f, 1.7f, 0.15f}, .along = {0, -0.2f, 0}, .across = {0.03f, 0, 0}, .rows = 12});
+  const std::size_t of_lock = hair.positions.size();
+  append_piece(hair, make_strip({.root = {0, 1.72f, -0.1f}, .along = {0, 0, 0.25f}, .rows = 12}), 0);
+  hair.uvs.clear();
+  const StrandField field = strands_of(hair_from(hair));
+  for (std::size_t v = 0; v < of_lock; ++v) EXPECT_LT(field.tangent[v].y(), -0.9f);
+}
+
+TEST(StrandDirection, TwinsRunAlikeWhateverTheirTexturesShow) {
+  // As wide as long, on both sides of the head; the images show lines down on one of them, weaker ones across on the
+  // other.
+  const StripDesc left{.root = {0.1f, 1.6f, 0}, .along = {0, -0.1f, 0}, .across = {0, 0, 0.1f}};
+  importer::SourceMesh pair = make_strip(left);
+  const std::size_t of_one = pair.positions.size();
+  importer::SourceMesh image = make_strip(left);
+  for (Eigen::Vector3f& p : image.positions) p.x() = -p.x();
+  append_piece(pair, image, 0);
+  StrandSettings settings;
+  settings.seen = {{.lines = -0.6f}, {.lines = 0.9f}};
+  const StrandField field = strands_of(hair_from(pair), settings);
+  for (std::size_t v = 0; v < 2 * of_one; ++v) EXPECT_LT(field.tangent[v].y(), -0.9f) << "vertex " << v;
+}
+
+TEST(StrandNeighbours, APatchThatTouchesOthersWithItsRimOnlyIsLittleInfluenced) {
+  importer::SourceMesh strips = make_strip({.rows = 24});
+  const StripDesc below{.root = {0.06f, 1.32f, -0.1f}, .rows = 24};
+  append_piece(strips, make_strip(below), 0);
+  const HairStrips hair = patched(hair_from(strips), Connectivity::kIndex);
+  const std::vector<Eigen::Vector3f> down(hair.mesh.positions.size(), {0, -1, 0});
+  const auto beside = find_neighbours(hair.mesh, hair.views(), down, 0.015, {});
+  ASSERT_EQ(beside[0].size(), 1u);
+  EXPECT_GT(beside[0][0].agreement, 0.0f);
+  EXPECT_LT(beside[0][0].agreement, 0.2f);
+}
+
+TEST(StrandTwins, AreExactMirrorImages) {
+  const auto at = [](float x) { return make_strip({.root = {x, 1.6f, 0}, .across = {0, 0, 0.05f}}); };
+  importer::SourceMesh strips = at(0.1f);
+  append_piece(strips, at(-0.08f), 0);
+  append_piece(strips, make_strip({}), 0);  // on the middle: its own image
+  append_piece(strips, at(-0.1005f), 0);
+  const HairStrips hair = patched(hair_from(strips), Connectivity::kIndex);
+  EXPECT_EQ(find_twins(hair.mesh, hair.views(), 0, 0.003f), (std::vector<std::uint32_t>{3, 1, 2, 0}));
+}
+
 TEST(StrandDirection, TipsArePaintedThinner) {
   // Lies level beside the head: nothing else tells its ends apart.
   const HairMesh mesh =

@@ -89,7 +89,7 @@ std::vector<float> settle_beliefs(const HairMesh& mesh, const std::vector<PatchV
                                   std::span<const RootVote> votes, const PatchCompany& company,
                                   const RootWeights& weights, const std::stop_token& stop) {
   TextureConsensus texture(mesh, views, votes, weights);
-  std::vector<float> belief(votes.size()), next(votes.size());
+  std::vector<float> belief(votes.size()), odds(votes.size());
   for (std::size_t p = 0; p < votes.size(); ++p) belief[p] = std::tanh(votes[p].evidence);
   for (int round = 0; round < kBeliefRounds; ++round) {
     platform::throw_if_stopped(stop);
@@ -98,9 +98,12 @@ std::vector<float> settle_beliefs(const HairMesh& mesh, const std::vector<PatchV
       float sum = votes[p].evidence + texture.about(p, belief[p]);
       for (const Neighbour& other : company.beside[p]) sum += weights.neighbour * other.agreement * belief[other.patch];
       for (const Neighbour& other : company.mirrored[p]) sum += weights.mirror * other.agreement * belief[other.patch];
-      next[p] = std::tanh(sum);
+      odds[p] = sum;
     }
-    belief.swap(next);
+    for (std::uint32_t p = 0; p < votes.size(); ++p) {
+      const Neighbour twin = company.twins.empty() ? Neighbour{p, 1} : company.twins[p];
+      belief[p] = std::tanh((odds[p] + twin.agreement * odds[twin.patch]) / (1 + std::abs(twin.agreement)));
+    }
   }
   return belief;
 }

@@ -216,31 +216,6 @@ Vector3f gradient(const HairMesh& mesh, std::size_t t, std::span<const float> co
   return (e2.cross(normal) * d1 + normal.cross(e1) * d2) / square;
 }
 
-float mirror_agreement(const HairMesh& mesh, const PatchView& patch, const StrandAxis& axis, float middle,
-                       float reach) {
-  constexpr std::size_t kMost = 256;
-  std::vector<float> coordinate(mesh.positions.size(), 0.0f);
-  for (std::size_t i = 0; i < patch.vertices.size(); ++i) coordinate[patch.vertices[i]] = axis.coordinate[i];
-  std::vector<std::array<Vector3f, 2>> samples;  // middles and directions
-  const std::size_t step = std::max<std::size_t>(1, patch.triangles.size() / kMost);
-  for (std::size_t i = 0; i < patch.triangles.size(); i += step) {
-    const std::size_t t = patch.triangles[i];
-    const Vector3f along = gradient(mesh, t, coordinate);
-    if (!(along.norm() > 0)) continue;
-    const Vector3f sum = mesh.positions[mesh.triangles[t]] + mesh.positions[mesh.triangles[t + 1]] +
-                         mesh.positions[mesh.triangles[t + 2]];
-    samples.push_back({sum / 3, along.normalized()});
-  }
-  float agreement = 0;
-  for (const auto& [place, along] : samples) {
-    const Vector3f image(2 * middle - place.x(), place.y(), place.z());
-    const auto distance = [&](const auto& other) { return (other[0] - image).squaredNorm(); };
-    const auto& nearest = *std::ranges::min_element(samples, {}, distance);
-    if (distance(nearest) < reach * reach) agreement += nearest[1].dot(Vector3f(-along.x(), along.y(), along.z()));
-  }
-  return samples.empty() ? 0 : agreement / float(samples.size());
-}
-
 StrandAxis strand_axis(const HairStrips& hair, const PatchView& patch, int texture_axis) {
   StrandAxis axis;
   axis.texture_axis = texture_axis;

@@ -17,23 +17,13 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kSure = 0.5f;       ///< For RootEvidence::sum(): half a radius nearer, or a bone.
-constexpr float kClearEnds = 3.0f;  ///< More evidence at the ends adds nothing for the axis.
-constexpr float kPainted = 0.1f;    ///< Ends whose colours differ by this much were painted as root and tip.
+constexpr float kSure = 0.5f;     ///< For RootEvidence::sum(): half a radius nearer, or a bone.
+constexpr float kPainted = 0.1f;  ///< Ends whose colours differ by this much were painted as root and tip.
 /// Share of the head's radius: patches that are nearer than this are neighbours.
 constexpr double kBeside = 0.15;
-constexpr double kMirrored = 0.08;      ///< Patches nearer than this to a mirror image are it.
-constexpr double kMirroredShell = 0.2;  ///< As kMirrored, on a shell, whose triangles are large.
-constexpr float kUnsure = 0.2f;         ///< Beliefs below this are reported.
-
-struct PatchStrands {
-  float preference = 0;  ///< texture_preference().
-  SeenStrands seen;
-  float area = 0;
-  StrandAxis axis;
-  RootEvidence evidence;
-  float mirrored = 0;  ///< mirror_agreement() of a shell along its axis.
-};
+constexpr double kMirrored = 0.08;  ///< Patches nearer than this to a mirror image are it.
+constexpr double kTwin = 0.03;      ///< As kMirrored, of each vertex of twins.
+constexpr float kUnsure = 0.2f;     ///< Beliefs below this are reported.
 
 /// The recipe's root of a patch.
 struct DeclaredRoot {
@@ -67,48 +57,6 @@ int common_texture_axis(std::span<const PatchStrands> patches) {
     if (std::abs(patch.preference) > kLonger) sum += patch.area * (patch.preference > 0 ? 1.0f : -1.0f);
   }
   return sum >= 0 ? 1 : 0;
-}
-
-/// Along what the strands may run: the axes of the texture, or, where it says nothing, a walk over the surface; on a
-/// shell also down from its top.
-std::vector<StrandAxis> possible_axes(const HairStrips& hair, const PatchView& view, bool is_textured, bool is_shell) {
-  std::vector<StrandAxis> axes;
-  if (is_textured) {
-    for (const int candidate : {0, 1}) axes.push_back(strand_axis(hair, view, candidate));
-  } else {
-    axes.push_back(strand_axis(hair, view, -1));
-  }
-  if (is_shell) axes.push_back(falling_axis(hair, view));
-  return axes;
-}
-
-/// Along what the strands run: the axis the patch is longer along, along which the images have lines, whose ends differ
-/// more as roots and tips do, which the other patches have, and which is the same on both sides of the head; no texture
-/// axis where texture coordinates say nothing. Fills axis and evidence.
-void choose_axis(const HairStrips& hair, const PatchView& view, std::uint32_t number, const Surroundings& around,
-                 int common, PatchStrands& patch) {
-  const RootWeights& weights = around.weights;
-  const bool shell = is_shell(hair.mesh, view, around.head);
-  const auto reach = float(kMirroredShell * around.head.radii.mean());
-  const bool is_textured = patch.preference != 0;
-  float best = -10;
-  for (StrandAxis& axis : possible_axes(hair, view, is_textured, shell)) {
-    const int of_texture = axis.texture_axis;
-    RootEvidence evidence = weigh_ends(hair.mesh, view, number, axis, patch.seen, around);
-    evidence.of_shell = shell;
-    const float side = of_texture < 0 ? 0.0f : of_texture == 1 ? 1.0f : -1.0f;
-    float score = side * (weights.longer * patch.preference + weights.lines * patch.seen.lines) +
-                  weights.ends * std::min(std::abs(evidence.of_axis(weights)), kClearEnds) +
-                  (of_texture == common ? weights.common_axis : 0.0f);
-    const float mirrored = shell ? mirror_agreement(hair.mesh, view, axis, float(around.head.center.x()), reach) : 0.0f;
-    score += weights.mirrored_axis * mirrored;
-    if (is_textured && of_texture < 0) score -= weights.unwrapped;
-    if (score <= best) continue;
-    best = score;
-    patch.axis = std::move(axis);
-    patch.evidence = evidence;
-    patch.mirrored = mirrored;
-  }
 }
 
 /// The overall direction of the strands: from the middle of the patch's first half to that of its second.
@@ -177,26 +125,34 @@ StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head
   std::vector<PatchStrands> strands(views.size());
   parallel_for(views.size(), settings.threads, [&](std::size_t p) {
     strands[p].area = total_area(mesh, views[p]);
+    strands[p].twin = {std::uint32_t(p), 1};
     strands[p].preference = settings.trust_texture ? texture_preference(mesh, views[p]) : 0;
     if (!settings.seen.empty()) strands[p].seen = settings.seen[p];
   });
   const int common = common_texture_axis(strands);
   const FreeHair free_hair(mesh, views, head);
   const Surroundings around{head, free_hair, settings.depth_of_node, settings.weights};
+  const double size = head.radii.mean();
+  const auto middle = float(head.center.x());
+  const std::vector<std::uint32_t> twins = find_twins(mesh, views, middle, float(kTwin * size));
+  const auto is_told = [&](std::size_t p) { return declared[p].texture_axis >= 0 && strands[p].preference != 0; };
+  const auto seeking = [&](std::uint32_t p) { return Seeking{views[p], p, strands[p]}; };
   parallel_for(views.size(), settings.threads, [&](std::size_t p) {
-    if (declared[p].texture_axis >= 0 && strands[p].preference != 0) {
+    const std::uint32_t twin = twins[p];
+    if (is_told(p)) {
       strands[p].axis = strand_axis(hair, views[p], declared[p].texture_axis);
-    } else {
-      choose_axis(hair, views[p], std::uint32_t(p), around, common, strands[p]);
+    } else if (twin == p || is_told(twin)) {
+      choose_axis(hair, seeking(std::uint32_t(p)), around, common);
+    } else if (p < twin) {
+      choose_axes(hair, seeking(std::uint32_t(p)), seeking(twin), around, common);
     }
   });
   parallel_for(views.size(), settings.threads,
                [&](std::size_t p) { write_patch(mesh, views[p], strands[p].axis, field); });
   const std::stop_token& stop = settings.threads.stop;
-  const double size = head.radii.mean();
-  const PatchCompany company{
-      find_neighbours(mesh, views, field.tangent, kBeside * size, stop),
-      find_mirror_images(mesh, views, field.tangent, float(head.center.x()), kMirrored * size, stop)};
+  PatchCompany company{find_neighbours(mesh, views, field.tangent, kBeside * size, stop),
+                       find_mirror_images(mesh, views, field.tangent, middle, kMirrored * size, stop)};
+  for (const PatchStrands& patch : strands) company.twins.push_back(patch.twin);
   const std::vector<float> belief =
       settle_beliefs(mesh, views, votes_of(strands, settings.weights), company, settings.weights, stop);
   std::size_t sure = 0;

@@ -93,12 +93,12 @@ struct Meetings {
     total += std::abs(cosine);
   }
 
-  /// `share_counts`: a patch of which only a part met anything says less.
-  std::vector<Neighbour> take(bool share_counts) {
+  /// A patch of which only a part met anything says less.
+  std::vector<Neighbour> take() {
     std::vector<Neighbour> neighbours;
     std::ranges::sort(patches);
     patches.erase(std::ranges::unique(patches).begin(), patches.end());
-    const float share = share_counts ? float(with_any) / float(samples) : 1.0f;
+    const float share = float(with_any) / float(samples);
     for (const std::uint32_t patch : patches) {
       neighbours.push_back({patch, share * sum[patch] / total});
       sum[patch] = 0;
@@ -131,7 +131,7 @@ std::vector<std::vector<Neighbour>> find_beside(const HairMesh& mesh, const std:
     ++met.samples;
     met.with_any += met.patches.size() > before ? 1 : 0;
     if (i + 1 < samples.size() && samples[i + 1].patch == sample.patch) continue;
-    neighbours[sample.patch] = met.take(image.is_mirrored);
+    neighbours[sample.patch] = met.take();
   }
   return neighbours;
 }
@@ -160,7 +160,7 @@ constexpr double kAround = 0.45;
 constexpr double kRaised = 0.2;  ///< By the head's radius: hair this far off the head may only be thick,
 constexpr double kFree = 0.5;
 constexpr double kBesideAxis = 0.7;  ///< Radii from the head's axis: a layer of hair goes around it out there.
-constexpr double kTied = 3;          ///< A third more of the hair around free: no doubt.
+constexpr double kTied = 4;          ///< A quarter more of the hair around free: no doubt.
 constexpr float kEnd = 0.25f;        ///< Share of the patch at each end that is looked at.
 
 struct End {
@@ -216,7 +216,7 @@ bool is_shell(const HairMesh& mesh, const PatchView& patch, const FittedHead& he
 }
 
 FreeHair::FreeHair(const HairMesh& mesh, const std::vector<PatchView>& views, const FittedHead& head)
-    : cell_size_(kAround * head.radii.mean()) {
+    : head_(head), cell_size_(kAround * head.radii.mean()) {
   std::vector<bool> goes_round;  // a bun on top of the head does not: it is near the axis
   for (const PatchView& view : views) goes_round.push_back(is_shell(mesh, view, head, kBesideAxis));
   for (const Sample& sample : take_samples(views)) {
@@ -225,10 +225,13 @@ FreeHair::FreeHair(const HairMesh& mesh, const std::vector<PatchView>& views, co
     std::vector<Amount>& cell = cells_[cell_of(p, cell_size_)];
     if (cell.empty() || cell.back().patch != sample.patch) cell.push_back({sample.patch});
     Amount& amount = cell.back();
-    amount.free +=
-        std::clamp((head.distance(p.cast<double>()) / head.radii.mean() - kRaised) / (kFree - kRaised), 0.0, 1.0);
+    amount.free += freedom(p.cast<double>());
     amount.all += 1;
   }
+}
+
+double FreeHair::freedom(const Eigen::Vector3d& point) const {
+  return std::clamp((head_.distance(point) / head_.radii.mean() - kRaised) / (kFree - kRaised), 0.0, 1.0);
 }
 
 double FreeHair::beside(std::uint32_t patch, const Eigen::Vector3d& point) const {
@@ -243,7 +246,7 @@ double FreeHair::beside(std::uint32_t patch, const Eigen::Vector3d& point) const
       sum.all += amount.all;
     }
   }
-  return sum.all > 0 ? sum.free / sum.all : 0;
+  return sum.all > 0 ? sum.free / sum.all : freedom(point);
 }
 
 RootEvidence weigh_ends(const HairMesh& mesh, const PatchView& patch, std::uint32_t number, const StrandAxis& axis,
@@ -270,8 +273,10 @@ RootEvidence weigh_ends(const HairMesh& mesh, const PatchView& patch, std::uint3
   const double says = 1 + kOnSkull * (1 - away);
   evidence.height = float(says * std::clamp((low.height - high.height) / size, -kMostHeight, kMostHeight));
   evidence.taper = limited((low.spread() - high.spread()) / std::max(low.spread() + high.spread(), 1.0e-9));
-  evidence.tied =
-      limited(kTied * (around.free_hair.beside(number, high.sum) - around.free_hair.beside(number, low.sum)));
+  const double freer = around.free_hair.beside(number, high.sum) - around.free_hair.beside(number, low.sum);
+  // Thick hair hides roots that lie off the head: only where an end lies on it is free hair beside it a tail.
+  const double on_head = 1 - around.free_hair.freedom(freer > 0 ? high.sum : low.sum);
+  evidence.tied = limited(kTied * on_head * freer);
   if (axis.texture_axis >= 0) evidence.fade = seen.fade[std::size_t(axis.texture_axis)];
   return evidence;
 }

@@ -69,10 +69,16 @@ inline constexpr float kLonger = 0.33f;
 /// For hair that is one shell: the distance over the surface from its highest parts.
 [[nodiscard]] StrandAxis falling_axis(const HairStrips& hair, const PatchView& patch);
 
-/// How alike strands along `axis` run on both sides of the plane x = `middle`, of the patch with itself: 1 where all of
-/// it has a mirror image within `reach` that runs as its own does, -1 where all run the other way, 0 without images.
-[[nodiscard]] float mirror_agreement(const HairMesh& mesh, const PatchView& patch, const StrandAxis& axis, float middle,
-                                     float reach);
+/// How alike the strands of two patches run on both sides of the plane x = `middle`: 1 where all of the first has a
+/// mirror image within `reach` metres in the other that runs as its own does, -1 where all run the other way, 0 without
+/// images. A patch that goes around the head may be compared with itself.
+[[nodiscard]] float mirror_agreement(const HairMesh& mesh, const PatchView& patch, const StrandAxis& axis,
+                                     const PatchView& other, const StrandAxis& other_axis, float middle, float reach);
+
+/// For each patch its twin: the one whose vertices are the mirror image of its own in the plane x = `middle`, to
+/// `reach` metres. The patch itself if it has no twin, or is its own image. Twins are each other's.
+[[nodiscard]] std::vector<std::uint32_t> find_twins(const HairMesh& mesh, const std::vector<PatchView>& views,
+                                                    float middle, float reach);
 
 /// The strands of one patch, as images show them.
 struct SeenStrands {
@@ -87,7 +93,8 @@ struct SeenStrands {
 /// A neighbouring patch, and how its strands run relative to this one's.
 struct Neighbour {
   std::uint32_t patch = 0;
-  float agreement = 0;  ///< 1: same direction, -1: opposite; sums over a patch's neighbours to at most 1.
+  float agreement = 0;  ///< 1: same direction, -1: opposite; sums over a patch's neighbours to at most the
+                        ///< share of it that has any: a patch that touches others with its rim only says less.
 };
 
 /// For each patch those whose vertices are within `reach` metres of its own and whose tangents are about parallel or
@@ -98,7 +105,7 @@ struct Neighbour {
                                                                   double reach, const std::stop_token& stop);
 
 /// The same with the patches beside each one's image in the plane x = `middle`: styles are about symmetric, and where a
-/// lock has a mirror image the two run alike. Agreements are scaled by the share of the patch that has such an image.
+/// lock has a mirror image the two run alike.
 [[nodiscard]] std::vector<std::vector<Neighbour>> find_mirror_images(const HairMesh& mesh,
                                                                      const std::vector<PatchView>& views,
                                                                      std::span<const Eigen::Vector3f> tangents,
@@ -115,15 +122,18 @@ class FreeHair {
  public:
   FreeHair(const HairMesh& mesh, const std::vector<PatchView>& views, const FittedHead& head);
 
-  /// How free the hair of other patches than `patch` is around a point: 0 on the head .. 1 half a radius away from it;
-  /// 0 where there is none.
+  /// How free the hair of other patches than `patch` is around a point, 0..1; where there is none, how free
+  /// the point is: a tip that hangs alone is no better tied to the head for that.
   [[nodiscard]] double beside(std::uint32_t patch, const Eigen::Vector3d& point) const;
+  /// How free a point is: 0 on the head .. 1 half a radius away from it.
+  [[nodiscard]] double freedom(const Eigen::Vector3d& point) const;
 
  private:
   struct Amount {
     std::uint32_t patch = 0;
     double free = 0, all = 0;
   };
+  const FittedHead& head_;
   double cell_size_;
   std::map<std::array<std::int64_t, 3>, std::vector<Amount>> cells_;  ///< One amount for each patch in a cell.
 };
@@ -161,6 +171,32 @@ struct Surroundings {
 [[nodiscard]] RootEvidence weigh_ends(const HairMesh& mesh, const PatchView& patch, std::uint32_t number,
                                       const StrandAxis& axis, const SeenStrands& seen, const Surroundings& around);
 
+/// What is known of the strands of one patch.
+struct PatchStrands {
+  float preference = 0;  ///< texture_preference().
+  SeenStrands seen;
+  float area = 0;
+  StrandAxis axis;
+  RootEvidence evidence;
+  float mirrored = 0;  ///< mirror_agreement() of a shell along its axis.
+  Neighbour twin;      ///< Itself, or the patch whose axis was chosen together with its own.
+};
+
+/// A patch whose axis is sought.
+struct Seeking {
+  const PatchView& view;
+  std::uint32_t number;   ///< Among all.
+  PatchStrands& strands;  ///< Without axis.
+};
+
+/// Chooses along what the strands of one patch run, and fills axis and evidence. `common`: the texture axis of most
+/// patches.
+void choose_axis(const HairStrips& hair, const Seeking& patch, const Surroundings& around, int common);
+
+/// The same for twins: the best pair of axes, if possible two that are mirror images of each other. Fills `twin`, too.
+void choose_axes(const HairStrips& hair, const Seeking& one, const Seeking& other, const Surroundings& around,
+                 int common);
+
 /// One patch's vote about its root.
 struct RootVote {
   int texture_axis = -1;  ///< Along which its strands run; -1: none.
@@ -173,12 +209,13 @@ struct RootVote {
 struct PatchCompany {
   std::vector<std::vector<Neighbour>> beside;    ///< find_neighbours()
   std::vector<std::vector<Neighbour>> mirrored;  ///< find_mirror_images()
+  std::vector<Neighbour> twins{};                ///< find_twins(), each with mirror_agreement(); empty: not known.
 };
 
 /// For each patch the belief that its low end is the root, -1 (the high end) .. 1. Its own evidence counts, and what is
 /// believed of the patches beside it, since hair that is combed one way runs one way; of their mirror images, since
-/// styles are about symmetric; of those that show the same part
-/// of the texture, since one picture of strands has one root; and of all, since one artist paints roots on one side.
+/// styles are about symmetric; of those that show the same part of the texture, since one picture of strands has one
+/// root; and of all, since one artist paints roots on one side. Twins share all that is known of either.
 /// Mean-field iteration on that graph: few rounds carry a belief across a head.
 [[nodiscard]] std::vector<float> settle_beliefs(const HairMesh& mesh, const std::vector<PatchView>& views,
                                                 std::span<const RootVote> votes, const PatchCompany& company,
