@@ -23,7 +23,6 @@ constexpr double kMostOfGuess = 0.79;
 constexpr double kOpenFace = 0.06;  ///< Share of the circle around a head that its hair leaves open.
 constexpr double kHairAlone = 0.95, kMaybeHead = 0.4;
 constexpr double kMuchOfCrown = 0.3;
-constexpr double kPerhaps = 0.38;     ///< Probability of a part that is asked about.
 constexpr double kLikely = 0.5;       ///< Probability of what is taken besides the likeliest part.
 constexpr double kMostFace = 0.2;     ///< Share of the face that hair covers beside other hair.
 constexpr double kOtherColor = 0.14;  ///< Distance of colours.
@@ -178,17 +177,6 @@ void take_alike(const SourceModel& source, const HairCandidates& candidates, Hai
                 std::min(first->probability, kMostOfGuess));
 }
 
-/// Asks about the likeliest part that was left, where names spoke of others.
-void ask_about_rest(const SourceModel& source, const HairCandidates& candidates, HairChooser& chooser) {
-  for (const HairCandidate& part : candidates.list) {
-    if (part.share_of(chooser.so_far()) > 0 || part.at(Feature::kCalledOther) > 0 || part.probability < kPerhaps)
-      continue;
-    return chooser.guess("what was found, without " + name_of(source, part),
-                         "that may be hair, too: " + reason_for(source, part),
-                         std::max(1 - part.probability, kAskBelow));
-  }
-}
-
 /// Asks whether what was found is all: takes what covers a crown that it leaves bare, or warns where nothing does.
 /// Where bones said what hair is, they may move only some of it.
 void take_rest(const SourceModel& source, const HairCandidates& candidates, FoundBy found, HairChooser& chooser) {
@@ -198,7 +186,6 @@ void take_rest(const SourceModel& source, const HairCandidates& candidates, Foun
   const double crown = chosen_share(candidates, chooser.so_far(), Feature::kCrown);
   const double face = chosen_share(candidates, chooser.so_far(), Feature::kFace);
   if (crown <= kBare && take_crown(source, candidates, chooser)) return;
-  if (found == FoundBy::kName) ask_about_rest(source, candidates, chooser);
   if (crown > kBare || is_face_hair(source, chooser.so_far())) return;
   if (face <= crown) return;  // What hangs behind or beside a head may be all: tails, or strips on painted hair.
   chooser.guess("what was found", "it lies on the face and leaves the crown of the head bare", 0.6);
