@@ -103,6 +103,9 @@ void take_cores(const SourceModel& source, std::uint32_t head, HairChooser& choo
   }
 }
 
+/// What said first what hair is.
+enum class FoundBy { kName, kBones, kAlpha };
+
 /// How much of the crown, or of the face, what was chosen covers.
 double chosen_share(const HairCandidates& candidates, const HairChoice& choice, Feature feature) {
   double share = 0;
@@ -139,42 +142,41 @@ bool is_face_hair(const SourceModel& source, const HairChoice& choice) {
   return true;
 }
 
-/// Parts of meshes of which hair bones move others, that cover the crown, too.
-void take_beside_moved(const SourceModel& source, const HairCandidates& candidates, HairChooser& chooser) {
+/// Takes the parts for which `fits` that were not chosen yet, as a guess.
+void take_too(const SourceModel& source, const HairCandidates& candidates, const char* what, const std::string& why,
+              const std::function<bool(const HairCandidate&)>& fits, HairChooser& chooser) {
   const HairCandidate* first = nullptr;
   for (const HairCandidate& part : candidates.list) {
-    const bool is_new = part.share_of(chooser.so_far()) < 0.5 && part.at(Feature::kBesideMoved) > 0;
-    if (!is_new || !is_cover(part)) continue;
+    if (part.share_of(chooser.so_far()) >= 0.5 || !fits(part)) continue;
     if (first == nullptr) first = &part;
-    chooser.take_triangles(part.mesh, part.taken, "it is beside what hair bones move");
+    chooser.take_triangles(part.mesh, part.taken, why);
   }
   if (first == nullptr) return;
-  chooser.guess("what is beside the hair that bones move", reason_for(source, *first),
-                std::min(first->probability, kMostOfGuess));
+  chooser.guess(what, reason_for(source, *first), std::min(first->probability, kMostOfGuess));
 }
 
-/// What said first what hair is.
-enum class FoundBy { kName, kBones, kAlpha };
+/// Parts of meshes of which hair bones move others, that cover the crown, too.
+void take_beside_moved(const SourceModel& source, const HairCandidates& candidates, HairChooser& chooser) {
+  take_too(
+      source, candidates, "what is beside the hair that bones move", "it is beside what hair bones move",
+      [](const HairCandidate& part) { return part.at(Feature::kBesideMoved) > 0 && is_cover(part); }, chooser);
+}
 
 /// Parts of a material that hair has, too, where names spoke of some of them alone.
 void take_alike(const SourceModel& source, const HairCandidates& candidates, HairChooser& chooser) {
-  std::vector<bool> is_of_hair(source.materials.size() + 1, false);
+  std::vector<bool> is_of_hair(source.materials.size() + 1, false);  // The last: no material.
   const auto material = [&](std::uint32_t m) {
     return std::min<std::size_t>(source.meshes[m].material, source.materials.size());
   };
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m)
-    if (!chooser.so_far().taken[m].empty() && material(m) < source.materials.size()) is_of_hair[material(m)] = true;
-  const HairCandidate* first = nullptr;
-  for (const HairCandidate& part : candidates.list) {
-    const bool is_new = part.share_of(chooser.so_far()) < 0.5 && part.at(Feature::kCalledOther) == 0;
-    if (!is_new || !is_of_hair[material(part.mesh)] || part.probability < kLikely) continue;
-    if (part.at(Feature::kFace) > kMostFace || part.at(Feature::kEyeBones) > kMovedByEyes) continue;
-    if (first == nullptr) first = &part;
-    chooser.take_triangles(part.mesh, part.taken, "it has the material of the hair");
-  }
-  if (first == nullptr) return;
-  chooser.guess("what has the material of the hair, too", reason_for(source, *first),
-                std::min(first->probability, kMostOfGuess));
+    if (!chooser.so_far().taken[m].empty()) is_of_hair[material(m)] = true;
+  is_of_hair.back() = false;
+  const auto is_alike = [&](const HairCandidate& part) {
+    return is_of_hair[material(part.mesh)] && part.probability >= kLikely && part.at(Feature::kCalledOther) == 0 &&
+           part.at(Feature::kFace) <= kMostFace && part.at(Feature::kEyeBones) <= kMovedByEyes;
+  };
+  take_too(source, candidates, "what has the material of the hair, too", "it has the material of the hair", is_alike,
+           chooser);
 }
 
 /// Asks whether what was found is all: takes what covers a crown that it leaves bare, or warns where nothing does.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <ranges>
 
 namespace coif::cook {
 namespace {
@@ -130,8 +129,9 @@ class CandidateFinder {
 
   static std::vector<std::vector<std::uint32_t>> values_of(
       const std::map<std::uint32_t, std::vector<std::uint32_t>>& groups) {
-    const auto values = groups | std::views::values;
-    return {values.begin(), values.end()};
+    std::vector<std::vector<std::uint32_t>> values;
+    for (const auto& [key, value] : groups) values.push_back(value);
+    return values;
   }
 
   /// Groups of islands that look alike; none where that does not tell parts apart.

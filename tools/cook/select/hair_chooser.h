@@ -32,7 +32,6 @@ class HairChooser {
   void guess(std::string chosen, std::string reason, double probability, Features features = {}) {
     guesses_.push_back({"hair", std::move(chosen), std::move(reason), probability, "", std::move(features)});
   }
-  void warn(const char* code, std::string text) { findings_.warn(code, std::move(text)); }
 
   /// Reports the guesses, and what was not taken.
   HairChoice finish() &&;
