@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace coif::cook {
 
@@ -103,6 +104,35 @@ std::uint32_t add_node(importer::SourceModel& model, const std::string& name, st
   node.model_from_node.translation() = at;
   model.nodes.push_back(node);
   return std::uint32_t(model.nodes.size() - 1);
+}
+
+importer::SourceModel make_spine() {
+  importer::SourceModel model;
+  add_node(model, "Hips", importer::kNoIndex, {0, 1, 0});
+  add_node(model, "Neck", 0, {0, 1.48, 0});
+  add_node(model, "Head", 1, {0, 1.555, -0.015});
+  add_node(model, "Mesh", 2, {0, 0, 0});
+  return model;
+}
+
+importer::SourceMesh make_shell(double radius, double low, double high, double open) {
+  constexpr std::uint32_t kRows = 12, kColumns = 36;
+  importer::SourceMesh mesh;
+  for (std::uint32_t row = 0; row <= kRows; ++row) {
+    const double y = low + (high - low) * row / kRows, across = std::sqrt(1 - y * y);
+    for (std::uint32_t column = 0; column <= kColumns; ++column) {
+      const double turn = 2 * std::numbers::pi * (open / 2 + (1 - open) * column / kColumns);
+      const Eigen::Vector3d at(across * std::sin(turn), y, across * std::cos(turn));
+      mesh.positions.push_back((Eigen::Vector3d(0, 1.65, 0) + radius * at).cast<float>());
+    }
+  }
+  for (std::uint32_t row = 0; row < kRows; ++row) {
+    for (std::uint32_t column = 0; column < kColumns; ++column) {
+      const std::uint32_t a = row * (kColumns + 1) + column, b = a + kColumns + 1;
+      mesh.triangles.insert(mesh.triangles.end(), {a, a + 1, b, b, a + 1, b + 1});
+    }
+  }
+  return mesh;
 }
 
 importer::SourceModel make_wig() {

@@ -49,6 +49,13 @@ void split_vertices(importer::SourceMesh& mesh);
 std::uint32_t add_node(importer::SourceModel& model, const std::string& name, std::uint32_t parent,
                        const Eigen::Vector3d& at);
 
+/// Nodes alone: Hips, Neck and Head, and below that, number 3, one for a mesh; the head's middle is about (0, 1.65, 0).
+[[nodiscard]] importer::SourceModel make_spine();
+
+/// Part of a ball of `radius` metres around (0, 1.65, 0), from height `low` to `high`, each -1..1 of it; `open`: the
+/// share of the circle that it leaves free at the front.
+[[nodiscard]] importer::SourceMesh make_shell(double radius, double low, double high, double open = 0);
+
 // Strips with textures, for what is measured over texture coordinates.
 
 /// A strip whose texture coordinates fill the rectangle from `low` to `high`.

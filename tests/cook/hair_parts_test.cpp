@@ -8,70 +8,34 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
 namespace coif::cook::hair_parts_test {
 
-using Eigen::Vector3d;
-
 constexpr double kRadius = 0.1;
-const Vector3d kCentre{0, 1.65, 0};
-
-/// A turn around the upright axis, radians, that a shell leaves open at the front.
-enum class Opening { kNone, kFace };
-
-/// Adds a shell around the head's centre from height `low` to `high`, each -1..1, as a piece of its own.
-void add_shell(double radius, double low, double high, Opening opening, importer::SourceMesh& mesh) {
-  constexpr int kRows = 12, kColumns = 36;
-  const double open = opening == Opening::kFace ? 0.25 : 0;
-  const auto first = std::uint32_t(mesh.positions.size());
-  for (int row = 0; row <= kRows; ++row) {
-    const double y = low + (high - low) * row / kRows, across = std::sqrt(1 - y * y);
-    for (int column = 0; column <= kColumns; ++column) {
-      const double turn = 2 * std::numbers::pi * (open / 2 + (1 - open) * column / kColumns);
-      const Vector3d at = kCentre + radius * Vector3d(across * std::sin(turn), y, across * std::cos(turn));
-      mesh.positions.push_back(at.cast<float>());
-    }
-  }
-  for (std::uint32_t row = 0; row < kRows; ++row) {
-    for (std::uint32_t column = 0; column < kColumns; ++column) {
-      const std::uint32_t a = first + row * (kColumns + 1) + column, b = a + kColumns + 1;
-      mesh.triangles.insert(mesh.triangles.end(), {a, a + 1, b, b, a + 1, b + 1});
-    }
-  }
-}
 
 /// A head and a cap of hair in one mesh, on a rig without a word about hair.
 importer::SourceModel merged_person() {
-  importer::SourceModel model;
-  const auto add = [&](const char* name, std::uint32_t parent, const Vector3d& place) {
-    model.nodes.push_back({name, parent, Eigen::Affine3d(Eigen::Translation3d(place))});
-  };
-  add("Hips", importer::kNoIndex, {0, 1, 0});
-  add("Neck", 0, {0, 1.48, 0});
-  add("Head", 1, {0, 1.555, -0.015});
-  add("Mesh", 2, {0, 0, 0});
-  importer::SourceMesh mesh;
+  importer::SourceModel model = make_spine();
+  importer::SourceMesh mesh = make_shell(kRadius, -0.99, 0.99);
   mesh.name = "Mesh";
   mesh.node = 3;
-  add_shell(kRadius, -0.99, 0.99, Opening::kNone, mesh);
-  add_shell(1.1 * kRadius, 0.3, 0.99, Opening::kNone, mesh);
+  append_piece(mesh, make_shell(1.1 * kRadius, 0.3, 0.99), 0);
   model.meshes.push_back(mesh);
   model.path = "person.glb";
   return model;
 }
 
-/// Only shells, on one node without a word.
-importer::SourceModel shells(Opening opening) {
+constexpr double kFace = 0.25;  ///< Share of the circle around a head.
+
+/// Only a shell, on one node without a word.
+importer::SourceModel shell(double open) {
   importer::SourceModel model;
   model.nodes.push_back({"Node", importer::kNoIndex, Eigen::Affine3d::Identity()});
   model.path = "model.glb";
-  importer::SourceMesh mesh;
+  importer::SourceMesh mesh = make_shell(kRadius, -0.7, 0.99, open);
   mesh.name = "Mesh";
-  add_shell(kRadius, -0.7, 0.99, opening, mesh);
   model.meshes.push_back(mesh);
   return model;
 }
@@ -128,21 +92,21 @@ TEST(HairParts, RecipesWithPointsAreReadAndOthersAreRefused) {
 }
 
 TEST(WholeModel, IsHairWhereItLeavesAFaceOpenAndInDoubtWhereItGoesRound) {
-  EXPECT_GT(open_face(shells(Opening::kFace)), 0.15);
-  EXPECT_EQ(open_face(shells(Opening::kNone)), 0);
-  for (const Opening opening : {Opening::kFace, Opening::kNone}) {
+  EXPECT_GT(open_face(shell(kFace)), 0.15);
+  EXPECT_EQ(open_face(shell(0)), 0);
+  for (const double open : {kFace, 0.0}) {
     Findings findings;
-    (void)choose_hair(shells(opening), default_recipe(), findings);
+    (void)choose_hair(shell(open), default_recipe(), findings);
     ASSERT_EQ(findings.decisions.size(), 1u);
     EXPECT_EQ(findings.decisions[0].what, "hair");
     EXPECT_EQ(findings.decisions[0].key, "\"hair\": {\"meshes\": [\"Mesh\"]}");
-    EXPECT_EQ(findings.decisions[0].probability >= kSureEnough, opening == Opening::kFace);
-    EXPECT_EQ(findings.warnings.empty(), opening == Opening::kFace);
+    EXPECT_EQ(findings.decisions[0].probability >= kSureEnough, open > 0);
+    EXPECT_EQ(findings.warnings.empty(), open > 0);
   }
 }
 
 TEST(WholeModel, TheNameOfAFileMakesNoHairOfAHead) {
-  importer::SourceModel model = shells(Opening::kNone);
+  importer::SourceModel model = shell(0);
   model.path = "long_hair.glb";
   Findings findings;
   (void)choose_hair(model, default_recipe(), findings);

@@ -23,8 +23,7 @@ std::string next_step(const CookSummary& summary) {
   const cook::CookReport& report = summary.report;
   if (report.simulated_bones == 0) {
     return "nothing will move; where hair should, name its bones in a recipe ('coif cook SOURCE --list' prints them) "
-           "or "
-           "make \"chains.shortest\" less ('coif cook --print-recipe')";
+           "or make \"chains.shortest\" less ('coif cook --print-recipe')";
   }
   if (report.triangles == 0) return fmt::format("coif simulate {} --motion turn -o turn.csv", summary.output);
   return fmt::format("coif render {} -o picture.png", summary.output);

@@ -14,7 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kCellSize = 0.06;  ///< Share of the head's radius: hair nearer than this moves together.
+constexpr double kLargestUsualHead = 0.12;  ///< Metres, mean of the radii.
+constexpr double kCellSize = 0.06;          ///< Share of the head's radius: hair nearer than this moves together.
 constexpr double kTop = 0.85;       ///< Height of a direction from the head's centre that is neither side nor end.
 constexpr double kDiagonal = 0.41;  ///< Tangent of 22.5 degrees: eight directions around the head.
 /// Share of the head's radius: the width over which one lock's weights blend into the next's.
@@ -134,8 +135,9 @@ std::string describe(const FittedChain& chain) {
                      bones == 1 ? "bone" : "bones");
 }
 
-/// Lengths grow with the heads of cartoons.
-RigRecipe on_large_head(RigRecipe recipe, double scale) {
+/// On a head larger than people have, as cartoons do, lengths grow in proportion.
+RigRecipe on_large_head(RigRecipe recipe, double radius) {
+  const double scale = std::max(1.0, radius / kLargestUsualHead);
   recipe.chain_shortest *= scale;
   recipe.chain_bone_length *= scale;
   return recipe;
@@ -146,7 +148,7 @@ RigRecipe on_large_head(RigRecipe recipe, double scale) {
 HairRig fit_chains(const importer::SourceModel& source, const HairStrips& hair, const FittedHead& head,
                    const Skeleton& rigid, const RigRecipe& declared, Findings& findings, const std::stop_token& stop) {
   const double radius = head.radii.mean();
-  const RigRecipe recipe = on_large_head(declared, head.excess());
+  const RigRecipe recipe = on_large_head(declared, radius);
   const std::vector<bool> movable = movable_triangles(source, hair, recipe);
   const std::vector<bool> is_rigid = rigid_vertices(hair, movable);
   HairCells cells = make_hair_cells(hair, movable, head.center, kCellSize * radius, stop);

@@ -21,8 +21,9 @@ constexpr double kBare = 0.05;  ///< Share of the crown: hair that covers more m
 /// What nobody called hair is never surer than this, so that the cook warns of it.
 constexpr double kMostOfGuess = 0.79;
 constexpr double kOpenFace = 0.06;  ///< Share of the circle around a head that its hair leaves open.
+/// That all of a model without names is hair, which leaves a face open, or goes all round. By hand.
 constexpr double kHairAlone = 0.95, kMaybeHead = 0.4;
-constexpr double kMuchOfCrown = 0.3;
+constexpr double kMuchOfCrown = 0.3;  ///< Share of it from which on opaque hair goes before what is transparent.
 constexpr double kLikely = 0.5;       ///< Probability of what is taken besides the likeliest part.
 constexpr double kMostFace = 0.2;     ///< Share of the face that hair covers beside other hair.
 constexpr double kOtherColor = 0.14;  ///< Distance of colours.
@@ -48,7 +49,7 @@ tl::expected<void, ToolError> choose_by_recipe(const SourceModel& source, const 
                                                HairChooser& chooser) {
   choose_by_names_of_recipe(source, recipe, chooser);
   if (recipe.hair_parts.empty()) return {};
-  const HairCandidates candidates = find_hair_candidates(source, recipe.patch_weld_distance);
+  const HairCandidates& candidates = chooser.candidates();
   const auto parts = parts_at(source, candidates, recipe.hair_parts);
   if (!parts) return tl::unexpected(parts.error());
   for (const std::size_t part : *parts)
@@ -118,9 +119,9 @@ bool is_cover(const HairCandidate& part) {
 }
 
 /// Takes what covers the crown, too, where what was found leaves it bare.
-bool take_crown(const SourceModel& source, const HairCandidates& candidates, HairChooser& chooser) {
+bool take_crown(const SourceModel& source, HairChooser& chooser) {
   std::vector<const HairCandidate*> cover;
-  for (const HairCandidate& part : candidates.list)
+  for (const HairCandidate& part : chooser.candidates().list)
     if (is_cover(part)) cover.push_back(&part);
   if (cover.empty()) return false;
   chooser.guess(name_of(source, *cover[0]),
@@ -143,10 +144,10 @@ bool is_face_hair(const SourceModel& source, const HairChoice& choice) {
 }
 
 /// Takes the parts for which `fits` that were not chosen yet, as a guess.
-void take_too(const SourceModel& source, const HairCandidates& candidates, const char* what, const std::string& why,
+void take_too(const SourceModel& source, const char* what, const std::string& why,
               const std::function<bool(const HairCandidate&)>& fits, HairChooser& chooser) {
   const HairCandidate* first = nullptr;
-  for (const HairCandidate& part : candidates.list) {
+  for (const HairCandidate& part : chooser.candidates().list) {
     if (part.share_of(chooser.so_far()) >= 0.5 || !fits(part)) continue;
     if (first == nullptr) first = &part;
     chooser.take_triangles(part.mesh, part.taken, why);
@@ -156,14 +157,14 @@ void take_too(const SourceModel& source, const HairCandidates& candidates, const
 }
 
 /// Parts of meshes of which hair bones move others, that cover the crown, too.
-void take_beside_moved(const SourceModel& source, const HairCandidates& candidates, HairChooser& chooser) {
+void take_beside_moved(const SourceModel& source, HairChooser& chooser) {
   take_too(
-      source, candidates, "what is beside the hair that bones move", "it is beside what hair bones move",
+      source, "what is beside the hair that bones move", "it is beside what hair bones move",
       [](const HairCandidate& part) { return part.at(Feature::kBesideMoved) > 0 && is_cover(part); }, chooser);
 }
 
 /// Parts of a material that hair has, too, where names spoke of some of them alone.
-void take_alike(const SourceModel& source, const HairCandidates& candidates, HairChooser& chooser) {
+void take_alike(const SourceModel& source, HairChooser& chooser) {
   std::vector<bool> is_of_hair(source.materials.size() + 1, false);  // The last: no material.
   const auto material = [&](std::uint32_t m) {
     return std::min<std::size_t>(source.meshes[m].material, source.materials.size());
@@ -175,19 +176,19 @@ void take_alike(const SourceModel& source, const HairCandidates& candidates, Hai
     return is_of_hair[material(part.mesh)] && part.probability >= kLikely && part.at(Feature::kCalledOther) == 0 &&
            part.at(Feature::kFace) <= kMostFace && part.at(Feature::kEyeBones) <= kMovedByEyes;
   };
-  take_too(source, candidates, "what has the material of the hair, too", "it has the material of the hair", is_alike,
-           chooser);
+  take_too(source, "what has the material of the hair, too", "it has the material of the hair", is_alike, chooser);
 }
 
 /// Asks whether what was found is all: takes what covers a crown that it leaves bare, or warns where nothing does.
 /// Where bones said what hair is, they may move only some of it.
-void take_rest(const SourceModel& source, const HairCandidates& candidates, FoundBy found, HairChooser& chooser) {
+void take_rest(const SourceModel& source, FoundBy found, HairChooser& chooser) {
+  const HairCandidates& candidates = chooser.candidates();
   if (!candidates.sees_head) return;
-  if (found == FoundBy::kBones) take_beside_moved(source, candidates, chooser);
-  if (found == FoundBy::kName) take_alike(source, candidates, chooser);
+  if (found == FoundBy::kBones) take_beside_moved(source, chooser);
+  if (found == FoundBy::kName) take_alike(source, chooser);
   const double crown = chosen_share(candidates, chooser.so_far(), Feature::kCrown);
   const double face = chosen_share(candidates, chooser.so_far(), Feature::kFace);
-  if (crown <= kBare && take_crown(source, candidates, chooser)) return;
+  if (crown <= kBare && take_crown(source, chooser)) return;
   if (crown > kBare || is_face_hair(source, chooser.so_far())) return;
   if (face <= crown) return;  // What hangs behind or beside a head may be all: tails, or strips on painted hair.
   chooser.guess("what was found", "it lies on the face and leaves the crown of the head bare", 0.6);
@@ -200,7 +201,8 @@ bool is_told_apart(const HairCandidate& part) {
 
 /// Takes the likeliest part, and what is as likely, of a character on which nothing is called hair; false where no part
 /// is likely enough.
-bool take_likeliest(const SourceModel& source, const HairCandidates& candidates, HairChooser& chooser) {
+bool take_likeliest(const SourceModel& source, HairChooser& chooser) {
+  const HairCandidates& candidates = chooser.candidates();
   if (!candidates.sees_head) return false;
   const auto likely = std::ranges::find_if(candidates.list, [](const HairCandidate& part) {
     return part.probability >= kLikely && part.at(Feature::kCrown) > kBare && is_told_apart(part);
@@ -260,16 +262,15 @@ tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const
     by = FoundBy::kBones;
     choose_by_bones(source, bones, head, chooser);
   }
-  const HairCandidates candidates = find_hair_candidates(source, recipe.patch_weld_distance);
   const bool is_character = moves_limbs(source);
-  if (!chooser.found() && !(is_character && knows_better_than_alpha(source, candidates))) {
+  if (!chooser.found() && !(is_character && knows_better_than_alpha(source, chooser.candidates()))) {
     by = FoundBy::kAlpha;
     choose_by_transparency(source, bones, head, chooser);
   }
   if (!chooser.found() && is_character) {
-    if (!take_likeliest(source, candidates, chooser)) return no_hair_on(source, candidates);
+    if (!take_likeliest(source, chooser)) return no_hair_on(source, chooser.candidates());
   } else if (chooser.found() && head != importer::kNoIndex) {
-    take_rest(source, candidates, by, chooser);
+    take_rest(source, by, chooser);
   }
   const bool is_body = !chooser.found() && is_bare_body(source, recipe.patch_weld_distance);
   if (is_body && !is_file_called_hair(source)) return no_hair_in_body(source);

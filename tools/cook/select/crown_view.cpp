@@ -127,7 +127,6 @@ double widest_opening(const SourceModel& source, const HeadView& view) {
 }  // namespace
 
 double open_face(const SourceModel& source) {
-  constexpr double kBelowTop = 0.65, kRadius = 0.45;  // of the model's width: hair may stand high over a head
   HairMesh all;
   for (const SourceMesh& mesh : source.meshes)
     all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
@@ -135,8 +134,7 @@ double open_face(const SourceModel& source) {
   const HeadEllipsoid under_top = ellipsoid_under_top(all);
   const Eigen::AlignedBox3d box = all.box();
   const double width = std::min(box.sizes().x(), box.sizes().z());
-  const HeadEllipsoid lower{{box.center().x(), box.max().y() - kBelowTop * width, under_top.center.z()},
-                            Vector3d::Constant(kRadius * width)};
+  const HeadEllipsoid lower = ball_below_top(box, width, under_top.center.z());
   return std::max(widest_opening(source, {under_top}), widest_opening(source, {lower}));
 }
 

@@ -1,7 +1,7 @@
 #include "cook/select/hair_candidates.h"
 
 #include "cook/select/crown_view.h"
-#include "cook/select/surface_islands.h"
+#include "cook/select/hair_evidence.h"
 
 #include <algorithm>
 #include <functional>

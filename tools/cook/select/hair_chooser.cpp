@@ -12,6 +12,11 @@ HairChooser::HairChooser(const importer::SourceModel& source, const HairRecipe& 
   choice_.taken.resize(source.meshes.size());
 }
 
+const HairCandidates& HairChooser::candidates() {
+  if (!candidates_) candidates_ = find_hair_candidates(source_, recipe_.patch_weld_distance);
+  return *candidates_;
+}
+
 void HairChooser::take_mesh(std::uint32_t m, const std::string& why) {
   take_triangles(m, std::vector<bool>(source_.meshes[m].triangles.size() / 3, true), why);
 }
@@ -36,7 +41,7 @@ void HairChooser::take_triangles(std::uint32_t m, const std::vector<bool>& taken
 
 HairChoice HairChooser::finish() && {
   for (Decision& guess : guesses_) {
-    guess.key = recipe_line(source_, choice_, find_hair_candidates(source_, recipe_.patch_weld_distance));
+    guess.key = recipe_line(source_, choice_, candidates());
     findings_.decide(std::move(guess));
   }
   for (std::uint32_t m = 0; m < source_.meshes.size(); ++m) {

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,8 @@ class HairChooser {
 
   [[nodiscard]] bool found() const { return found_ > 0; }
   [[nodiscard]] const HairChoice& so_far() const { return choice_; }
+  /// The candidates of the whole model, found when they are first asked for.
+  [[nodiscard]] const HairCandidates& candidates();
 
   void take_mesh(std::uint32_t m, const std::string& why);
   /// Takes the pieces of mesh `m` for which `fits`; `bones` and `head` as for weigh_pieces().
@@ -43,6 +46,7 @@ class HairChooser {
   const HairRecipe& recipe_;
   Findings& findings_;
   HairChoice choice_;
+  std::optional<HairCandidates> candidates_;
   std::vector<Decision> guesses_;
   std::size_t found_ = 0;  ///< Triangles.
 };

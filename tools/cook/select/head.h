@@ -70,6 +70,9 @@ struct HeadSign {
 /// The hair (not empty) lies on the skull at the top: a sphere through its upper part, made as high and deep as heads
 /// are.
 [[nodiscard]] HeadEllipsoid ellipsoid_under_top(const HairMesh& hair);
+/// A ball farther down, for hair that stands high over its head, such as a bun: as far below the top of the hair's box
+/// as heads are in hair of this width, metres. `z` of its centre as given.
+[[nodiscard]] HeadEllipsoid ball_below_top(const Eigen::AlignedBox3d& box, double width, double z);
 
 /// The recipe's head, if declared. Else it is estimated from vertices outside the hair's meshes that follow the head
 /// bone (not if a quarter of the hair is deep inside them, as in a hood), or without those from the hair's upper part;

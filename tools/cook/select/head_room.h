@@ -3,7 +3,6 @@
 #include "cook/select/hair_mesh.h"
 
 #include <Eigen/Core>
-#include <algorithm>
 
 #include <functional>
 #include <stop_token>
@@ -24,9 +23,6 @@ struct HeadEllipsoid {
     const double scaled = scaled_distance(point);
     return scaled > 0 ? (point - center).norm() * (1 - 1 / scaled) : -radii.minCoeff();
   }
-  /// How many times as large as the largest that people have, 12 cm, at least 1: with it grow lengths of hair on the
-  /// heads of cartoons.
-  [[nodiscard]] double excess() const { return std::max(1.0, radii.mean() / 0.12); }
 };
 
 /// The estimate of a head before its hair is looked at, and its uncertainty: standard deviations.

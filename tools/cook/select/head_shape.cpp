@@ -67,6 +67,11 @@ HeadEllipsoid ellipsoid_under_top(const HairMesh& hair) {
   return {center, radius * Vector3d(0.9, 1.1, 1.0)};
 }
 
+HeadEllipsoid ball_below_top(const Box& box, double width, double z) {
+  constexpr double kBelowTop = 0.65, kRadius = 0.45;  // of the width
+  return {{box.center().x(), box.max().y() - kBelowTop * width, z}, Vector3d::Constant(kRadius * width)};
+}
+
 namespace {
 
 /// Hair is combed to one side more often than faces look there.
@@ -144,7 +149,6 @@ struct HeadFit {
 /// The room under the hair's top, or a clearly larger one below, on which a bun or a crest stands, that hair covers
 /// well and closely.
 HeadFit fit_by_hair(const HairMesh& hair, const std::stop_token& stop) {
-  constexpr double kBelowTop = 0.65, kRadius = 0.45;  // of the hair's width
   constexpr double kLarger = 1.28, kNotThatLarge = 5;
   constexpr double kSome = 0.4, kWell = 0.75, kClosely = 0.15;  // of its upper half, and of its radii
   const HeadGuess under_top = guess_by_hair(hair);
@@ -152,8 +156,8 @@ HeadFit fit_by_hair(const HairMesh& hair, const std::stop_token& stop) {
   const Box box = hair.box();
   for (const double width : {box.sizes().x(), box.sizes().z()}) {
     HeadGuess lower = under_top;
-    lower.shape.center = Vector3d(box.center().x(), box.max().y() - kBelowTop * width, under_top.shape.center.z());
-    lower.shape.radii = (kRadius * width * Vector3d(0.9, 1.1, 1.0)).cwiseMax(kSmallestRadius);
+    lower.shape = ball_below_top(box, width, under_top.shape.center.z());
+    lower.shape.radii = lower.shape.radii.cwiseProduct(Vector3d(0.9, 1.1, 1.0)).cwiseMax(kSmallestRadius);
     const HeadEllipsoid fitted = fit_head_room(hair, lower, stop);
     const HairCover other = hair_cover(hair, fitted);
     const double larger = fitted.radii.mean() / best.fitted.radii.mean();

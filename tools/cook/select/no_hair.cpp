@@ -13,8 +13,8 @@ namespace {
 
 using importer::SourceMesh, importer::SourceModel;
 
-constexpr double kProbablyNone = 0.35;
-constexpr std::size_t kHints = 5;  ///< Parts that an error names.
+constexpr double kProbablyNone = 0.35;  ///< Probability of the likeliest part below which there seems to be no hair.
+constexpr std::size_t kHints = 5;       ///< Parts that an error names.
 
 tl::unexpected<ToolError> bad_input(const SourceModel& source, const std::string& what) {
   return tl::unexpected(ToolError{ToolError::Kind::kBadInput, fmt::format("{}: {}", source.path, what)});

@@ -1,4 +1,4 @@
-#include "cook/select/surface_islands.h"
+#include "cook/select/hair_evidence.h"
 
 namespace coif::cook {
 namespace {
