@@ -55,9 +55,10 @@ tl::expected<importer::SourceModel, ToolError> keep_body(importer::SourceModel m
   if (pattern.empty()) {
     cook::Findings unsaid;
     const auto hair = cook::choose_hair(model, recipe, unsaid);
-    if (!hair) return tl::unexpected(hair.error());
-    const bool leaves_body = leaves_something(*hair, model);
-    if (!leaves_body && is_hairs_own) {
+    // A caller who passes it as a body knows that it has no hair; a recipe that names hair is another matter.
+    if (!hair && recipe.names_hair()) return tl::unexpected(hair.error());
+    const bool leaves_body = hair && leaves_something(*hair, model);
+    if (hair && !leaves_body && is_hairs_own) {
       model.meshes.clear();
       return model;
     }

@@ -10,6 +10,7 @@
 #include "cli/options.h"
 #include "cli/source_limits.h"
 #include "cli/verb_options.h"
+#include "render/camera_file.h"
 #include "render/picture.h"
 #include "render/presentation.h"
 
@@ -45,11 +46,14 @@ constexpr Choice<DebugPart> kDebugParts[] = {{"bones", &render::DebugView::bones
                                              {"limits", &render::DebugView::limits},
                                              {"motion", &render::DebugView::motion}};
 
+constexpr const char* kLightSuffix = ".exr";  ///< Of pictures before the tone curve.
+
 struct RenderOptions {
   std::string file;
   std::string output;
   PixelSize size{1024, 768};
   ViewAngles view{30, 5};
+  std::string camera;  ///< Its file; empty: the view.
   Shown shown;
   HeadMotion motion;
   GustOptions gusts;
@@ -99,6 +103,7 @@ std::string result_text(const RenderOptions& options, const render::PictureSetti
                         const render::Picture& picture) {
   const std::size_t triangles = asset.lod_indices(options.picture.lod).size() / 3;
   const std::uint32_t heads = options.picture.heads;
+  const Eigen::Vector3d joint = render::joint_of(asset);
   if (options.format == OutputFormat::kJson) {
     return json_text({{"output", options.output},
                       {"width", picture.width},
@@ -107,7 +112,9 @@ std::string result_text(const RenderOptions& options, const render::PictureSetti
                       {"heads", heads},
                       {"triangles", triangles * heads},
                       {"draw_ms", picture.draw_ms},
-                      {"device", picture.device}});
+                      {"device", picture.device},
+                      {"camera", render::camera_json(picture.camera, joint)},
+                      {"lights", render::lights_json(picture.lights)}});
   }
   const std::uint32_t finer = settings.oversampling;
   return fmt::format("{}: {}x{}, {} with {} of hair each, drawn in {:.1f} ms as {}x{} with {}\n  device: {}\n",
@@ -117,17 +124,31 @@ std::string result_text(const RenderOptions& options, const render::PictureSetti
                      picture.device);
 }
 
+tl::expected<void, ToolError> write_light(const std::string& path, const LinearPicture& light) {
+  const auto bytes = encode_exr(light);
+  if (!bytes) return file_failure(ToolError::Kind::kInternal, path, "it cannot be encoded: {}", bytes.error());
+  return write_output(path, *bytes);
+}
+
 tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Messages& messages) {
-  if (auto png = choose_suffix(options.output, {".png"}); !png) return tl::unexpected(png.error());
+  const auto suffix = choose_suffix(options.output, {".png", kLightSuffix});
+  if (!suffix) return tl::unexpected(suffix.error());
   if (options.gusts.amplitude > 0 && options.picture.solver != &kCoifSolver) {
     return tl::unexpected(ToolError{ToolError::Kind::kUsage, "--gusts: hair feels gusts with --solver coif alone"});
   }
   const auto file = AssetFile::open(options.file);
   if (!file) return tl::unexpected(file.error());
-  if (auto checked = check_output(options.output, {options.file, clip_file(options.motion)}); !checked)
+  if (auto checked = check_output(options.output, {options.file, options.camera, clip_file(options.motion)});
+      !checked)
     return tl::unexpected(checked.error());
 
   render::PictureSettings settings = picture_settings(options);
+  settings.keeps_light = *suffix == kLightSuffix;
+  if (!options.camera.empty()) {
+    const auto camera = render::read_camera(options.camera, render::joint_of(file->asset()));
+    if (!camera) return tl::unexpected(camera.error());
+    settings.camera = *camera;
+  }
   if (options.shading) settings.material = render::shaded_material(file->asset(), *options.shading);
   if (options.motion.clip) {
     auto clip = open_clip(*options.motion.clip, messages);
@@ -157,7 +178,9 @@ tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Mes
                                  options.samples, picture->edge_samples,
                                  settings.oversampling * settings.oversampling * picture->edge_samples));
   }
-  if (auto written = render::write_png(options.output, *picture); !written) return tl::unexpected(written.error());
+  const auto written = *suffix == kLightSuffix ? write_light(options.output, picture->light)
+                                               : render::write_png(options.output, *picture);
+  if (!written) return tl::unexpected(written.error());
   print_result(result_text(options, settings, file->asset(), *picture));
   return Exit::kOk;
 }
@@ -234,9 +257,16 @@ Command add_render(CLI::App& program) {
   CLI::App* app = program.add_subcommand("render", "Draw a picture of an asset, without a window");
   const auto options = std::make_shared<RenderOptions>();
   app->add_option("FILE", options->file, "A cooked asset")->required();
-  app->add_option("-o,--output", options->output, "The picture to write")->required()->type_name("OUT.png");
+  app->add_option("-o,--output", options->output, "The picture to write; an EXR has linear light and coverage")
+      ->required()
+      ->type_name("OUT.png|OUT.exr");
   add_size(*app, options->size);
-  add_view(*app, options->view);
+  CLI::Option* view = add_view(*app, options->view);
+  app->add_option("--camera", options->camera,
+                  "Where the camera stands, as --format json prints it: metres of the source, Y up (default: where all "
+                  "is seen)")
+      ->type_name("CAMERA.json")
+      ->excludes(view);
   add_content_options(*app, *options);
   add_choice<Shown>(
       *app, "--component", options->shown, kShown,

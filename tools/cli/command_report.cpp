@@ -1,5 +1,6 @@
 #include "base/files.h"
 #include "base/json.h"
+#include "cli/body.h"
 #include "cli/command.h"
 #include "cli/input_files.h"
 #include "cli/messages.h"
@@ -11,6 +12,7 @@
 #include "report/cards/cards_report.h"
 #include "report/cost/cost_report.h"
 #include "report/order/order_report.h"
+#include "report/picture/picture_report.h"
 #include "report/page/report_page.h"
 #include "report/shadow/shadow_report.h"
 #include "report/stability/stability_report.h"
@@ -45,6 +47,7 @@ struct ReportJob {
   const std::string& view;    ///< The text of the page that the report links to; empty where there is none.
   const Asset& asset;
   const std::optional<ReportStrands>& strands;  ///< For a report about cards.
+  const report::PictureReportSettings& picture;
 };
 
 /// How a report is printed.
@@ -135,6 +138,10 @@ tl::expected<Rendered, ToolError> report_subject(const ReportJob& job, const rep
                                               return report::measure_cards(job.asset, strands.groom, strands.hash,
                                                                            strands.settings, progress);
                                             });
+    case ReportSubject::kPicture:
+      return report_on<report::PictureReport>(
+          job, {report::picture_text, report::picture_json, report::coif_picture_page},
+          with(report::measure_pictures, job.picture));
     case ReportSubject::kCost:
       return report_on<report::CostReport>(job, {report::cost_text, report::cost_json, report::coif_cost_page},
                                            with(measure_all_cost, cost_choice(job.options)));
@@ -155,7 +162,7 @@ tl::expected<report::AccuracySettings, ToolError> accuracy_settings(const Report
 tl::expected<void, ToolError> check_report_outputs(const ReportOptions& options) {
   const NamedOutput outputs[] = {{"--output", options.output}, {"--view", options.view}};
   std::vector<std::filesystem::path> inputs{options.file, options.page, options.cards.source,
-                                            options.cards.recipe.value_or("")};
+                                            options.cards.recipe.value_or(""), options.picture.body};
   if (options.clip) inputs.push_back(options.clip->file);
   return check_outputs(outputs, inputs);
 }
@@ -179,6 +186,15 @@ tl::expected<std::string, ToolError> linked_page(const ReportOptions& options, c
 
 tl::expected<void, ToolError> write_text(const std::string& path, const std::string& text) {
   return path.empty() ? tl::expected<void, ToolError>{} : write_output(path, std::as_bytes(std::span(text)));
+}
+
+/// None where none was named.
+tl::expected<std::optional<Body>, ToolError> body_of_truth(const ReportOptions& options, const Asset& asset,
+                                                           const Messages& messages) {
+  if (options.picture.body.empty()) return std::nullopt;
+  return read_body({options.picture.body, "", std::nullopt, {}, {}}, asset, messages).map([](Body body) {
+    return std::optional(std::move(body));
+  });
 }
 
 tl::expected<Exit, ToolError> run_report(const ReportOptions& options, const Messages& messages) {
@@ -207,7 +223,12 @@ tl::expected<Exit, ToolError> run_report(const ReportOptions& options, const Mes
   const auto view = linked_page(options, suffix, *file);
   if (!view) return tl::unexpected(view.error());
 
-  const auto rendered = report_subject({options, suffix, *view, file->asset(), strands}, *settings);
+  const auto body = body_of_truth(options, file->asset(), messages);
+  if (!body) return tl::unexpected(body.error());
+  report::PictureReportSettings picture = options.picture.settings;
+  if (*body) picture.body = &(*body)->model;
+  picture.sheets = suffix == kPageSuffix;
+  const auto rendered = report_subject({options, suffix, *view, file->asset(), strands, picture}, *settings);
   if (!rendered) {
     return tl::unexpected(ToolError{rendered.error().kind, options.file + ": " + rendered.error().message});
   }

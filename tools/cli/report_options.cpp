@@ -11,7 +11,8 @@ namespace {
 
 constexpr Choice<ReportSubject> kSubjects[] = {
     {"accuracy", ReportSubject::kAccuracy}, {"stability", ReportSubject::kStability}, {"order", ReportSubject::kOrder},
-    {"shadows", ReportSubject::kShadows},   {"cost", ReportSubject::kCost},           {"cards", ReportSubject::kCards}};
+    {"shadows", ReportSubject::kShadows},   {"cost", ReportSubject::kCost},           {"cards", ReportSubject::kCards},
+    {"picture", ReportSubject::kPicture}};
 
 /// The option may occur several times, each time with one value or several separated by commas.
 CLI::Option* as_list(CLI::Option* option) {
@@ -132,6 +133,21 @@ std::vector<const CLI::Option*> add_cards_options(CLI::App& app, CardsChoice& ca
   return options;
 }
 
+std::vector<const CLI::Option*> add_truth_options(CLI::App& app, PictureChoice& picture) {
+  static const auto choices = [] {
+    std::vector<Choice<std::optional<ShadingModel>>> all;
+    for (const ShadingTraits& model : kShadingModels) all.push_back({model.name, shading_model(model.name)});
+    return all;
+  }();
+  return {app.add_option("--truth", picture.settings.truth,
+                         "The folder of path-traced pictures of the same hair, with their list, truth.json")
+              ->type_name("FOLDER"),
+          app.add_option("--body", picture.body, "The model that hides and shades the hair there")->type_name("SOURCE"),
+          add_choice<std::optional<ShadingModel>>(app, "--shading", picture.settings.shading, choices,
+                                                  "How strands reflect light (default: as cooked)"),
+          app.add_option("--lod", picture.settings.lod, "Level of detail, 0 is the finest")->capture_default_str()};
+}
+
 /// Error (kUsage): one of `only`, which only `subject` takes, was given.
 tl::expected<void, ToolError> refuse(const std::vector<const CLI::Option*>& only, const char* subject) {
   for (const CLI::Option* option : only) {
@@ -160,6 +176,7 @@ void add_report_options(CLI::App& app, ReportOptions& options) {
   options.only.push_back({ReportSubject::kOrder, "order", add_order_options(app, options.order)});
   options.only.push_back({ReportSubject::kShadows, "shadows", add_shadow_options(app, options.shadows)});
   options.only.push_back({ReportSubject::kCards, "cards", add_cards_options(app, options.cards)});
+  options.only.push_back({ReportSubject::kPicture, "picture", add_truth_options(app, options.picture)});
   options.size_option = add_size(app, options.size)
                             ->description("Pixels of a picture (default: cost 512x384, order 160x160, cards 256x256)");
   add_format(app, options.format);
@@ -175,6 +192,9 @@ tl::expected<void, ToolError> check_subject(const ReportOptions& options) {
   }
   if (options.subject == ReportSubject::kCards && options.cards.source.empty()) {
     return usage("cards are compared with strands; name those that the asset was cooked from: --source GROOM");
+  }
+  if (options.subject == ReportSubject::kPicture && options.picture.settings.truth.empty()) {
+    return usage("pictures are compared with true ones; name their folder: --truth FOLDER");
   }
   const bool has_pictures = options.subject == ReportSubject::kCost || options.subject == ReportSubject::kOrder ||
                             options.subject == ReportSubject::kCards;

@@ -9,6 +9,7 @@
 #include "report/cards/measure_cards.h"
 #include "report/cost/measure_cost.h"
 #include "report/order/measure_order.h"
+#include "report/picture/measure_pictures.h"
 #include "report/shadow/measure_shadows.h"
 #include "report/stability/measure_stability.h"
 
@@ -46,7 +47,13 @@ struct CardsChoice {
   SourceLimits limits;
 };
 
-enum class ReportSubject { kAccuracy, kStability, kOrder, kShadows, kCost, kCards };
+enum class ReportSubject { kAccuracy, kStability, kOrder, kShadows, kCost, kCards, kPicture };
+
+/// The settings of `coif report picture`.
+struct PictureChoice {
+  report::PictureReportSettings settings;  ///< Without the body.
+  std::string body;                        ///< Its file; empty: the hair's own head.
+};
 
 /// Options that only one subject takes; owned by the program.
 struct SubjectOptions {
@@ -69,6 +76,7 @@ struct ReportOptions {
   report::OrderSettings order;  ///< Without the size of its pictures, if one was given.
   report::ShadowSettings shadows;
   CardsChoice cards;  ///< Without the size of its pictures, if one was given.
+  PictureChoice picture;
   PixelSize size{512, 384};
   std::vector<SubjectOptions> only;          ///< One for each subject that has options of its own.
   const CLI::Option* size_option = nullptr;  ///< Applies to subjects with pictures.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace coif::render {
@@ -49,14 +50,51 @@ Eigen::Matrix4d perspective(double tan_x, double tan_y, double near, double far)
   return clip;
 }
 
+/// Tangents of half the picture's angles, across and upwards.
+Eigen::Vector2d half_tangents(double fov_degrees, double aspect) {
+  const double tan_short = std::tan(0.5 * radians(fov_degrees));
+  return {tan_short * std::max(aspect, 1.0), tan_short / std::min(aspect, 1.0)};
+}
+
+/// Rows: right, up, back.
+Eigen::Matrix3d axes_of(const CameraPlace& place) {
+  Eigen::Matrix3d axes;
+  axes << place.right.transpose(), place.up.transpose(), place.back.transpose();
+  return axes;
+}
+
+void set_clip(Camera& camera, const Eigen::Vector2d& tangents, double near, double far) {
+  const Eigen::Matrix3d axes = axes_of(camera);
+  Eigen::Matrix4d view_from_world = Eigen::Matrix4d::Identity();
+  view_from_world.topLeftCorner<3, 3>() = axes;
+  view_from_world.topRightCorner<3, 1>() = -(axes * camera.eye);
+  camera.clip_from_world = (perspective(tangents.x(), tangents.y(), near, far) * view_from_world).cast<float>();
+}
+
 }  // namespace
+
+CrowdView view_from(const CameraPlace& place, double aspect, std::span<const Eigen::Vector3d> points) {
+  CrowdView view{{}, {Eigen::Vector3d::Zero()}};
+  static_cast<CameraPlace&>(view.camera) = place;
+  constexpr double kNearest = 0.01;  // metres
+  double near = std::numeric_limits<double>::max(), far = 0;
+  for (const Eigen::Vector3d& point : points) {
+    const double depth = place.back.dot(place.eye - point);
+    near = std::min(near, depth);
+    far = std::max(far, depth);
+  }
+  const double room = 0.5 * std::max(far - near, kNearest);  // bodies reach beyond hair and head
+  near = std::max(near - room, kNearest);
+  set_clip(view.camera, half_tangents(place.fov_degrees, aspect), near, std::max(far + room, 2 * near));
+  return view;
+}
 
 CrowdView frame_crowd(std::span<const Eigen::Vector3d> points, const CameraSettings& settings) {
   CrowdView view;
   Camera& camera = view.camera;
   aim(camera, settings);
-  Eigen::Matrix3d axes;
-  axes << camera.right.transpose(), camera.up.transpose(), camera.back.transpose();
+  camera.fov_degrees = settings.fov_degrees;
+  const Eigen::Matrix3d axes = axes_of(camera);
 
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& point : points) box.extend(Eigen::Vector3d(axes * point));
@@ -68,24 +106,19 @@ CrowdView frame_crowd(std::span<const Eigen::Vector3d> points, const CameraSetti
     view.places.push_back(camera.right * place.x() + camera.up * place.y());
   }
 
-  const double tan_short = std::tan(0.5 * radians(settings.fov_degrees));
-  const double tan_x = tan_short * std::max(settings.aspect, 1.0);
-  const double tan_y = tan_short / std::min(settings.aspect, 1.0);
+  const Eigen::Vector2d tangents = half_tangents(settings.fov_degrees, settings.aspect);
   double distance = 0;
   for (const Eigen::Vector3d& point : points) {
     const Eigen::Vector3d p = axes * point - center;
     distance = std::max(
-        {distance, (std::abs(p.x()) + reach.x()) / tan_x + p.z(), (std::abs(p.y()) + reach.y()) / tan_y + p.z()});
+        {distance, (std::abs(p.x()) + reach.x()) / tangents.x() + p.z(), (std::abs(p.y()) + reach.y()) / tangents.y() + p.z()});
   }
   distance *= settings.margin;
 
   const double depth = box.max().z() - box.min().z() + size.norm();  // swinging hair may leave the box
   const double near = std::max(distance - depth, 0.02 * distance);
   camera.eye = axes.transpose() * (center + Eigen::Vector3d(0, 0, distance));
-  Eigen::Matrix4d view_from_world = Eigen::Matrix4d::Identity();
-  view_from_world.topLeftCorner<3, 3>() = axes;
-  view_from_world.topRightCorner<3, 1>() = -(axes * camera.eye);
-  camera.clip_from_world = (perspective(tan_x, tan_y, near, distance + depth) * view_from_world).cast<float>();
+  set_clip(camera, tangents, near, distance + depth);
   return view;
 }
 

@@ -16,10 +16,15 @@
 
 namespace coif::render {
 
-struct Camera {
-  Eigen::Matrix4f clip_from_world;  ///< Column-major, OpenGL clip space.
+/// Where a camera stands and looks.
+struct CameraPlace {
   Eigen::Vector3d eye;              ///< World, metres.
   Eigen::Vector3d right, up, back;  ///< Unit, world; `back` points from the scene to the eye.
+  double fov_degrees = 30;          ///< Across the shorter side of the picture.
+};
+
+struct Camera : CameraPlace {
+  Eigen::Matrix4f clip_from_world;  ///< Column-major, OpenGL clip space.
 };
 
 struct CameraSettings {
@@ -39,6 +44,10 @@ struct CrowdView {
 /// Places copies of `points` (world, metres, not empty) side by side and moves the camera as near as possible while it
 /// sees all of them.
 [[nodiscard]] CrowdView frame_crowd(std::span<const Eigen::Vector3d> points, const CameraSettings& settings);
+
+/// A camera that stands at `place`, for a picture with this ratio of width to height, with all `points` between its
+/// clipping planes that are before it. One head, at the origin.
+[[nodiscard]] CrowdView view_from(const CameraPlace& place, double aspect, std::span<const Eigen::Vector3d> points);
 
 // How hair is shown: the contents of the frame, and the lights.
 

@@ -46,6 +46,7 @@ tl::expected<void, ToolError> check(const Asset& asset, const PictureSettings& s
   if (!std::isfinite(settings.yaw_degrees) || !std::isfinite(settings.pitch_degrees)) {
     return usage("yaw and pitch of the view are not finite numbers");
   }
+  if (settings.camera && settings.heads != 1) return usage("a camera of your own shows one head");
   if (settings.oversampling < 1 || settings.oversampling > 4) {
     return usage("a picture has 1 to 4 samples of a pixel each way, not " + std::to_string(settings.oversampling));
   }
@@ -134,7 +135,9 @@ tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, const Pictu
   const auto target = OffscreenTarget::create(settings.width * finer, settings.height * finer,
                                               samples_of_driver(settings), OffscreenTarget::Pixels::kRadiance);
   if (!target) return tl::unexpected(target.error());
-  Picture picture{settings.width, settings.height, {}, device.context.device(), 0, target->samples()};
+  Picture picture{settings.width, settings.height,   {},
+                  device.context.device(), 0, target->samples(), scene.view.camera,
+                  lights_of(settings, scene.view.camera), {}};
   for (int frame = settings.warm_up ? 0 : 1; frame < 2; ++frame) {
     glFinish();
     const auto start = std::chrono::steady_clock::now();
@@ -154,6 +157,7 @@ tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, const Pictu
     }
   }
   picture.rgba = develop(radiance, settings.width, settings.height, finer);
+  if (settings.keeps_light) picture.light = light_of(radiance, settings.width, settings.height, finer);
   return picture;
 }
 
@@ -184,9 +188,14 @@ tl::expected<FramedPicture, ToolError> frame_picture(const Asset& asset, const P
   if (settings.bust && settings.mannequin && !settings.colliders) {
     std::ranges::move(bust_outline(asset.colliders(), yaw_of_face(asset) != 0), std::back_inserter(*points));
   }
+  const double aspect = double(settings.width) / settings.height;
+  if (settings.camera) {
+    CrowdView placed = view_from(*settings.camera, aspect, *points);
+    return FramedPicture{std::move(*points), std::move(placed)};
+  }
   const CameraSettings camera{.yaw_degrees = settings.yaw_degrees + yaw_of_face(asset),
                               .pitch_degrees = settings.pitch_degrees,
-                              .aspect = double(settings.width) / settings.height,
+                              .aspect = aspect,
                               .heads = settings.heads,
                               .margin = settings.margin};
   CrowdView view = frame_crowd(*points, camera);

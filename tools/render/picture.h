@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/encodings.h"
+#include "base/linear_picture.h"
 #include "base/tool_error.h"
 #include "import/source_model.h"
 #include "motion/head_path.h"
@@ -18,6 +19,7 @@
 
 #include <tl/expected.hpp>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -42,12 +44,19 @@ namespace coif::render {
 
 // Headless pictures of a cooked asset through EGL and the runtime's own renderer.
 
+/// Light in place of a rig's.
+struct PictureLight {
+  std::vector<Light> lights;       ///< The first casts shadows.
+  std::array<float, 3> sky{};      ///< Radiance from everywhere alike, linear, in place of the material's own.
+};
+
 struct PictureSettings {
   std::uint32_t width = 1024;  ///< Pixels, 16..8192.
   std::uint32_t height = 768;
   double yaw_degrees = 30;   ///< 0: from the front, positive: towards the model's left.
   double pitch_degrees = 5;  ///< Positive: from above.
   double margin = 1.08;      ///< Times the distance from which all is seen, in the motion's first seconds too, 1..10.
+  std::optional<CameraPlace> camera;  ///< Instead of angles and margin, one head.
   std::optional<motion::Motion> motion;          ///< None: the settled pose at rest.
   std::shared_ptr<const motion::HeadPath> clip;  ///< Instead of `motion`, unless null.
   double time = 0;                               ///< Seconds into the motion.
@@ -72,12 +81,15 @@ struct PictureSettings {
   DebugView debug;      ///< Over the hair.
   bool warm_up = true;  ///< Draw once before the timed frame, for work that drivers put off.
   LightRig lights = LightRig::kMeasured;
+  std::optional<PictureLight> light;  ///< Instead of `lights`.
   Backdrop backdrop;
   GroundChoice ground = GroundChoice::kNever;  ///< The shade below opaque things.
   const importer::SourceModel* body =
       nullptr;                 ///< Drawn opaque instead of the collider: the source's meshes that are not hair.
   BodyTextures body_textures;  ///< The body's materials'; empty: clay where there should be one.
   bool bust = false;           ///< A head with a face in place of the largest of them.
+  bool cuts_out_bodies = false;  ///< They hide hair and shade it, but are holes in the picture.
+  bool keeps_light = false;      ///< Also Picture::light.
   bool mannequin = true;       ///< Without `body`: draw the colliders that hair stays out of, as a plain head.
 };
 
@@ -88,6 +100,9 @@ struct Picture {
   std::string device;              ///< GL_RENDERER.
   double draw_ms = 0;              ///< Last frame, glFinish to glFinish.
   std::uint32_t edge_samples = 1;  ///< The driver's number.
+  CameraPlace camera;              ///< Metres from the head's joint.
+  std::vector<Light> lights;
+  LinearPicture light;  ///< Before the tone curve; empty unless PictureSettings::keeps_light.
 };
 
 /// The contents and the frame of a picture.

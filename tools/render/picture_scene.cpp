@@ -21,9 +21,15 @@ std::vector<HairInstance> placed_heads(const PictureScene& scene, const motion::
 
 }  // namespace
 
+std::vector<Light> lights_of(const PictureSettings& settings, const Camera& camera) {
+  if (settings.light) return settings.light->lights;
+  const auto rig = rig_lights(settings.lights, camera);
+  return {rig.begin(), rig.end()};
+}
+
 Status draw_scene(HairRenderer& renderer, const PictureScene& scene, const OffscreenTarget& target,
                   const PictureSettings& settings) {
-  const auto lights = rig_lights(settings.lights, scene.view.camera);
+  const std::vector<Light> lights = lights_of(settings, scene.view.camera);
   DrawDesc desc = studio_desc(scene.view.camera, lights);
   desc.component = settings.component;
   const MaterialRecord* const own = settings.material ? &*settings.material : nullptr;
@@ -34,7 +40,7 @@ Status draw_scene(HairRenderer& renderer, const PictureScene& scene, const Offsc
   const std::vector<HairInstance> heads = placed_heads(scene, scene.pose, settings.lod);
   std::vector<HeadPose> poses;
   for (const HairInstance& head : heads) poses.push_back(head.head);
-  if (scene.shadow != nullptr) {
+  if (scene.shadow != nullptr && !lights.empty()) {
     const ShadowCrowd crowd{&scene.model, heads, desc.material};
     const Status drawn =
         scene.shadow->draw(lights[0], scene.ball, scene.stage, poses, settings.patches ? nullptr : &crowd);
@@ -43,7 +49,13 @@ Status draw_scene(HairRenderer& renderer, const PictureScene& scene, const Offsc
   }
   target.bind();
   scene.stage.draw_backdrop(settings.backdrop);
-  for (const HeadPose& pose : poses) scene.stage.draw_bodies(scene.view.camera, pose, lights, desc.shadow);
+  for (const HeadPose& pose : poses) {
+    if (settings.cuts_out_bodies) {
+      scene.stage.cut_out_bodies(scene.view.camera, pose);
+    } else {
+      scene.stage.draw_bodies(scene.view.camera, pose, lights, desc.shadow);
+    }
+  }
   if (scene.ground != nullptr) {
     for (const Eigen::Vector3d& place : scene.view.places) scene.ground->draw(scene.view.camera, place);
   }

@@ -30,6 +30,9 @@ struct PictureScene {
   const GroundRenderer* ground;    ///< Null: none.
 };
 
+/// The picture's lights, the one that casts shadows first.
+[[nodiscard]] std::vector<Light> lights_of(const PictureSettings& settings, const Camera& camera);
+
 /// Shadows, backdrop, bodies, ground, hair.
 Status draw_scene(HairRenderer& renderer, const PictureScene& scene, const OffscreenTarget& target,
                   const PictureSettings& settings);
@@ -53,6 +56,10 @@ tl::expected<std::vector<Eigen::Vector3d>, ToolError> points_in_motion(const Ass
 /// white are unchanged; above, the brightest channel approaches white without reaching it, and the others keep their
 /// ratio to it, so that highlights keep their hue and their form.
 void apply_tone_curve(std::span<float, 3> radiance);
+
+/// The light of a picture from `oversampling` times as many samples in each direction, in the order of develop().
+[[nodiscard]] LinearPicture light_of(std::span<const float> samples, std::uint32_t width, std::uint32_t height,
+                                     std::uint32_t oversampling);
 
 /// Makes the pixels of a picture from `oversampling` times as many in each direction: RGBA, linear, rows top to bottom,
 /// `width` * `height` blocks of them -> sRGB. The tone curve is applied to each sample first, so that an edge before a

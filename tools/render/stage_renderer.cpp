@@ -199,6 +199,13 @@ void StageRenderer::draw_bodies(const Camera& camera, const HeadPose& head, std:
   draw_meshes();
 }
 
+void StageRenderer::cut_out_bodies(const Camera& camera, const HeadPose& head) const {
+  glEnable(GL_DEPTH_TEST);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  draw_casters(camera.clip_from_world, head);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
 // A framebuffer without colour ignores the shader's output.
 void StageRenderer::draw_casters(const Eigen::Matrix4f& clip_from_world, const HeadPose& head) const {
   set_placement(clip_from_world, head);

@@ -123,6 +123,9 @@ class StageRenderer {
   void draw_bodies(const Camera& camera, const HeadPose& head, std::span<const Light> lights,
                    const HairShadow* shadow = nullptr) const;
 
+  /// Draws their depth alone, so that the hair behind them is hidden, with OpenGL's initial colour mask.
+  void cut_out_bodies(const Camera& camera, const HeadPose& head) const;
+
   /// Draws bodies without colour, for the bound shadow's depth.
   void draw_casters(const Eigen::Matrix4f& clip_from_world, const HeadPose& head) const;
 

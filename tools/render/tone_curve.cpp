@@ -26,6 +26,20 @@ void apply_tone_curve(std::span<float, 3> radiance) {
   for (float& channel : radiance) channel *= shown / most;
 }
 
+LinearPicture light_of(std::span<const float> samples, std::uint32_t width, std::uint32_t height,
+                       std::uint32_t oversampling) {
+  LinearPicture picture{width, height, std::vector<float>(std::size_t{4} * width * height)};
+  const std::size_t row = std::size_t{width} * oversampling;
+  const float share = 1 / float(oversampling * oversampling);
+  for (std::size_t y = 0; y < std::size_t{height} * oversampling; ++y) {
+    for (std::size_t x = 0; x < row; ++x) {
+      float* const pixel = &picture.rgba[4 * (y / oversampling * width + x / oversampling)];
+      for (std::size_t k = 0; k < 4; ++k) pixel[k] += share * std::clamp(samples[4 * (y * row + x) + k], 0.0f, 65504.0f);
+    }
+  }
+  return picture;
+}
+
 std::vector<std::uint8_t> develop(std::span<const float> samples, std::uint32_t width, std::uint32_t height,
                                   std::uint32_t oversampling) {
   std::vector<std::uint8_t> pixels(std::size_t{4} * width * height);
