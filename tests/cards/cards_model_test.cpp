@@ -145,7 +145,9 @@ TEST(CardsModel, SaysWhatIsTooLittle) {
   const auto none = model_of_cards(groom, {1, std::size_t{1} << 18, 1, 0}, 1);
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().message, "a.hair: cards need 2 triangles and 4096 texels at least; allow them more");
-  const auto crowded = model_of_cards(groom, {2400, 4096, 1, 0, 0}, 1);
+  CardsBudget budget{2400, 4096, 1, 0, 0};
+  budget.plan = CardsPlan{Construction::kBent, 1};
+  const auto crowded = model_of_cards(groom, budget, 1);
   ASSERT_FALSE(crowded);
   EXPECT_EQ(crowded.error().message,
             "a.hair: 300 cards do not fit into 4096 texels; allow more texels, or fewer triangles");
