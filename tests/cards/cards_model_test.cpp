@@ -139,6 +139,25 @@ TEST(CardsModel, RepeatsWithAnyNumberOfThreads) {
   EXPECT_EQ(one->images[0].bytes, three->images[0].bytes);
 }
 
+TEST(CardsModel, SaysHowWideItDrawsStrandsWithoutAWidth) {
+  const CardsBudget budget{400, std::size_t{1} << 16, 0, 0};
+  const auto few = model_of_cards(test::groom_of(test::strands_of_a_head(100)), budget, 2),
+             many = model_of_cards(test::groom_of(test::strands_of_a_head(3000)), budget, 2);
+  ASSERT_TRUE(few && many);
+  ASSERT_EQ(few->warnings.size(), 1u);
+  EXPECT_EQ(few->warnings[0].severity, Severity::kWarning);
+  EXPECT_NE(few->warnings[0].message.find("they are too few to cover it"), std::string::npos);
+  ASSERT_EQ(many->warnings.size(), 1u);
+  EXPECT_EQ(many->warnings[0].severity, Severity::kInfo) << many->warnings[0].message;
+  EXPECT_NE(many->warnings[0].message.find("13.9 times as wide as hairs"), std::string::npos)
+      << many->warnings[0].message;
+  CardsBudget given = budget;
+  given.strand_width = 0.001f;
+  const auto told = model_of_cards(test::groom_of(test::strands_of_a_head(100)), given, 2);
+  ASSERT_TRUE(told);
+  EXPECT_TRUE(told->warnings.empty());
+}
+
 TEST(CardsModel, SaysWhatIsTooLittle) {
   groom::Groom groom = test::groom_of(test::strands_of_a_head(300));
   groom.path = "a.hair";

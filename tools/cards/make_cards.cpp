@@ -15,6 +15,7 @@ namespace coif::cards {
 namespace {
 
 constexpr std::size_t kFewestTexels = 4096;  // 64 x 64
+constexpr float kWidestStrand = 0.03f;       // radii of the head: 2.7 mm; wider strands would look like ribbons
 
 std::size_t triangles_of(std::span<const CardStrip> strips) {
   std::size_t sum = 0;
@@ -171,7 +172,10 @@ GroomShape shape_of(const groom::Groom& groom, float strand_width) {
   shape.strands = even_strands(groom, strand_width, shape.is_reversed);
   if (!(shape.strands.width > 0)) {
     const float radius = 0.5f * box_of_roots(shape.strands).sizes().maxCoeff();
-    shape.strands.width = groom::usual_strand_width(radius, shape.strands.count());
+    const float wanted = groom::usual_strand_width(radius, shape.strands.count());
+    shape.strands.width = std::min(wanted, kWidestStrand * radius);
+    shape.width_is_guessed = true;
+    shape.width_is_capped = wanted > shape.strands.width;
   }
   return shape;
 }

@@ -39,6 +39,8 @@ struct CardsBudget {
 struct GroomShape {
   std::vector<std::uint8_t> is_reversed;  ///< One for each strand: it begins with its tip.
   EvenStrands strands;                    ///< With a width.
+  bool width_is_guessed = false;          ///< Neither the groom nor the caller gave it: usual_strand_width(), capped.
+  bool width_is_capped = false;
 };
 
 [[nodiscard]] GroomShape shape_of(const groom::Groom& groom, float strand_width);
