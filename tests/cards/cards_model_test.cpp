@@ -139,13 +139,34 @@ TEST(CardsModel, RepeatsWithAnyNumberOfThreads) {
   EXPECT_EQ(one->images[0].bytes, three->images[0].bytes);
 }
 
+TEST(CardsModel, SaysHowWideItDrawsStrandsWithoutAWidth) {
+  const CardsBudget budget{400, std::size_t{1} << 16, 0, 0};
+  const auto few = model_of_cards(test::groom_of(test::strands_of_a_head(100)), budget, 2),
+             many = model_of_cards(test::groom_of(test::strands_of_a_head(3000)), budget, 2);
+  ASSERT_TRUE(few && many);
+  ASSERT_EQ(few->warnings.size(), 1u);
+  EXPECT_EQ(few->warnings[0].severity, Severity::kWarning);
+  EXPECT_NE(few->warnings[0].message.find("they are too few to cover it"), std::string::npos);
+  ASSERT_EQ(many->warnings.size(), 1u);
+  EXPECT_EQ(many->warnings[0].severity, Severity::kInfo) << many->warnings[0].message;
+  EXPECT_NE(many->warnings[0].message.find("13.9 times as wide as hairs"), std::string::npos)
+      << many->warnings[0].message;
+  CardsBudget given = budget;
+  given.strand_width = 0.001f;
+  const auto told = model_of_cards(test::groom_of(test::strands_of_a_head(100)), given, 2);
+  ASSERT_TRUE(told);
+  EXPECT_TRUE(told->warnings.empty());
+}
+
 TEST(CardsModel, SaysWhatIsTooLittle) {
   groom::Groom groom = test::groom_of(test::strands_of_a_head(300));
   groom.path = "a.hair";
   const auto none = model_of_cards(groom, {1, std::size_t{1} << 18, 1, 0}, 1);
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().message, "a.hair: cards need 2 triangles and 4096 texels at least; allow them more");
-  const auto crowded = model_of_cards(groom, {2400, 4096, 1, 0, 0}, 1);
+  CardsBudget budget{2400, 4096, 1, 0, 0};
+  budget.plan = CardsPlan{Construction::kBent, 1};
+  const auto crowded = model_of_cards(groom, budget, 1);
   ASSERT_FALSE(crowded);
   EXPECT_EQ(crowded.error().message,
             "a.hair: 300 cards do not fit into 4096 texels; allow more texels, or fewer triangles");

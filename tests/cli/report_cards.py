@@ -63,7 +63,9 @@ def main(program, folder):
     asset = figures_are_complete(found)
     page_has_pictures((folder / "out.html").read_text())
     # The same strands in another file are the same hair.
-    other = report(bench, "--source", "b.obj", "--recipe", "a.recipe.json", "--budgets", "100")
+    other = report(bench, "--source", "b.obj", "--recipe", "a.recipe.json", "--budgets", "100", "--ablation")
+    keeps_to_its_schema(other)
+    assert len(other["ablation"]) == 12 and found["ablation"] == [], other["ablation"]
     assert not other["is_its_source"]
     assert abs(other["asset_levels"][0]["mean_coverage_iou"] - asset["mean_coverage_iou"]) < 0.02, other["asset_levels"]
 

@@ -46,13 +46,13 @@ cards::PictureFrame frame_of(const cards::CardSurface& surface, const Eigen::Vec
 TEST(SurfaceCost, CountsEachLayer) {
   const cards::CardSurface one = squares(1), three = squares(3);
   const cards::PictureFrame frame = frame_of(three, {0, 0, -1});
-  const SurfaceCost of_one = cost_of(one, frame), of_three = cost_of(three, frame);
+  const cards::SurfaceCost of_one = cards::cost_of(one, frame), of_three = cards::cost_of(three, frame);
   const double pixels = std::pow(0.2 * double(frame.pixels_of_metre), 2);
   EXPECT_NEAR(of_one.fragments / pixels, 1, 0.05);
   EXPECT_NEAR(of_one.layers, 1, 0.03) << "samples on the diagonal are in both triangles";
   EXPECT_DOUBLE_EQ(of_three.fragments, 3 * of_one.fragments);
   EXPECT_NEAR(of_three.layers, 3, 0.09);
-  const SurfaceCost from_edge = cost_of(one, frame_of(one, {1, 0, 0}));
+  const cards::SurfaceCost from_edge = cards::cost_of(one, frame_of(one, {1, 0, 0}));
   EXPECT_EQ(from_edge.fragments, 0);
   EXPECT_EQ(from_edge.layers, 0);
 }

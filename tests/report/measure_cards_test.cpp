@@ -42,7 +42,7 @@ class CardsReports : public testing::Test {
     if (!cards) throw std::runtime_error(cards.error().message);
     asset_ = std::make_unique<lab::OpenedAsset>(
         asset_of_surface(cards::surface_of(*cards), {1, Eigen::Matrix3f::Identity(), {0, 0.1f, 0}}));
-    settings.sheets = true;
+    settings.sheets = settings.ablation = true;
     auto report = measure(settings);
     if (!report) throw std::runtime_error(report.error().message);
     report_ = std::make_unique<CardsReport>(std::move(*report));
@@ -88,6 +88,22 @@ TEST_F(CardsReports, HaveEachSetOfCardsFromEachDirection) {
   }
 }
 
+TEST_F(CardsReports, TellWhatFitAndCapsBring) {
+  const CardsSettings settings = quick();
+  ASSERT_EQ(report_->ablation.size(), 3 * 2 * 2 * settings.budgets.size());
+  std::set<std::tuple<std::string, std::uint64_t, bool, bool>> sets;
+  for (const CardsAblation& one : report_->ablation) {
+    sets.insert({one.baseline, one.triangles, one.fitted, one.caps});
+    if (!one.fitted || !one.caps) continue;
+    for (const CardsSummary& whole : report_->summary) {
+      if (whole.baseline != one.baseline || whole.triangles != one.triangles) continue;
+      EXPECT_EQ(one.figures.mean_error, whole.figures.mean_error) << "the whole set is the one of the summary";
+      EXPECT_EQ(one.cards, whole.cards);
+    }
+  }
+  EXPECT_EQ(sets.size(), report_->ablation.size());
+}
+
 TEST_F(CardsReports, HaveTheirPictures) {
   ASSERT_EQ(report_->sheets.size(), 4u) << "three sides and the textures";
   const nlohmann::ordered_json json = cards_json(made_up_heading(), *report_);
@@ -124,6 +140,10 @@ TEST_F(CardsReports, HaveTheDocumentedKeys) {
   summary.insert(summary.end(), figures.begin(), figures.end());
   summary.emplace_back("seconds");
   EXPECT_EQ(keys_of(json["summary"][0]), summary);
+  Keys ablation{"name", "triangles", "baseline", "fitted", "caps", "cards"};
+  ablation.insert(ablation.end(), figures.begin(), figures.end());
+  ablation.emplace_back("seconds");
+  EXPECT_EQ(keys_of(json["ablation"][0]), ablation);
   Keys level{"lod", "triangles", "texels"};
   level.insert(level.end(), figures.begin(), figures.end());
   EXPECT_EQ(keys_of(json["asset_levels"][0]), level);
@@ -132,22 +152,27 @@ TEST_F(CardsReports, HaveTheDocumentedKeys) {
 }
 
 TEST_F(CardsReports, GoOnWithoutCardsThatDoNotFit) {
-  CardsSettings settings = quick();
-  settings.budgets = {100};
-  settings.texels = 1156;  // some cards, but not fifty
-  const auto report = measure(settings);
-  // coif asks for 4096 texels at least.
+  groom::Groom groom = cards::test::groom_of(cards::test::strands_of_a_head(300));
+  groom.path = "b.hair";
+  const auto measure_dense = [&](std::size_t texels) {
+    CardsSettings settings = quick();
+    settings.budgets = {600};
+    settings.texels = texels;
+    settings.caps = 0;
+    return measure_cards(asset_->asset(), groom, 0, settings, [](const std::string&) {});
+  };
+  const auto report = measure_dense(4096);  // room for a hundred cards, but not for three hundred
   ASSERT_TRUE(report.has_value()) << report.error().message;
-  EXPECT_TRUE(report->sheets.empty()) << "nobody asked for any";
-  ASSERT_EQ(report->summary.size(), 1u);
-  EXPECT_EQ(report->summary[0].baseline, "even");
-  ASSERT_EQ(report->left_out.size(), 2u);
+  EXPECT_TRUE(report->sheets.empty() && report->ablation.empty()) << "nobody asked for any";
+  ASSERT_EQ(report->summary.size(), 2u);
+  EXPECT_EQ(report->summary[0].baseline, "none");
+  EXPECT_EQ(report->summary[1].baseline, "even");
+  ASSERT_EQ(report->left_out.size(), 1u);
   const std::string text = cards_text(made_up_heading(), *report);
-  EXPECT_NE(text.find("left out: kmeans, 100 triangles: a.hair: 50 cards do not fit into 1156 texels"),
+  EXPECT_NE(text.find("left out: kmeans, 600 triangles: b.hair: 300 cards do not fit into 4096 texels"),
             std::string::npos)
       << text;
-  settings.texels = 16;
-  const auto none = measure(settings);
+  const auto none = measure_dense(16);
   ASSERT_FALSE(none.has_value());
   EXPECT_EQ(none.error().kind, ToolError::Kind::kOverBudget);
 }

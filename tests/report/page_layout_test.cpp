@@ -110,6 +110,7 @@ TEST(PageLayout, SpeaksOfWhatReportsHave) {
   cards.rows.resize(1);
   cards.summary.resize(1);
   cards.asset.resize(1);
+  cards.ablation.resize(1);
   expect_layout_fits(cards_json(heading, cards), coif_cards_page);
 }
 

@@ -139,6 +139,20 @@ HairLikeness compare_hair(const HairPicture& wanted, const HairPicture& seen) {
   return {both / either, std::sqrt(squares / double(covered))};
 }
 
+SurfaceCost cost_of(const CardSurface& surface, const PictureFrame& frame) {
+  std::vector<std::uint8_t> is_met(std::size_t(frame.size) * frame.size, 0);
+  std::size_t fragments = 0;
+  const SampleRows all{frame.size, 0, frame.size};
+  for (std::uint32_t t = 0; 3 * std::size_t(t) < surface.triangles.size(); ++t) {
+    for_each_sample(surface, frame, all, t, [&](std::uint32_t x, std::uint32_t y, const SurfacePoint&) {
+      ++fragments;
+      is_met[std::size_t(y) * frame.size + x] = 1;
+    });
+  }
+  const auto met = std::ranges::count(is_met, std::uint8_t{1});
+  return {double(fragments), met > 0 ? double(fragments) / double(met) : 0.0};
+}
+
 double psnr_db(double error) { return error > 1e-5 ? -20 * std::log10(error) : 100; }
 
 std::vector<std::vector<std::uint32_t>> triangles_by_band(const CardSurface& surface, const PictureFrame& frame,

@@ -3,6 +3,7 @@
 #include "cards/choose_cards.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -18,48 +19,75 @@ struct OnCard {
   float u = 0, v = 0, front = 0;
 };
 
-/// A ribbon with interpolation between its stations.
-class FlatRibbon {
+/// A strip as it is drawn, with interpolation between its stations.
+class FlatStrip {
  public:
-  explicit FlatRibbon(const Ribbon& ribbon) : ribbon_(ribbon) {}
+  FlatStrip(const Ribbon& ribbon, const CardStrip& strip) {
+    const auto edges = ends_of_edges(ribbon, strip);
+    for (std::size_t e = 0; e + 1 < edges.size(); ++e) {
+      const std::size_t begin = strip.stations[e], end = strip.stations[e + 1];
+      for (std::size_t k = begin; k <= end; ++k) {
+        const float share = float(k - begin) / float(end - begin);
+        const auto mix = [share](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+          return (a + share * (b - a)).eval();
+        };
+        const Eigen::Vector3f left = mix(edges[e][0], edges[e + 1][0]), right = mix(edges[e][1], edges[e + 1][1]);
+        middle_[k] = 0.5f * (left + right);
+        side_[k] = 0.5f * (right - left);
+        across_[k] = mix(ribbon.across[begin], ribbon.across[end]);
+        along_[k] = mix(ribbon.along[begin], ribbon.along[end]);
+      }
+    }
+    for (std::size_t k = 1; k < kOnCard; ++k) length_ += (middle_[k] - middle_[k - 1]).norm();
+  }
 
   /// Near the place of the point before, `hint`, at which the search begins.
   [[nodiscard]] OnCard place(const Eigen::Vector3f& point, float hint) const {
     float at = hint * float(kOnCard - 1);
     for (int round = 0; round < 4; ++round) {
       const auto k = segment(at);
-      const Eigen::Vector3f way = ribbon_.middle[k + 1] - ribbon_.middle[k];
+      const Eigen::Vector3f way = middle_[k + 1] - middle_[k];
       const float squared = way.squaredNorm();
-      const float found = float(k) + (squared > 0 ? (point - ribbon_.middle[k]).dot(way) / squared : 0.0f);
+      const float found = float(k) + (squared > 0 ? (point - middle_[k]).dot(way) / squared : 0.0f);
       const float kept = std::clamp(found, at - 1.5f, at + 1.5f);
       if (std::abs(kept - at) < 1e-3f) break;
       at = std::clamp(kept, 0.0f, float(kOnCard - 1));
     }
     const auto k = segment(at);
-    const float share = at - float(k);
-    const auto mix = [&](const auto& values) { return (values[k] + share * (values[k + 1] - values[k])); };
-    const Eigen::Vector3f middle = mix(ribbon_.middle), across = mix(ribbon_.across).normalized(),
-                          along = mix(ribbon_.along).normalized();
-    const Eigen::Vector3f off = point - middle;
-    return {off.dot(across) / mix(ribbon_.half_width), at / float(kOnCard - 1), off.dot(along.cross(across))};
+    const Eigen::Vector3f off = point - mixed(middle_, at), side = mixed(side_, at), way = middle_[k + 1] - middle_[k];
+    const float squared = side.squaredNorm();
+    const Eigen::Vector3f normal = way.cross(side);
+    return {squared > 0 ? off.dot(side) / squared : 0.0f, at / float(kOnCard - 1),
+            normal.norm() > 0 ? off.dot(normal.normalized()) : 0.0f};
   }
 
-  [[nodiscard]] float half_width(float v) const {
-    const auto k = segment(v * float(kOnCard - 1));
-    const float share = v * float(kOnCard - 1) - float(k);
-    return ribbon_.half_width[k] + share * (ribbon_.half_width[k + 1] - ribbon_.half_width[k]);
+  [[nodiscard]] float half_width(float v) const { return mixed(side_, v * float(kOnCard - 1)).norm(); }
+  [[nodiscard]] float length() const { return length_; }
+
+  /// A direction by the directions across and along that are stored with the strip's edges, as pictures mix them.
+  [[nodiscard]] Eigen::Vector2f direction(const Eigen::Vector3f& way, float v) const {
+    const float at = v * float(kOnCard - 1);
+    const Eigen::Vector2f found(way.dot(mixed(across_, at)), way.dot(mixed(along_, at)));
+    return found.norm() > 0 ? found.normalized() : found;
   }
 
  private:
+  using Stations = std::array<Eigen::Vector3f, kOnCard>;
   static std::size_t segment(float at) { return std::size_t(std::clamp(at, 0.0f, float(kOnCard) - 1.001f)); }
+  static Eigen::Vector3f mixed(const Stations& values, float at) {
+    const auto k = segment(at);
+    return values[k] + (at - float(k)) * (values[k + 1] - values[k]);
+  }
 
-  const Ribbon& ribbon_;
+  Stations middle_, side_, across_, along_;
+  float length_ = 0;
 };
 
 /// A piece of a flattened strand: values that are constant over it, and colours at its ends.
 struct FlatPiece {
   OnCard a, b;
   float half_a = 0, half_b = 0;  ///< Half its width, in samples across.
+  float upright = 1;             ///< Cosine of its angle with the card's length, 0..1.
   Eigen::Vector2f along = Eigen::Vector2f::Zero();
   float strand = 0;
   Eigen::Vector3f color_a = Eigen::Vector3f::Zero(), color_b = Eigen::Vector3f::Zero();
@@ -84,7 +112,7 @@ class CardSamples {
   void draw(const FlatPiece& piece) {
     const OnCard &a = piece.a, &b = piece.b;
     const float ya = a.v * float(height_), yb = b.v * float(height_), xa = column(a.u), xb = column(b.u);
-    const float rise = yb - ya, upright = std::max(std::abs(piece.along.y()), kLeastUpright);
+    const float rise = yb - ya, upright = std::max(piece.upright, kLeastUpright);
     const int top = std::max(int(std::ceil(std::min(ya, yb) - 0.5f)), 0),
               bottom = std::min(int(std::ceil(std::max(ya, yb) - 0.5f)) - 1, height_ - 1);
     for (int y = top; y <= bottom; ++y) {
@@ -208,15 +236,15 @@ struct StrandPoint {
 }  // namespace
 
 CardTexture draw_on_card(const groom::Groom& groom, std::span<const std::uint8_t> is_reversed, const Wisp& wisp,
-                         float width, std::uint32_t texels_across, std::uint32_t texels_along) {
+                         const CardStrip& strip, float width, std::uint32_t texels_across, std::uint32_t texels_along) {
   CardTexture texture = empty_texture(texels_across, texels_along, !groom.colors.empty());
-  const FlatRibbon flat(wisp.ribbon);
-  const float length = length_of(wisp.ribbon);
+  const FlatStrip flat(wisp.ribbon, strip);
   CardSamples samples(texels_across, texels_along);
   for (const std::uint32_t i : wisp.members) {
     const std::size_t count = groom.strand(i).size();
     const bool from_end = !is_reversed.empty() && is_reversed[i] != 0;
     StrandPoint before;
+    std::size_t last = 0;
     for (std::size_t p = 0; p < count; ++p) {
       const std::size_t point = groom.begin[i] + (from_end ? count - 1 - p : p);
       StrandPoint now;
@@ -226,10 +254,14 @@ CardTexture draw_on_card(const groom::Groom& groom, std::span<const std::uint8_t
       if (!groom.colors.empty()) now.color = groom.colors[point];
       if (p > 0) {
         const Eigen::Vector2f way((now.place.u - before.place.u) * flat.half_width(now.place.v),
-                                  (now.place.v - before.place.v) * length);
-        samples.draw({before.place, now.place, before.half, now.half, way.norm() > 0 ? way.normalized() : way,
-                      number_of(i), before.color, now.color});
+                                  (now.place.v - before.place.v) * flat.length());
+        const float upright = way.norm() > 0 ? std::abs(way.y()) / way.norm() : 1.0f;
+        const Eigen::Vector2f along =
+            flat.direction(groom.points[point] - groom.points[last], 0.5f * (before.place.v + now.place.v));
+        samples.draw(
+            {before.place, now.place, before.half, now.half, upright, along, number_of(i), before.color, now.color});
       }
+      last = point;
       before = now;
     }
   }

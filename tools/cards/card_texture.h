@@ -25,11 +25,11 @@ struct CardTexture {
   std::vector<Eigen::Vector3f> color;
 };
 
-/// Draws the wisp's strands as they lie on its flattened card, with their widths, by 4 x 8 samples per texel. `width`
-/// is for strands whose groom has none.
+/// Draws the wisp's strands where an eye in front of its strip sees them, with their widths, by 4 x 8 samples per
+/// texel. `width` is for strands whose groom has none.
 [[nodiscard]] CardTexture draw_on_card(const groom::Groom& groom, std::span<const std::uint8_t> is_reversed,
-                                       const Wisp& wisp, float width, std::uint32_t texels_across,
-                                       std::uint32_t texels_along);
+                                       const Wisp& wisp, const CardStrip& strip, float width,
+                                       std::uint32_t texels_across, std::uint32_t texels_along);
 
 /// The place of a card's texels in the atlas.
 struct AtlasPlace {

@@ -1,6 +1,9 @@
 #include "cards/make_cards.h"
 
 #include "base/encodings.h"
+#include "import/source_warnings.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -127,6 +130,21 @@ importer::SourceModel empty_model(const groom::Groom& groom) {
   return model;
 }
 
+void tell_width(const GroomShape& shape, Diagnostics& warnings) {
+  if (!shape.width_is_guessed) return;
+  constexpr float kHair = 0.0008f;  // of the head's radius, as in usual_strand_width()
+  const float radius = 0.5f * box_of_roots(shape.strands).sizes().maxCoeff();
+  std::string text = fmt::format(
+      "the file does not say how wide its {} strands are: they are drawn {:.1f} times as wide as hairs, {:.2g} % of "
+      "the "
+      "head's radius, so that they cover a head",
+      shape.strands.count(), shape.strands.width / (kHair * radius), 100 * shape.strands.width / radius);
+  text += shape.width_is_capped ? "; they are too few to cover it: export more, or set \"cards.follow_hairs\""
+                                : "; \"cards.strand_width\" sets another width";
+  warnings.emplace_back(importer::source_code::kStrands, std::move(text),
+                        shape.width_is_capped ? Severity::kWarning : Severity::kInfo);
+}
+
 }  // namespace
 
 tl::expected<importer::SourceModel, ToolError> model_of_cards(const groom::Groom& groom, const CardsBudget& budget,
@@ -135,6 +153,7 @@ tl::expected<importer::SourceModel, ToolError> model_of_cards(const groom::Groom
   const auto levels = make_card_levels(groom, shape, budget, threads);
   if (!levels) return tl::unexpected(levels.error());
   importer::SourceModel model = empty_model(groom);
+  tell_width(shape, model.warnings);
   model.scalp_radius = scalp_radius_of(shape.strands);
   const Eigen::Vector3f middle = box_of_roots(shape.strands).center();
   model.meshes.push_back(level_of(levels->front(), middle).mesh);

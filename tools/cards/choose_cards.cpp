@@ -3,72 +3,96 @@
 #include "base/parallel_for.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <numeric>
-#include <utility>
 
 namespace coif::cards {
 namespace {
 
-/// Candidates for the mean number of quads per card; fewer bend no lock.
-constexpr double kQuads[] = {4, 5, 6.5, 9, 12};
+constexpr float kStraysBesideStrip = 0.04f;  // Share of a wisp's strands that may lie beside its strip.
 
-/// Weight of bends that strips cut short, against strands that lie off a ribbon with the same bends: textures
-/// compensate for the latter.
-constexpr double kCutShort = 2;
+Eigen::Vector3f middle_of(const std::array<Eigen::Vector3f, 2>& edge) { return 0.5f * (edge[0] + edge[1]); }
 
-constexpr double kWorthwhile =
-    0.9;  // Share of the error that makes fewer cards worthwhile: these are wider, and look like plates.
+/// Distances of a wisp's strands from a strip at one station.
+struct OffStrip {
+  float beside = 0, before = 0;  ///< Metres, of all strands but those that stray.
+};
 
-/// The ribbon with its middle on the strip.
-Ribbon flattened(const Ribbon& ribbon, const CardStrip& strip) {
-  const auto edges = edges_of(ribbon, strip);
-  Ribbon flat = ribbon;
-  for (std::size_t e = 0; e + 1 < edges.size(); ++e) {
-    const std::size_t begin = strip.stations[e], end = strip.stations[e + 1];
-    const Eigen::Vector3f from = 0.5f * (edges[e][0] + edges[e][1]), to = 0.5f * (edges[e + 1][0] + edges[e + 1][1]);
-    for (std::size_t k = begin; k <= end; ++k) {
-      flat.middle[k] = from + float(k - begin) / float(end - begin) * (to - from);
-    }
+OffStrip strands_off(const EvenStrands& strands, std::span<const std::uint32_t> members, std::size_t station,
+                     const Eigen::Vector3f& middle, const Eigen::Vector3f& across, const Eigen::Vector3f& normal) {
+  std::vector<float> beside, before;
+  for (const std::uint32_t i : members) {
+    const Eigen::Vector3f off = strands.strand(i)[station] - middle;
+    beside.push_back(std::abs(off.dot(across)));
+    before.push_back(std::abs(off.dot(normal)));
   }
-  return flat;
+  return {quantile(beside, 1 - kStraysBesideStrip), quantile(before, 1 - kStraysBesideStrip)};
 }
 
-ChosenCards cards_of(const EvenStrands& strands, std::size_t triangles, double quads,
-                     const platform::Threads& threads) {
-  const auto count = std::max<std::size_t>(std::size_t(double(triangles) / (2 * quads)), 1);
-  ChosenCards cards{find_wisps(strands, count, threads), {}};
-  cards.strips = make_strips(cards.wisps, triangles);
-  return cards;
+/// Makes each edge as wide as its two quads need.
+void lay_strip(const EvenStrands& strands, Wisp& wisp, CardStrip& strip) {
+  strip.edges = edges_of(wisp.ribbon, strip);
+  std::vector<float> half(strip.edges.size(), 0);
+  wisp.ribbon.half_depth.fill(0);
+  for (std::size_t e = 0; e + 1 < half.size(); ++e) {
+    const std::size_t begin = strip.stations[e], end = strip.stations[e + 1];
+    const Eigen::Vector3f from = middle_of(strip.edges[e]), way = middle_of(strip.edges[e + 1]) - from;
+    const Eigen::Vector3f along = way.norm() > 0 ? way.normalized() : wisp.ribbon.along[begin];
+    for (std::size_t k = begin; k <= end; ++k) {
+      const float share = float(k - begin) / float(end - begin);
+      const Eigen::Vector3f across = wisp.ribbon.across[k], normal = along.cross(across).normalized();
+      const OffStrip off = strands_off(strands, wisp.members, k, from + share * way, across, normal);
+      half[e] = std::max(half[e], off.beside);
+      half[e + 1] = std::max(half[e + 1], off.beside);
+      wisp.ribbon.half_depth[k] = std::max(wisp.ribbon.half_depth[k], off.before);
+    }
+  }
+  for (std::size_t e = 0; e < half.size(); ++e) {
+    const Eigen::Vector3f middle = middle_of(strip.edges[e]), side = strip.edges[e][1] - middle;
+    const Eigen::Vector3f across = side.norm() > 0 ? side.normalized() : wisp.ribbon.across[strip.stations[e]];
+    const float wide = half[e] + 0.5f * strands.width;
+    strip.edges[e] = {middle - wide * across, middle + wide * across};
+  }
 }
 
 }  // namespace
 
-double strands_off_strips(const EvenStrands& strands, const ChosenCards& cards, const platform::Threads& threads) {
-  std::vector<double> off(cards.strips.size(), 0);
-  parallel_for(off.size(), threads, [&](std::size_t i) {
-    const Wisp& wisp = cards.wisps[cards.strips[i].wisp];
-    const Ribbon flat = flattened(wisp.ribbon, cards.strips[i]);
-    for (const std::uint32_t member : wisp.members) {
-      const auto strand = strands.strand(member);
-      off[i] +=
-          kCutShort * double(distance_to(flat, strand)) - (kCutShort - 1) * double(distance_to(wisp.ribbon, strand));
-    }
-  });
-  return std::accumulate(off.begin(), off.end(), 0.0) / double(std::max<std::size_t>(strands.count(), 1));
+CardStrip even_strip(std::uint32_t wisp, std::size_t segments) {
+  CardStrip strip{wisp, {}};
+  for (std::size_t k = 0; k <= segments; ++k) {
+    const double at = double(k) * double(Ribbon::kStations - 1) / double(segments);
+    strip.stations.push_back(std::uint8_t(std::lround(at)));
+  }
+  return strip;
 }
 
-ChosenCards choose_cards(const EvenStrands& strands, std::size_t triangles, const platform::Threads& threads) {
-  ChosenCards best;
-  double least = std::numeric_limits<double>::max();
-  for (const double quads : kQuads) {
-    ChosenCards cards = cards_of(strands, triangles, quads, threads);
-    const double off = strands_off_strips(strands, cards, threads);
-    if (off > kWorthwhile * least) break;
-    least = off;
-    best = std::move(cards);
+void lay_strips(const EvenStrands& strands, ChosenCards& cards, const platform::Threads& threads) {
+  parallel_for(cards.strips.size(), threads,
+               [&](std::size_t i) { lay_strip(strands, cards.wisps[cards.strips[i].wisp], cards.strips[i]); });
+}
+
+ChosenCards construct_cards(const groom::Groom& groom, const EvenStrands& strands, const CardsPlan& plan,
+                            std::size_t triangles, const platform::Threads& threads) {
+  const auto count = std::max<std::size_t>(std::size_t(double(triangles) / (2 * plan.quads)), 1);
+  ChosenCards cards;
+  if (plan.construction == Construction::kFlat) {
+    for (std::vector<std::uint32_t>& members : cluster_strands(strands, count, threads))
+      cards.wisps.push_back({std::move(members), {}});
+    parallel_for(cards.wisps.size(), threads, [&](std::size_t i) {
+      cards.wisps[i].ribbon = flat_ribbon_of(groom, strands, cards.wisps[i].members);
+    });
+    for (std::uint32_t i = 0; i < cards.wisps.size(); ++i) cards.strips.push_back(even_strip(i, 1));
+    return cards;  // The rectangle holds all of them.
   }
-  return best;
+  cards.wisps = find_wisps(strands, count, threads);
+  if (plan.construction == Construction::kBent) {
+    cards.strips = make_strips(cards.wisps, triangles);
+  } else {
+    const auto segments = std::min(std::size_t(plan.quads), triangles / 2);
+    for (std::uint32_t i = 0; i < cards.wisps.size(); ++i) cards.strips.push_back(even_strip(i, segments));
+  }
+  lay_strips(strands, cards, threads);
+  return cards;
 }
 
 }  // namespace coif::cards

@@ -2,6 +2,7 @@
 
 #include "cards/even_strands.h"
 #include "cards/ribbon.h"
+#include "groom/groom.h"
 #include "platform/stop.h"
 
 #include <array>
@@ -29,6 +30,8 @@ struct Wisp {
 struct CardStrip {
   std::uint32_t wisp = 0;
   std::vector<std::uint8_t> stations;  ///< Ascending, the first 0, the last Ribbon::kStations - 1.
+  /// The two ends of each edge, metres. Empty before lay_strips(): edges_of() has them.
+  std::vector<std::array<Eigen::Vector3f, 2>> edges{};
 
   [[nodiscard]] std::size_t triangles() const { return 2 * (stations.size() - 1); }
 };
@@ -40,6 +43,12 @@ struct CardStrip {
 /// its stations, so that chords do not cut a bend short.
 [[nodiscard]] std::vector<std::array<Eigen::Vector3f, 2>> edges_of(const Ribbon& ribbon, const CardStrip& strip);
 
+/// The strip's own edges where it is laid, else those of edges_of().
+[[nodiscard]] inline std::vector<std::array<Eigen::Vector3f, 2>> ends_of_edges(const Ribbon& ribbon,
+                                                                               const CardStrip& strip) {
+  return strip.edges.empty() ? edges_of(ribbon, strip) : strip.edges;
+}
+
 /// A strip for each wisp, with as many quads as `triangles` allow in all, at least one each. Each new edge goes to the
 /// place where a straight strip is farthest from its ribbon, over all strips, weighted by their strands.
 [[nodiscard]] std::vector<CardStrip> make_strips(std::span<const Wisp> wisps, std::size_t triangles);
@@ -50,14 +59,44 @@ struct ChosenCards {
   std::vector<CardStrip> strips;
 };
 
-/// How badly strips represent their strands: mean squared distance of the strands over strands and stations, metres
-/// squared (distance_to()). Distances because strips are straight between their edges count twice.
-[[nodiscard]] double strands_off_strips(const EvenStrands& strands, const ChosenCards& cards,
-                                        const platform::Threads& threads);
+/// Sets the edges of strips. A strip is straight between its edges and its strands are not: it is made so wide that it
+/// holds them where they lie beside it, and their textures are drawn there. Sets the ribbons' half_depth to what is
+/// left in front and behind.
+void lay_strips(const EvenStrands& strands, ChosenCards& cards, const platform::Threads& threads);
 
-/// Chooses the number of wisps and the lengths of strips that use the triangles best: more cards are nearer to their
-/// strands where these are straight, more edges each where they bend. Repeats for equal input, with any `threads`.
-[[nodiscard]] ChosenCards choose_cards(const EvenStrands& strands, std::size_t triangles,
-                                       const platform::Threads& threads);
+/// A way to make cards.
+enum class Construction : std::uint8_t {
+  kBent,  ///< find_wisps(), and quads where strips bend: make_strips().
+  kEven,  ///< find_wisps(), and strips cut into equal segments.
+  kFlat,  ///< Groups of strands by k-means, each on one flat quad: the rectangle of the plane that fits it best.
+};
+
+/// A way to make cards, and how many triangles it spends on each.
+struct CardsPlan {
+  Construction construction = Construction::kBent;
+  double quads = 4;  ///< Mean per card, >= 1; whole for kEven, 1 for kFlat.
+
+  bool operator==(const CardsPlan&) const = default;
+};
+
+/// Cards by a plan, with at most that many triangles (at least 2), laid. Repeats for equal input, with any `threads`.
+[[nodiscard]] ChosenCards construct_cards(const groom::Groom& groom, const EvenStrands& strands, const CardsPlan& plan,
+                                          std::size_t triangles, const platform::Threads& threads);
+
+// The parts of kEven and kFlat.
+
+/// From root to tip, as even as a ribbon's stations allow.
+[[nodiscard]] CardStrip even_strip(std::uint32_t wisp, std::size_t segments);
+
+/// Groups strands by their whole shape, into `count` clusters or as many as there are different strands, each ascending
+/// and not empty: k-means (Lloyd 1982) from seeds by k-means++ (Arthur and Vassilvitskii 2007) on the points of even
+/// strands. With very many strands a sample finds the middles. Repeats for equal input, with any `threads`.
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> cluster_strands(const EvenStrands& strands, std::size_t count,
+                                                                      const platform::Threads& threads);
+
+/// A straight ribbon in the plane that fits the strands best (their first two principal axes), along the first of
+/// these: the rectangle that holds their points. Its first end is the one nearer to most roots.
+[[nodiscard]] Ribbon flat_ribbon_of(const groom::Groom& groom, const EvenStrands& strands,
+                                    std::span<const std::uint32_t> members);
 
 }  // namespace coif::cards

@@ -27,8 +27,8 @@ class FitTarget {
   static constexpr std::size_t kViews = 32;  ///< Per round.
   static constexpr std::size_t kTurns = 3;   ///< Rounds after which the views repeat.
 
-  /// `strand_width` is for strands whose groom has none, metres.
-  FitTarget(const groom::Groom& groom, float strand_width);
+  /// `strand_width` is for strands whose groom has none, metres; `size`: pixels of a picture, both ways.
+  FitTarget(const groom::Groom& groom, float strand_width, std::uint32_t size = 256);
 
   /// Index of the view that has the number `view` in this round.
   [[nodiscard]] static std::size_t view_of(int round, std::size_t view) {

@@ -8,7 +8,6 @@ namespace coif::cards {
 namespace {
 
 constexpr std::size_t kMostPoints = std::size_t{1} << 21;  // more would not show: pixels are millimetres
-constexpr std::uint32_t kPicture = 256;                    // pixels of hair, both ways
 constexpr float kTolerance = 0.1f;                         // pixels by which strands may be misplaced
 constexpr std::uint32_t kStrandSide = 6;                   // Samples of strands per pixel in each direction.
 
@@ -25,14 +24,14 @@ std::vector<Eigen::Vector3f> turned_directions(std::size_t turns) {
 
 }  // namespace
 
-FitTarget::FitTarget(const groom::Groom& groom, float strand_width) : strand_width_(strand_width) {
+FitTarget::FitTarget(const groom::Groom& groom, float strand_width, std::uint32_t size) : strand_width_(strand_width) {
   const groom::Groom fine = fewer_strands(groom, strand_width, kMostPoints);
-  const float pixels_of_metre = frame_along({0, 0, -1}, ball_around(fine.points), kPicture).pixels_of_metre;
+  const float pixels_of_metre = frame_along({0, 0, -1}, ball_around(fine.points), size).pixels_of_metre;
   groom_ = straighter_strands(fine, kTolerance / pixels_of_metre);
   const ShownBall ball = ball_around(groom_.points);
   for (std::size_t turn = 0; turn < kTurns; ++turn) {
     for (const Eigen::Vector3f& direction : turned_directions(turn)) {
-      frames_.push_back(frame_along(direction, ball, kPicture));
+      frames_.push_back(frame_along(direction, ball, size));
     }
   }
   coverage_.resize(frames_.size());

@@ -55,6 +55,15 @@ struct HairLikeness {
 
 [[nodiscard]] HairLikeness compare_hair(const HairPicture& wanted, const HairPicture& seen);
 
+/// The cost of drawing a surface from a direction.
+struct SurfaceCost {
+  double fragments = 0;  ///< Pixels of all its triangles, whatever their texels: a graphics card shades them all.
+  double layers = 0;     ///< Overlapping fragments per pixel, mean over the pixels with any.
+};
+
+/// With one sample per pixel.
+[[nodiscard]] SurfaceCost cost_of(const CardSurface& surface, const PictureFrame& frame);
+
 /// The error in decibels below a white pixel, at most 100.
 [[nodiscard]] double psnr_db(double error);
 

@@ -2,6 +2,7 @@
 
 #include "base/parallel_for.h"
 #include "cards/fit_opacity.h"
+#include "cards/judge_cards.h"
 
 #include <Eigen/Geometry>
 
@@ -14,13 +15,7 @@ namespace coif::cards {
 namespace {
 
 constexpr std::size_t kFewestTexels = 4096;  // 64 x 64
-
-std::vector<CardSize> sizes_of(std::span<const Wisp> wisps) {
-  std::vector<CardSize> sizes;
-  for (const Wisp& wisp : wisps)
-    sizes.push_back({2 * std::ranges::max(wisp.ribbon.half_width), length_of(wisp.ribbon)});
-  return sizes;
-}
+constexpr float kWidestStrand = 0.03f;       // radii of the head: 2.7 mm; wider strands would look like ribbons
 
 std::size_t triangles_of(std::span<const CardStrip> strips) {
   std::size_t sum = 0;
@@ -32,20 +27,28 @@ std::size_t triangles_of(std::span<const CardStrip> strips) {
 struct ChosenLevel {
   ChosenCards cards;
   ScalpCards scalp{};
+  CardsPlan plan{};
 };
 
-ChosenLevel choose_level(const groom::Groom& groom, const GroomShape& shape, std::size_t triangles, float caps,
-                         const platform::Threads& threads) {
+/// Level `number` of the budget's.
+ChosenLevel choose_level(const groom::Groom& groom, const GroomShape& shape, const CardsBudget& budget,
+                         std::size_t number, const platform::Threads& threads) {
   ChosenLevel level;
-  const auto for_scalp = std::size_t(caps * float(triangles));
+  const double ratio = std::pow(budget.level_ratio, double(number));
+  const auto triangles = std::size_t(double(budget.triangles) * ratio);
+  const auto for_scalp = std::size_t(budget.caps * float(triangles));
   level.scalp = find_scalp_cards(groom, shape.is_reversed, shape.strands, for_scalp, threads);
-  level.cards = choose_cards(shape.strands, triangles - triangles_of(level.scalp.strips), threads);
+  const std::size_t left = triangles - triangles_of(level.scalp.strips);
+  level.plan = budget.plan ? *budget.plan
+                           : choose_plan(groom, shape, kConstructions,
+                                         {left, budget.texels, budget.rounds, float(ratio)}, threads);
+  level.cards = construct_cards(groom, shape.strands, level.plan, left, threads);
   return level;
 }
 
 /// Sizes of its cards, followed by those of the scalp, each times `scale`.
 std::vector<CardSize> sizes_of(const ChosenLevel& level, float scalp_share, float scale) {
-  std::vector<CardSize> sizes = sizes_of(level.cards.wisps);
+  std::vector<CardSize> sizes = sizes_of(level.cards);
   const std::vector<CardSize> on_scalp = scalp_card_sizes(level.scalp, sizes, scalp_share);
   sizes.insert(sizes.end(), on_scalp.begin(), on_scalp.end());
   for (CardSize& size : sizes) size = {scale * size.width, scale * size.length};
@@ -55,7 +58,7 @@ std::vector<CardSize> sizes_of(const ChosenLevel& level, float scalp_share, floa
 /// Draws cards at their places in the atlas, those of the scalp after the others.
 Cards draw_level(const groom::Groom& groom, const GroomShape& shape, ChosenLevel level, AtlasPlan plan,
                  const platform::Threads& threads) {
-  Cards cards{std::move(level.cards.wisps), std::move(level.cards.strips), std::move(plan), {}};
+  Cards cards{std::move(level.cards.wisps), std::move(level.cards.strips), std::move(plan), {}, level.plan};
   const std::size_t above_scalp = cards.wisps.size();
   cards.wisps.insert(cards.wisps.end(), level.scalp.wisps.begin(), level.scalp.wisps.end());
   for (CardStrip strip : level.scalp.strips) {
@@ -66,9 +69,10 @@ Cards draw_level(const groom::Groom& groom, const GroomShape& shape, ChosenLevel
   parallel_for(cards.wisps.size(), threads, [&](std::size_t i) {
     const AtlasPlace& place = cards.plan.places[i];
     const float width = shape.strands.width;
-    cards.textures[i] = i < above_scalp
-                            ? draw_on_card(groom, shape.is_reversed, cards.wisps[i], width, place.width, place.height)
-                            : draw_scalp_card(level.scalp, i - above_scalp, width, place.width, place.height);
+    cards.textures[i] =
+        i < above_scalp
+            ? draw_on_card(groom, shape.is_reversed, cards.wisps[i], cards.strips[i], width, place.width, place.height)
+            : draw_scalp_card(level.scalp, i - above_scalp, width, place.width, place.height);
   });
   return cards;
 }
@@ -113,7 +117,7 @@ tl::expected<std::vector<Cards>, ToolError> draw_levels(const groom::Groom& groo
 
 void add_vertices(const Wisp& wisp, const CardStrip& strip, const AtlasPlan& plan, const AtlasPlace& place,
                   CardSurface& surface) {
-  const auto edges = edges_of(wisp.ribbon, strip);
+  const auto edges = ends_of_edges(wisp.ribbon, strip);
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const std::uint8_t station = strip.stations[e];
     const float v = float(place.y) + float(place.height) * float(station) / float(Ribbon::kStations - 1);
@@ -148,13 +152,30 @@ void paint(const CardTexture& texture, const AtlasPlace& place, CardSurface& sur
 
 }  // namespace
 
+std::vector<CardSize> sizes_of(const ChosenCards& cards) {
+  std::vector<CardSize> sizes;
+  for (const CardStrip& strip : cards.strips) {
+    const auto edges = ends_of_edges(cards.wisps[strip.wisp].ribbon, strip);
+    CardSize size;
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      size.width = std::max(size.width, (edges[e][1] - edges[e][0]).norm());
+      if (e > 0) size.length += 0.5f * (edges[e][0] + edges[e][1] - edges[e - 1][0] - edges[e - 1][1]).norm();
+    }
+    sizes.push_back(size);
+  }
+  return sizes;
+}
+
 GroomShape shape_of(const groom::Groom& groom, float strand_width) {
   GroomShape shape;
   shape.is_reversed = find_reversed_strands(groom);
   shape.strands = even_strands(groom, strand_width, shape.is_reversed);
   if (!(shape.strands.width > 0)) {
     const float radius = 0.5f * box_of_roots(shape.strands).sizes().maxCoeff();
-    shape.strands.width = groom::usual_strand_width(radius, shape.strands.count());
+    const float wanted = groom::usual_strand_width(radius, shape.strands.count());
+    shape.strands.width = std::min(wanted, kWidestStrand * radius);
+    shape.width_is_guessed = true;
+    shape.width_is_capped = wanted > shape.strands.width;
   }
   return shape;
 }
@@ -179,7 +200,7 @@ tl::expected<std::vector<Cards>, ToolError> make_card_levels(const groom::Groom&
   for (std::size_t k = 0; k < std::max<std::size_t>(budget.levels, 1); ++k) {
     const auto triangles = std::size_t(double(budget.triangles) * std::pow(budget.level_ratio, double(k)));
     if (triangles < 2) break;
-    levels.push_back(choose_level(groom, shape, triangles, budget.caps, threads));
+    levels.push_back(choose_level(groom, shape, budget, k, threads));
   }
   auto drawn = draw_levels(groom, shape, std::move(levels), budget, threads);
   if (!drawn) return tl::unexpected(drawn.error());

@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace coif::cards {
@@ -31,12 +32,15 @@ struct CardsBudget {
   double level_ratio = 0.5;  ///< Triangles of a level, against the next finer one.
   /// Most texels of the atlas in each direction; 0: any. It is larger if it would not hold all cards.
   std::uint32_t side = 0;
+  std::optional<CardsPlan> plan = {};  ///< How cards are made; none: as choose_plan() finds best (judge_cards.h).
 };
 
 /// A groom as cards are made from it.
 struct GroomShape {
   std::vector<std::uint8_t> is_reversed;  ///< One for each strand: it begins with its tip.
   EvenStrands strands;                    ///< With a width.
+  bool width_is_guessed = false;          ///< Neither the groom nor the caller gave it: usual_strand_width(), capped.
+  bool width_is_capped = false;
 };
 
 [[nodiscard]] GroomShape shape_of(const groom::Groom& groom, float strand_width);
@@ -47,12 +51,16 @@ struct Cards {
   std::vector<CardStrip> strips;
   AtlasPlan plan;
   std::vector<CardTexture> textures;
+  CardsPlan made_by = {};  ///< Set by make_cards() and make_card_levels().
 };
 
 /// Textures for cards that are there. kOverBudget where the texels are too few for them.
 [[nodiscard]] tl::expected<Cards, ToolError> texture_cards(const groom::Groom& groom, const GroomShape& shape,
                                                            ChosenCards cards, std::size_t texels,
                                                            const platform::Threads& threads);
+
+/// Sizes of strips, metres.
+[[nodiscard]] std::vector<CardSize> sizes_of(const ChosenCards& cards);
 
 /// Cards in place of the strands, of one level of detail. Repeats for equal input, whatever `threads` is. kOverBudget
 /// where the budget is too small for the fewest cards that hold the hair.

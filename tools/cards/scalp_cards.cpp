@@ -117,7 +117,7 @@ ScalpCards find_scalp_cards(const groom::Groom& groom, std::span<const std::uint
 CardTexture draw_scalp_card(const ScalpCards& cards, std::size_t card, float width, std::uint32_t texels_across,
                             std::uint32_t texels_along) {
   const Wisp& wisp = cards.wisps[card];
-  CardTexture texture = draw_on_card(cards.strands, {}, wisp, width, texels_across, texels_along);
+  CardTexture texture = draw_on_card(cards.strands, {}, wisp, cards.strips[card], width, texels_across, texels_along);
   const float wide = 2 * wisp.ribbon.half_width.front(), length = length_of(wisp.ribbon);
   for (std::uint32_t y = 0; y < texels_along; ++y) {
     for (std::uint32_t x = 0; x < texels_across; ++x) {

@@ -125,6 +125,8 @@ std::vector<const CLI::Option*> add_cards_options(CLI::App& app, CardsChoice& ca
         add_list(app, "--budgets", cards.settings.budgets, "Triangles of each set of cards, repeatable")
             ->check(CLI::Range(2u, 1000000u))
             ->capture_default_str(),
+        app.add_flag("--ablation", cards.settings.ablation,
+                     "Also make each set of cards without the fit of its opacity and without cards on the scalp"),
         app.add_option("--directions", cards.settings.directions, "To compare cards and strands from")
             ->check(CLI::Range(1u, 512u))
             ->capture_default_str()}) {

@@ -54,6 +54,10 @@ struct Groom {
 /// square root would have the same weight but show the skin. The result is half way between.
 [[nodiscard]] float usual_strand_width(float head_radius, std::size_t strands);
 
+/// Leaves out the few strands, one of a thousand at most, that lie at least twice as far away from the middle as all
+/// others, or reach twice as far: an exporter's faults, which would make a head of the wrong size. Warns of them.
+void leave_out_strays(Groom& groom);
+
 /// Every promise above. Empty when they hold, else the first that does not.
 [[nodiscard]] std::string find_groom_fault(const Groom& groom);
 

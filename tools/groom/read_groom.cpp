@@ -84,6 +84,7 @@ GroomOutcome read_here(const fs::path& path, const StrandFormat& format, const i
   }
   groom->path = path.string();
   place(*groom, settings);
+  leave_out_strays(*groom);
   if (const std::string fault = find_groom_fault(*groom); !fault.empty()) {
     return file_failure(ToolError::Kind::kBadInput, path, "cannot be read as {}: {}", format.name, fault);
   }

@@ -89,6 +89,30 @@ struct CardsSummary {
   return columns;
 }
 
+/// One set of cards, of the same construction as in the summary, with or without some of what a cook does.
+struct CardsAblation {
+  std::string baseline;         ///< As CardsRow::baseline.
+  std::uint64_t triangles = 0;  ///< The budget.
+  bool fitted = true;           ///< The texels' opacity is fitted to pictures of the strands.
+  bool caps = true;             ///< Some of the triangles lie on the scalp.
+  std::uint64_t cards = 0;      ///< Cards made.
+  CardsFigures figures{};
+  double seconds = 0;  ///< Wall time that making them took, without the choice of the construction.
+};
+
+[[nodiscard]] inline Columns<CardsAblation> cards_ablation_columns() {
+  using Row = CardsAblation;
+  Columns<Row> columns{{"name", [](const Row& row) { return cards_name(row.baseline); }, {"choice"}, {"choice", -9}},
+                       {"triangles", &Row::triangles, {"triangles allowed"}, {"allowed", 8}},
+                       {"baseline", &Row::baseline},
+                       {"fitted", &Row::fitted, {"opacity fitted"}, {"fitted", 8}},
+                       {"caps", &Row::caps, {"cards on the scalp"}, {"caps", 7}},
+                       {"cards", &Row::cards, {"number"}, {"number", 8}}};
+  columns.append(cards_figure_columns<Row>());
+  columns.add({"seconds", &Row::seconds, {"seconds to make", "{:.2f}"}, {"seconds", 9, "{:.2f}"}});
+  return columns;
+}
+
 /// One level of detail of the asset.
 struct CardsAssetLevel {
   std::uint64_t lod = 0;
@@ -136,14 +160,15 @@ struct CardsReport {
   double asset_factor = 1;  ///< The cook's factor on the groom's lengths.
   std::vector<CardsRow> rows;
   std::vector<CardsSummary> summary;
+  std::vector<CardsAblation> ablation;  ///< Empty where it was not requested.
   std::vector<CardsAssetLevel> asset;
   std::vector<CardsLeftOut> left_out;
   std::vector<CardsSheet> sheets;  ///< For the page; empty where none were requested.
 };
 
-/// `coif report cards`: the heading, then facts about the strands, and `rows`, `summary`, `asset_levels` and `left_out`
-/// with the keys of their columns. For the page also sentences under `notes`, and `sheets`, each with a "caption" and
-/// the picture, a "png" in base64.
+/// `coif report cards`: the heading, then facts about the strands, and `rows`, `summary`, `ablation`, `asset_levels`
+/// and `left_out` with the keys of their columns. For the page also sentences under `notes`, and `sheets`, each with a
+/// "caption" and the picture, a "png" in base64.
 [[nodiscard]] nlohmann::ordered_json cards_json(const ReportHeading& heading, const CardsReport& report);
 
 /// `coif report cards` for a terminal: each set of cards over all directions, and the summary.

@@ -2,7 +2,6 @@
 
 #include "base/parallel_for.h"
 #include "cards/hair_picture.h"
-#include "cards/surface_raster.h"
 
 #include <Eigen/Geometry>
 
@@ -10,20 +9,6 @@
 #include <utility>
 
 namespace coif::report {
-
-SurfaceCost cost_of(const cards::CardSurface& surface, const cards::PictureFrame& frame) {
-  std::vector<std::uint8_t> is_met(std::size_t(frame.size) * frame.size, 0);
-  std::size_t fragments = 0;
-  const cards::SampleRows all{frame.size, 0, frame.size};
-  for (std::uint32_t t = 0; 3 * std::size_t(t) < surface.triangles.size(); ++t) {
-    cards::for_each_sample(surface, frame, all, t, [&](std::uint32_t x, std::uint32_t y, const cards::SurfacePoint&) {
-      ++fragments;
-      is_met[std::size_t(y) * frame.size + x] = 1;
-    });
-  }
-  const auto met = std::ranges::count(is_met, std::uint8_t{1});
-  return {double(fragments), met > 0 ? double(fragments) / double(met) : 0.0};
-}
 
 std::vector<cards::PictureFrame> frames_around(const groom::Groom& groom, const Eigen::Matrix3f& turn,
                                                std::span<const Eigen::Vector3f> directions, std::uint32_t size) {
@@ -65,11 +50,11 @@ std::vector<cards::HairLikeness> GroomViews::compare(const cards::CardSurface& s
   return likeness;
 }
 
-SurfaceCost GroomViews::cost(const cards::CardSurface& surface) const {
-  std::vector<SurfaceCost> costs(count());
-  parallel_for(count(), threads_, [&](std::size_t i) { costs[i] = cost_of(surface, frames_[i]); });
-  SurfaceCost mean;
-  for (const SurfaceCost& cost : costs) {
+cards::SurfaceCost GroomViews::cost(const cards::CardSurface& surface) const {
+  std::vector<cards::SurfaceCost> costs(count());
+  parallel_for(count(), threads_, [&](std::size_t i) { costs[i] = cards::cost_of(surface, frames_[i]); });
+  cards::SurfaceCost mean;
+  for (const cards::SurfaceCost& cost : costs) {
     mean.fragments += cost.fragments / double(count());
     mean.layers += cost.layers / double(count());
   }

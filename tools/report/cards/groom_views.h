@@ -14,15 +14,6 @@
 
 namespace coif::report {
 
-/// The cost of drawing a surface from a direction.
-struct SurfaceCost {
-  double fragments = 0;  ///< Pixels of all its triangles, whatever their texels: a graphics card shades them all.
-  double layers = 0;     ///< Overlapping fragments per pixel, mean over the pixels with any.
-};
-
-/// With one sample per pixel.
-[[nodiscard]] SurfaceCost cost_of(const cards::CardSurface& surface, const cards::PictureFrame& frame);
-
 /// Frames of one scale, as in frame_along(), of `size` pixels in each direction. `turn`: from the groom's axes to those
 /// of the directions, Y up.
 [[nodiscard]] std::vector<cards::PictureFrame> frames_around(const groom::Groom& groom, const Eigen::Matrix3f& turn,
@@ -47,7 +38,7 @@ class GroomViews {
   [[nodiscard]] std::vector<cards::HairLikeness> compare(const cards::CardSurface& surface, std::size_t step = 1) const;
 
   /// Mean over the directions.
-  [[nodiscard]] SurfaceCost cost(const cards::CardSurface& surface) const;
+  [[nodiscard]] cards::SurfaceCost cost(const cards::CardSurface& surface) const;
 
  private:
   platform::Threads threads_;

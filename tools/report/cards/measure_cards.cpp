@@ -16,8 +16,6 @@
 namespace coif::report {
 namespace {
 
-constexpr std::size_t kChoosingViews = 8;  // about, by which research::make_even_cards() chooses
-
 constexpr char kOwn[] = "none", kFlat[] = "kmeans", kEven[] = "even";
 
 tl::expected<void, ToolError> check(const Asset& asset, const CardsSettings& settings) {
@@ -45,12 +43,6 @@ struct MadeCards {
   std::optional<double> segments = {};
 };
 
-double mean_iou(const std::vector<cards::HairLikeness>& likeness) {
-  double sum = 0;
-  for (const cards::HairLikeness& one : likeness) sum += one.coverage_iou;
-  return sum / double(likeness.size());
-}
-
 class CardsMeasurement {
  public:
   CardsMeasurement(const Asset& asset, const groom::Groom& groom, const CookedPlace& place,
@@ -73,12 +65,8 @@ class CardsMeasurement {
   tl::expected<CardsReport, ToolError> run() {
     describe_strands();
     for (const std::size_t triangles : settings_.budgets) {
-      const cards::CardsBudget budget{triangles, settings_.texels, settings_.rounds, settings_.strand_width,
-                                      settings_.caps};
-      measure(kOwn, budget, [&] { return timed([&] { return cards::make_cards(groom_, shape_, budget, kThreads); }); });
-      measure(kFlat, budget,
-              [&] { return timed([&] { return research::make_flat_cards(groom_, shape_, budget, kThreads); }); });
-      measure(kEven, budget, [&] { return even_cards(budget); });
+      const cards::CardsBudget budget = budget_of(triangles);
+      for (const char* const baseline : {kOwn, kFlat, kEven}) measure(baseline, budget);
     }
     if (report_.summary.empty()) return tl::unexpected(*refusal_);
     for (std::uint32_t lod = 0; lod < asset_.lod_count(); ++lod) measure_level(lod);
@@ -90,21 +78,40 @@ class CardsMeasurement {
   using Made = tl::expected<MadeCards, ToolError>;
   static inline const unsigned kThreads = platform::all_threads();
 
-  template <typename Make>
-  static Made timed(const Make& make) {
-    const auto begin = std::chrono::steady_clock::now();
-    auto cards = make();
-    if (!cards) return tl::unexpected(cards.error());
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-    return MadeCards{std::move(*cards), taken.count()};
+  [[nodiscard]] cards::CardsBudget budget_of(std::size_t triangles) const {
+    return {triangles, settings_.texels, settings_.rounds, settings_.strand_width, settings_.caps};
   }
 
-  [[nodiscard]] Made even_cards(const cards::CardsBudget& budget) const {
-    const std::size_t step = std::max<std::size_t>(views_->count() / kChoosingViews, 1);
-    const auto likeness = [&](const cards::CardSurface& surface) { return mean_iou(views_->compare(surface, step)); };
-    auto even = research::make_even_cards(groom_, shape_, budget, likeness, kThreads);
-    if (!even) return tl::unexpected(even.error());
-    return MadeCards{std::move(even->cards), even->seconds, double(even->segments)};
+  /// Makes one set of cards. The time is that of making it, as by a cook.
+  [[nodiscard]] Made make(std::string_view baseline, const cards::CardsBudget& budget) const {
+    const auto segments = baseline != kEven ? 0
+                          : budget.plan     ? std::size_t(budget.plan->quads)
+                                            : research::even_segments(groom_, shape_, budget, kThreads);
+    const auto begin = std::chrono::steady_clock::now();
+    auto cards = baseline == kFlat   ? research::make_flat_cards(groom_, shape_, budget, kThreads)
+                 : baseline == kEven ? research::make_even_cards(groom_, shape_, budget, segments, kThreads)
+                                     : cards::make_cards(groom_, shape_, budget, kThreads);
+    if (!cards) return tl::unexpected(cards.error());
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    MadeCards made{std::move(*cards), taken.count()};
+    if (baseline == kEven) made.segments = double(segments);
+    return made;
+  }
+
+  /// The same construction without the fit of opacity, without cards on the scalp, and without both.
+  void ablate(const char* baseline, cards::CardsBudget budget) {
+    for (const bool is_fitted : {true, false}) {
+      for (const bool has_caps : {true, false}) {
+        progress_(fmt::format("{} triangles, {}, ablation", budget.triangles, cards_name(baseline)));
+        budget.rounds = is_fitted ? settings_.rounds : 0;
+        budget.caps = has_caps ? settings_.caps : 0;
+        const Made made = make(baseline, budget);
+        if (!made) continue;
+        const cards::CardSurface surface = cards::surface_of(made->cards);
+        report_.ablation.push_back({baseline, budget.triangles, is_fitted, has_caps, made->cards.wisps.size(),
+                                    figures_of(surface, views_->compare(surface)), made->seconds});
+      }
+    }
   }
 
   void describe_strands() {
@@ -116,10 +123,9 @@ class CardsMeasurement {
     report_.asset_factor = place_.factor;
   }
 
-  template <typename Make>
-  void measure(const char* baseline, const cards::CardsBudget& budget, const Make& make) {
+  void measure(const char* baseline, const cards::CardsBudget& budget) {
     progress_(fmt::format("{} triangles, {}", budget.triangles, cards_name(baseline)));
-    const Made made = make();
+    const Made made = make(baseline, budget);
     if (!made) {
       report_.left_out.push_back({baseline, budget.triangles, made.error().message});
       if (!refusal_) refusal_ = made.error();
@@ -144,6 +150,11 @@ class CardsMeasurement {
                               cards::psnr_db(likeness[i].error)});
     }
     report_.summary.push_back(std::move(summary));
+    if (settings_.ablation) {
+      cards::CardsBudget same = budget;
+      same.plan = made->cards.made_by;
+      ablate(baseline, same);
+    }
     if (sheets_ && std::string_view(baseline) == kOwn)
       sheets_->add(fmt::format("{} triangles", budget.triangles), surface);
   }
@@ -172,7 +183,7 @@ class CardsMeasurement {
       figures.mean_error += one.error / count;
     }
     figures.vertices = surface.positions.size();
-    const SurfaceCost cost = views_->cost(surface);
+    const cards::SurfaceCost cost = views_->cost(surface);
     figures.fragments = cost.fragments;
     figures.layers = cost.layers;
     return figures;

@@ -21,6 +21,7 @@ struct CardsSettings {
   std::size_t directions = 32;                                      ///< View directions, 1 at least.
   std::uint32_t size = 256;                                         ///< Pixels of a picture, each way.
   bool sheets = false;                                              ///< Also make the pictures of the page.
+  bool ablation = false;                                            ///< Also fill CardsReport::ablation.
 
   // The next values come from the recipe.
   std::size_t texels = std::size_t{1} << 22;  ///< Per set of cards.

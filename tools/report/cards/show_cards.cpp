@@ -39,7 +39,8 @@ std::string cards_summary(const CardsReport& report) {
   std::string text = fmt::format("With {} triangles coif's cards have {}", own->triangles, nearness_text(own->figures));
   for (const char* const baseline : {"kmeans", "even"}) {
     if (const CardsSummary* const other = find_cards(report, baseline, own->triangles)) {
-      text += fmt::format("; {}: {:.3f}, {:.1f} dB", baseline, other->figures.mean_iou, other->figures.mean_psnr_db);
+      text += fmt::format("; {}, fitted alike: {:.3f}, {:.1f} dB", baseline, other->figures.mean_iou,
+                          other->figures.mean_psnr_db);
     }
   }
   text += ".";
@@ -75,6 +76,7 @@ nlohmann::ordered_json cards_json(const ReportHeading& heading, const CardsRepor
   json["asset_factor"] = number_json(report.asset_factor);
   add_list(json, "rows", cards_columns(), report.rows);
   add_list(json, "summary", cards_summary_columns(), report.summary);
+  add_list(json, "ablation", cards_ablation_columns(), report.ablation);
   add_list(json, "asset_levels", cards_asset_columns(), report.asset);
   json["left_out"] = json_list(cards_left_out_columns(), report.left_out);
   json["sheets"] = nlohmann::ordered_json::array();
@@ -89,6 +91,7 @@ nlohmann::ordered_json cards_json(const ReportHeading& heading, const CardsRepor
 std::string cards_text(const ReportHeading& heading, const CardsReport& report) {
   std::string text = heading_text(heading) + "\n  " + cards_method(report) + "\n";
   text += text_table(cards_summary_columns(), report.summary);
+  if (!report.ablation.empty()) text += text_table(cards_ablation_columns(), report.ablation);
   text += text_table(cards_asset_columns(), report.asset);
   for (const CardsLeftOut& left_out : report.left_out) {
     text += fmt::format("  left out: {}, {} triangles: {}\n", cards_name(left_out.baseline), left_out.triangles,

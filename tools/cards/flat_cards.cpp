@@ -1,18 +1,17 @@
-#include "research/cards/baseline_cards.h"
+#include "cards/choose_cards.h"
 
 #include "base/geometry.h"
-#include "base/parallel_for.h"
 #include "cards/cluster_points.h"
 
 #include <algorithm>
 
-namespace coif::research {
+namespace coif::cards {
 namespace {
 
 /// Strands as places among all strands.
-using StrandShapes = cards::PointClusters<3 * cards::EvenStrands::kStations>;
+using StrandShapes = PointClusters<3 * EvenStrands::kStations>;
 
-StrandShapes::Point shape_at(const cards::EvenStrands& strands, std::uint32_t i) {
+StrandShapes::Point shape_at(const EvenStrands& strands, std::uint32_t i) {
   StrandShapes::Point shape;
   const auto points = strands.strand(i);
   for (std::size_t k = 0; k < points.size(); ++k)
@@ -25,9 +24,9 @@ struct PlaneAxes {
 };
 
 /// The principal axes of the strands' points, with equal weight for each strand.
-PlaneAxes plane_of(const cards::EvenStrands& strands, std::span<const std::uint32_t> members) {
+PlaneAxes plane_of(const EvenStrands& strands, std::span<const std::uint32_t> members) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  const double points = double(members.size() * cards::EvenStrands::kStations);
+  const double points = double(members.size() * EvenStrands::kStations);
   for (const std::uint32_t i : members) {
     for (const Eigen::Vector3f& point : strands.strand(i)) middle += point.cast<double>() / points;
   }
@@ -47,15 +46,14 @@ PlaneAxes plane_of(const cards::EvenStrands& strands, std::span<const std::uint3
 
 }  // namespace
 
-std::vector<std::vector<std::uint32_t>> cluster_strands(const cards::EvenStrands& strands, std::size_t count,
+std::vector<std::vector<std::uint32_t>> cluster_strands(const EvenStrands& strands, std::size_t count,
                                                         const platform::Threads& threads) {
   std::vector<StrandShapes::Point> shapes(strands.count());
   for (std::uint32_t i = 0; i < shapes.size(); ++i) shapes[i] = shape_at(strands, i);
   return StrandShapes::find(shapes, count, threads);
 }
 
-cards::Ribbon flat_ribbon_of(const groom::Groom& groom, const cards::EvenStrands& strands,
-                             std::span<const std::uint32_t> members) {
+Ribbon flat_ribbon_of(const groom::Groom& groom, const EvenStrands& strands, std::span<const std::uint32_t> members) {
   const PlaneAxes plane = plane_of(strands, members);
   const Eigen::Vector3f normal = plane.along.cross(plane.across);
   Eigen::AlignedBox3f box;  // along, across, off the plane
@@ -65,9 +63,9 @@ cards::Ribbon flat_ribbon_of(const groom::Groom& groom, const cards::EvenStrands
       box.extend(Eigen::Vector3f(off.dot(plane.along), off.dot(plane.across), off.dot(normal)));
     }
   }
-  cards::Ribbon ribbon;
-  for (std::size_t k = 0; k < cards::Ribbon::kStations; ++k) {
-    const float share = float(k) / float(cards::Ribbon::kStations - 1);
+  Ribbon ribbon;
+  for (std::size_t k = 0; k < Ribbon::kStations; ++k) {
+    const float share = float(k) / float(Ribbon::kStations - 1);
     const float at = box.min().x() + share * box.sizes().x();
     ribbon.middle[k] = plane.middle + at * plane.along + box.center().y() * plane.across;
     ribbon.along[k] = plane.along;
@@ -78,17 +76,4 @@ cards::Ribbon flat_ribbon_of(const groom::Groom& groom, const cards::EvenStrands
   return ribbon;
 }
 
-tl::expected<cards::Cards, ToolError> make_flat_cards(const groom::Groom& groom, const cards::GroomShape& shape,
-                                                      const cards::CardsBudget& budget,
-                                                      const platform::Threads& threads) {
-  const auto clusters = cluster_strands(shape.strands, std::max<std::size_t>(budget.triangles / 2, 1), threads);
-  std::vector<cards::Wisp> wisps(clusters.size());
-  std::vector<cards::CardStrip> strips(clusters.size());
-  parallel_for(clusters.size(), threads, [&](std::size_t i) {
-    wisps[i] = {clusters[i], flat_ribbon_of(groom, shape.strands, clusters[i])};
-    strips[i] = even_strip(std::uint32_t(i), 1);
-  });
-  return cards::texture_cards(groom, shape, {std::move(wisps), std::move(strips)}, budget.texels, threads);
-}
-
-}  // namespace coif::research
+}  // namespace coif::cards
