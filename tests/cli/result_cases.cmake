@@ -94,6 +94,8 @@ coif_cli_case(render_no_such_lod EXIT 1 SAMPLE STDERR "bob.coif: there is no lev
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --lod 9 -o bob.png)
 coif_cli_case(render_body EXIT 0 SAMPLE WRITES bob.png
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --body ${sample} -o bob.png)
+coif_cli_case(render_body_without_hair EXIT 0 SAMPLE WRITES bob.png
+  ARGS render ${COIF_COOKED_SAMPLE} --size 64x48 --samples 1 --body ${PROJECT_SOURCE_DIR}/sample_assets/portrait/portrait.glb -o bob.png)
 foreach(lights studio sun rim plain)
   coif_cli_case(render_lights_${lights} EXIT 0 SAMPLE WRITES bob.png
     ARGS render ${COIF_COOKED_SAMPLE} --size 64x48 --samples 1 --lights ${lights} --backdrop clear -o bob.png)

@@ -46,8 +46,9 @@ bool leaves_something(const cook::HairChoice& hair, const importer::SourceModel&
 
 /// Keeps only the body's meshes, so that hair is not drawn twice. `pattern`: meshes to keep, with * and ?; empty:
 /// everything that a cook with this recipe would not take for hair. `is_hairs_own`: the hair was cooked from this
-/// model; if it has nothing else, it is left without meshes. Errors: kBadInput with all names where nothing is left;
-/// those of choose_hair().
+/// model; if it has nothing else, it is left without meshes. A model without hair, which a caller passes as the body of
+/// hair from elsewhere, is kept whole. Errors: kBadInput with all names where nothing is left; those of
+/// check_hair_names(), and of choose_hair() for the hair's own model.
 tl::expected<importer::SourceModel, ToolError> keep_body(importer::SourceModel model, const std::string& pattern,
                                                          const cook::Recipe& recipe, bool is_hairs_own) {
   std::vector<std::string> names;
@@ -55,7 +56,11 @@ tl::expected<importer::SourceModel, ToolError> keep_body(importer::SourceModel m
   if (pattern.empty()) {
     cook::Findings unsaid;
     const auto hair = cook::choose_hair(model, recipe, unsaid);
-    if (!hair) return tl::unexpected(hair.error());
+    if (!hair) {
+      if (is_hairs_own) return tl::unexpected(hair.error());
+      if (auto known = cook::check_hair_names(model, recipe); !known) return tl::unexpected(known.error());
+      return model;
+    }
     const bool leaves_body = leaves_something(*hair, model);
     if (!leaves_body && is_hairs_own) {
       model.meshes.clear();
