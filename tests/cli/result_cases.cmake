@@ -42,7 +42,7 @@ coif_cli_case(render_text EXIT 0 SAMPLE WRITES bob.png STDOUT "bob.png: 320x240,
 coif_cli_case(render_json EXIT 0 SAMPLE WRITES bob.png JSON output width height heads triangles draw_ms device
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --view=-30,5 --motion nod --time 0.5 --transparency opaque
        --component specular --heads 4 -o bob.png --format json)
-coif_cli_case(look_asset EXIT 0 SAMPLE WRITES look.png TIMEOUT 120 STDOUT "look.png: 368x[0-9]+, 25 pictures\n  device: "
+coif_cli_case(look_asset EXIT 0 SAMPLE WRITES look.png TIMEOUT 120 STDOUT "look.png: 368x[0-9]+, 20 pictures\n  device: "
   ARGS look ${COIF_COOKED_SAMPLE} --size 64x64 -o look.png)
 coif_cli_case(look_source EXIT 0 WRITES look.png TIMEOUT 120 JSON output width height pictures device
   ARGS look ${PROJECT_SOURCE_DIR}/sample_assets/bob/bob.glb --size 64x64 -o look.png --format json)

@@ -80,20 +80,25 @@ tl::expected<importer::SourceModel, ToolError> keep_body(importer::SourceModel m
 
 }  // namespace
 
+tl::expected<Body, ToolError> body_of(importer::SourceModel read, const BodyOptions& options,
+                                      const RecipeChoice& choice, const Asset& asset) {
+  std::vector<std::filesystem::path> files = files_of(read);
+  const std::vector<std::filesystem::path> of_recipe = files_of(choice);
+  files.insert(files.end(), of_recipe.begin(), of_recipe.end());
+  cook::Findings findings;
+  if (auto resized = cook::settle_size(read, choice.recipe, findings).model) read = std::move(*resized);
+  auto model = keep_body(std::move(read), options.mesh, choice.recipe, is_source_of(asset, options.file));
+  if (!model) return tl::unexpected(model.error());
+  return Body{std::move(*model), std::move(files), std::move(findings)};
+}
+
 tl::expected<Body, ToolError> read_body(const BodyOptions& options, const Asset& asset, const Messages& messages) {
   const auto choice = choose_recipe(options.file, options.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
   auto model = importer::import_model(
       options.file, options.limits.of_import(import_settings(choice->recipe, options.roots), messages));
   if (!model) return tl::unexpected(model.error());
-  std::vector<std::filesystem::path> files = files_of(*model);
-  const std::vector<std::filesystem::path> of_recipe = files_of(*choice);
-  files.insert(files.end(), of_recipe.begin(), of_recipe.end());
-  cook::Findings findings;
-  if (auto resized = cook::settle_size(*model, choice->recipe, findings).model) *model = std::move(*resized);
-  model = keep_body(std::move(*model), options.mesh, choice->recipe, is_source_of(asset, options.file));
-  if (!model) return tl::unexpected(model.error());
-  return Body{std::move(*model), std::move(files), std::move(findings)};
+  return body_of(std::move(*model), options, *choice, asset);
 }
 
 }  // namespace coif::cli

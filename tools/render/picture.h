@@ -77,8 +77,9 @@ struct PictureSettings {
   const importer::SourceModel* body =
       nullptr;                 ///< Drawn opaque instead of the collider: the source's meshes that are not hair.
   BodyTextures body_textures;  ///< The body's materials'; empty: clay where there should be one.
-  bool bust = false;           ///< A head with a face in place of the largest of them.
-  bool mannequin = true;       ///< Without `body`: draw the colliders that hair stays out of, as a plain head.
+  const importer::SourceModel* ghost = nullptr;  ///< Beside what the hair is on: drawn over all as clay like glass.
+  bool bust = false;                             ///< A head with a face in place of the largest of them.
+  bool mannequin = true;  ///< Without `body`: draw the colliders that hair stays out of, as a plain head.
 };
 
 struct Picture {
