@@ -1,5 +1,6 @@
 #include "render/gallery.h"
 
+#include "base/color_texels.h"
 #include "base/text.h"
 
 #include <fmt/format.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace coif::render {
 namespace {
@@ -88,8 +90,8 @@ std::vector<Gallery> what_to_look_at(const Asset& asset, const LookSettings& set
 /// As much of the texture as a tile shows, and its alpha alone beside it.
 std::vector<SheetTile> base_texture(const Asset& asset, const LookSettings& settings) {
   const TextureRecord* const texture = asset.texture(TextureRole::kBaseColor);
-  if (texture == nullptr || texture->format != TexelFormat::kSrgb8Alpha8) return {};
-  const std::span<const std::byte> texels = asset.texels(*texture, 0);
+  if (texture == nullptr) return {};
+  const std::vector<std::byte> texels = color_texels(asset, *texture, 0);
   SheetTile color{fmt::format("{} x {} texels", texture->width, texture->height), {}}, alpha{"alpha", {}};
   for (SheetTile* tile : {&color, &alpha}) {
     tile->picture.width = settings.width;
