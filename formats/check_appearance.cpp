@@ -12,7 +12,8 @@ constexpr float kMaxColor = 1.0e3f;
 
 bool format_fits(const TextureRecord& t) {
   switch (t.role) {
-    case TextureRole::kBaseColor: return t.format == TexelFormat::kSrgb8Alpha8;
+    case TextureRole::kBaseColor:
+      return t.format == TexelFormat::kSrgb8Alpha8 || t.format == TexelFormat::kSrgb8Alpha8Etc2;
     case TextureRole::kShiftMask:
     case TextureRole::kNormal:
     case TextureRole::kStrandAxis: return t.format == TexelFormat::kRg8 || t.format == TexelFormat::kRg11Eac;

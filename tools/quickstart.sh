@@ -1,6 +1,6 @@
 #!/bin/sh
-# From a fresh checkout to a picture: installs what is missing, builds the coif program, cooks the sample, simulates it
-# and draws it. Everything it makes lies in out/.
+# From a fresh checkout to a picture and a page: installs what is missing, builds the coif program, cooks hair that grows on
+# the portrait, simulates it and draws it. Everything it makes lies in out/.
 set -eu
 cd "$(dirname "$0")/.."
 sh tools/install_packages.sh program
@@ -10,23 +10,27 @@ cmake --preset release -DCOIF_TESTS=OFF >/dev/null
 cmake --build --preset release --parallel "$(nproc)" --target coif_cli
 
 coif=build/release/tools/cli/coif
-sample=sample_assets/bob/bob.glb
+sample=sample_assets/portrait
 mkdir -p out
-"$coif" cook "$sample" -o out/bob.coif
-"$coif" simulate out/bob.coif --motion turn -o out/bob_turn.glb
-"$coif" simulate out/bob.coif --motion turn -o out/bob_turn.csv
-"$coif" render out/bob.coif --body "$sample" --size 1024x768 -o out/bob.png
+# Hair grows on the portrait by its recipe. A draft takes a fraction of the time and looks nearly the same.
+"$coif" cook "$sample/bob.recipe.json" --draft -o out/portrait.coif
+"$coif" simulate out/portrait.coif --motion turn -o out/portrait_turn.glb
+"$coif" simulate out/portrait.coif --motion turn -o out/portrait_turn.csv
+"$coif" render out/portrait.coif --body "$sample/portrait.glb" --size 540x600 --samples 4 --view 28,4 -o out/portrait.png
+"$coif" view out/portrait.coif --motion turn -o out/portrait.html
 
 cat <<EOF
 
-out/bob.coif       the cooked asset: what a game loads
-out/bob_turn.glb   the head shaken, as an animation: open it in Blender or any glTF viewer
-out/bob_turn.csv   the same as positions: one row per frame and bone
-out/bob.png        the picture, drawn by the runtime's own renderer
+out/portrait.coif       the cooked asset: what a game loads
+out/portrait_turn.glb   the head shaken, as an animation: open it in Blender or any glTF viewer
+out/portrait_turn.csv   the same as positions: one row per frame and bone
+out/portrait.png        the picture, drawn by the runtime's own renderer
+out/portrait.html       the hair to turn, shake and tune: open it in a browser
 
 Next:
-  $coif info out/bob.coif
-  $coif render out/bob.coif --body $sample --motion turn --time 0.4 --view 140,10 -o out/bob_back.png
-  $coif cook YOUR_MODEL.fbx --list                     what hair, head and bones are called there
+  $coif info out/portrait.coif
+  $coif view $sample/bob.recipe.json                     the same page, which cooks again when you change the recipe
+  $coif render out/portrait.coif --body $sample/portrait.glb --motion turn --time 0.4 --view 140,10 -o out/portrait_back.png
+  $coif cook YOUR_MODEL.fbx --list                       what hair, head and bones are called there
   $coif cook YOUR_MODEL.fbx -o out/yours.coif
 EOF

@@ -31,6 +31,21 @@ function(coif_add_notice name licence package)
     PARENT_SCOPE)
 endfunction()
 
+# coif_add_page_notice(): the same of Emscripten's code in the page of `coif view`, which was built elsewhere: view/renew_page.sh.
+function(coif_add_page_notice)
+  file(READ ${PROJECT_SOURCE_DIR}/tools/view/built/emscripten text)
+  string(REPEAT = 78 line)
+  set(licence "MIT OR NCSA")
+  set(notices "${notices}\n${line}\nEmscripten, ${licence} (in the page of coif view)\n${line}\n\n${text}" PARENT_SCOPE)
+  set(spdx_packages "${spdx_packages},
+    {\"SPDXID\": \"SPDXRef-emscripten\", \"name\": \"Emscripten\", \"versionInfo\": \"unknown\", \"licenseDeclared\": \"${licence}\",
+     \"licenseConcluded\": \"NOASSERTION\", \"copyrightText\": \"NOASSERTION\", \"downloadLocation\": \"NOASSERTION\", \"filesAnalyzed\": false}"
+    PARENT_SCOPE)
+  set(spdx_relations "${spdx_relations},
+    {\"spdxElementId\": \"SPDXRef-coif\", \"relationshipType\": \"DEPENDS_ON\", \"relatedSpdxElement\": \"SPDXRef-emscripten\"}"
+    PARENT_SCOPE)
+endfunction()
+
 # coif_read_notices(WITH_PROGRAM): sets the same three from the list; with WITH_PROGRAM also for code that only the program has.
 function(coif_read_notices with_program)
   set(notices "coif ${PROJECT_VERSION} has its own licence, MIT. It is built with these works of others.\n")
@@ -52,6 +67,9 @@ function(coif_read_notices with_program)
       set(said "")
     endif()
   endforeach()
+  if(with_program)
+    coif_add_page_notice()
+  endif()
   foreach(made notices spdx_packages spdx_relations)
     set(${made} "${${made}}" PARENT_SCOPE)
   endforeach()

@@ -72,6 +72,7 @@ COIF_SAME(coif_texture, offset, coif::TextureRecord, offset);
 COIF_SAME(coif_texture, bytes, coif::TextureRecord, bytes);
 static_assert(COIF_STRAND_MAP == int(coif::TextureRole::kStrandAxis));
 static_assert(COIF_RG11_EAC == int(coif::TexelFormat::kRg11Eac));
+static_assert(COIF_SRGB8_ALPHA8_ETC2 == int(coif::TexelFormat::kSrgb8Alpha8Etc2));
 
 /// Whether `texture` points into this list; an equal record elsewhere does not count.
 bool is_in(std::span<const coif::TextureRecord> textures, const coif::TextureRecord* texture) {

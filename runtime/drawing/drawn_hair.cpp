@@ -1,4 +1,5 @@
 #include <coif/drawing.h>
+#include <coif/texel_blocks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +44,18 @@ void widen(ByteRange& range, std::span<const std::byte> texels) {
     const auto alpha = std::to_integer<std::uint8_t>(texels[i]);
     if (alpha < range.lowest) range.lowest = alpha;
     if (alpha > range.highest) range.highest = alpha;
+  }
+}
+
+/// Ends where there is no more to find.
+void widen_by_blocks(ByteRange& range, const Asset& asset, const TextureRecord& record) {
+  std::byte rgba[kTexelBytes * kBlockTexels];
+  for (std::uint32_t mip = 0; mip < record.mip_count; ++mip) {
+    const std::span<const std::byte> blocks = asset.texels(record, mip);
+    for (std::size_t at = 0; at < blocks.size() && !range.is_everything(); at += kColorBlockBytes) {
+      decode_color_block(&blocks[at], rgba);
+      widen(range, rgba);
+    }
   }
 }
 
@@ -120,8 +133,12 @@ void write_orders(const Asset& asset, std::byte* out) {
 AlphaRange alpha_range_of(const Asset& asset) {
   const TextureRecord* const record = asset.texture(TextureRole::kBaseColor);
   if (record == nullptr) return {};
-  if (record->format != TexelFormat::kSrgb8Alpha8) return {0, 1};
   ByteRange range;
+  if (record->format == TexelFormat::kSrgb8Alpha8Etc2) {
+    widen_by_blocks(range, asset, *record);
+    return {float(range.lowest) / 255, float(range.highest) / 255};
+  }
+  if (record->format != TexelFormat::kSrgb8Alpha8) return {0, 1};
   for (std::uint32_t mip = 0; mip < record->mip_count; ++mip) {
     std::span<const std::byte> left = asset.texels(*record, mip);
     while (!left.empty()) {

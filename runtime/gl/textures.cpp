@@ -22,6 +22,9 @@ PixelLayout layout_of(TexelFormat format, bool decodes) {
     case TexelFormat::kRg11Eac:
       if (decodes) return {GL_RG8, GL_RG};
       return {GL_COMPRESSED_RG11_EAC, GL_NONE};  // core in OpenGL ES 3.0
+    case TexelFormat::kSrgb8Alpha8Etc2:
+      if (decodes) break;
+      return {GL_COMPRESSED_SRGB8_ALPHA8_ETC2_EAC, GL_NONE};  // core, too
   }
   return {GL_SRGB8_ALPHA8, GL_RGBA};
 }
@@ -55,11 +58,11 @@ GLuint bind_new_texture(const GlFunctions& gl, GLint wrap) {
 
 void send_mip(const RendererState& renderer, const Asset& asset, const TextureRecord& record, std::uint32_t mip) {
   const GlFunctions& gl = renderer.gl;
-  if (renderer.webgl != nullptr && record.format == TexelFormat::kRg11Eac) {
-    renderer.webgl->send_eac(gl, asset, record, mip, renderer.scratch);
+  const PixelLayout layout = layout_of(record.format, false);
+  if (renderer.webgl != nullptr && layout.transfer == GL_NONE) {
+    renderer.webgl->send_blocks(gl, asset, record, mip, renderer.scratch);
     return;
   }
-  const PixelLayout layout = layout_of(record.format, false);
   const auto level = static_cast<GLint>(mip);
   const GLsizei width = mip_size(record.width, mip);
   const GLsizei height = mip_size(record.height, mip);

@@ -1,5 +1,7 @@
 #include "gl/webgl_code.h"
 
+#include <coif/texel_blocks.h>
+
 namespace coif {
 namespace {
 
@@ -46,15 +48,26 @@ class Channel {
 
 GLsizei side_of(std::uint32_t side, std::uint32_t mip) { return GLsizei(side >> mip > 0 ? side >> mip : 1); }
 
-void send_eac(const GlFunctions& gl, const Asset& asset, const TextureRecord& record, std::uint32_t mip,
-              std::span<std::byte> scratch) {
+void send_blocks(const GlFunctions& gl, const Asset& asset, const TextureRecord& record, std::uint32_t mip,
+                 std::span<std::byte> scratch) {
+  constexpr std::size_t kBlockBytes = 16;
+  const bool is_color = record.format == TexelFormat::kSrgb8Alpha8Etc2;
+  const std::size_t texel_bytes = is_color ? 4 : kChannels;
   const GLsizei width = side_of(record.width, mip), height = side_of(record.height, mip);
   const std::span<const std::byte> texels = asset.texels(record, mip);
-  const std::size_t row = (std::size_t(width) + kSide - 1) / kSide * kChannels * kChannelBytes;
+  const std::size_t row = (std::size_t(width) + kSide - 1) / kSide * kBlockBytes;
+  // As many blocks at once as the memory holds.
+  const auto most = GLsizei(scratch.size() / (kSide * kSide * texel_bytes) * kSide);
   for (GLsizei top = 0; top < height; top += GLsizei(kSide)) {
     const GLsizei rows = height - top < GLsizei(kSide) ? height - top : GLsizei(kSide);
-    decode_eac_rows(texels.subspan(std::size_t(top) / kSide * row, row), std::uint32_t(width), scratch);
-    gl.TexSubImage2D(GL_TEXTURE_2D, GLint(mip), 0, top, width, rows, GL_RG, GL_UNSIGNED_BYTE, scratch.data());
+    for (GLsizei left = 0; left < width; left += most) {
+      const GLsizei columns = width - left < most ? width - left : most;
+      const auto blocks = texels.subspan(std::size_t(top) / kSide * row + std::size_t(left) / kSide * kBlockBytes);
+      is_color ? decode_color_rows(blocks, std::uint32_t(columns), scratch)
+               : decode_eac_rows(blocks, std::uint32_t(columns), scratch);
+      gl.TexSubImage2D(GL_TEXTURE_2D, GLint(mip), left, top, columns, rows, is_color ? GL_RGBA : GL_RG,
+                       GL_UNSIGNED_BYTE, scratch.data());
+    }
   }
 }
 
@@ -101,6 +114,19 @@ void decode_eac_rows(std::span<const std::byte> blocks, std::uint32_t width, std
   }
 }
 
-const WebGlCode kWebGl = {send_indices, send_eac};
+void decode_color_rows(std::span<const std::byte> blocks, std::uint32_t width, std::span<std::byte> out) {
+  std::byte rgba[4 * kBlockTexels];
+  for (std::uint32_t left = 0; left < width; left += kSide) {
+    decode_color_block(&blocks[left / kSide * kColorBlockBytes], rgba);
+    const std::size_t bytes = std::size_t{4} * (width - left < kSide ? width - left : kSide);
+    for (std::uint32_t row = 0; row < kSide; ++row) {
+      for (std::size_t i = 0; i < bytes; ++i) {
+        out[4 * (std::size_t{row} * width + left) + i] = rgba[std::size_t{4} * row * kSide + i];
+      }
+    }
+  }
+}
+
+const WebGlCode kWebGl = {send_indices, send_blocks};
 
 }  // namespace coif

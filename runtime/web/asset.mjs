@@ -120,7 +120,7 @@ export class Asset {
       const texels = exports.coif_asset_texels(this.view, at, mip, this.coif.scratch) >>> 0;
       return new Uint8Array(memory.buffer, texels, memory.view.getUint32(this.coif.scratch, true));
     });
-    return { format: ['srgb8-alpha8', 'rg8', 'rg11-eac'][format], width, height, mips };
+    return { format: ['srgb8-alpha8', 'rg8', 'rg11-eac', 'srgb8-alpha8-etc2'][format], width, height, mips };
   }
 
   /** The data for renderers; throws for an asset without a mesh. */

@@ -78,7 +78,7 @@ export interface Material {
   glow: number; rootShade: number; variation: number;
 }
 export interface Texture {
-  format: 'srgb8-alpha8' | 'rg8' | 'rg11-eac';
+  format: 'srgb8-alpha8' | 'rg8' | 'rg11-eac' | 'srgb8-alpha8-etc2';
   width: number;
   height: number;
   /** Texels of each level, the finest and the first row first: views. */

@@ -1,10 +1,12 @@
-# Pages of an asset, of a page made up here: the real one comes from the build for the web, whose tests are in tests/web/view.
+# Pages of an asset, most of a page made up here: what the real one shows is tested in tests/web/view.
 set(empty_page "<b title='@NAME@'>@ASSET@</b>")
 coif_cli_case(view_help EXIT 0 STDOUT "WebGL 2.*one web page.*recipe.*--output.*PAGE.html.*--page.*Exit codes: 0 ok" ARGS view --help)
 coif_cli_case(view_text EXIT 0 SAMPLE WRITES bob.html STDOUT "bob.html: [0-9]+ KB with all that it needs; open it in a browser"
   TEXT empty.html ${empty_page} ARGS view ${COIF_COOKED_SAMPLE} --page empty.html)
 coif_cli_case(view_json EXIT 0 SAMPLE WRITES page.html JSON output bytes
   TEXT empty.html ${empty_page} ARGS view ${COIF_COOKED_SAMPLE} -o page.html --page empty.html --format json)
+coif_cli_case(view_without_page_option EXIT 0 SAMPLE WRITES bob.html STDOUT "bob.html: [0-9]+ KB with all that it needs"
+  ARGS view ${COIF_COOKED_SAMPLE})
 coif_cli_case(view_unknown_suffix EXIT 1 STDERR "coif view: error: page.png: the suffix must be .html" ARGS view a.coif -o page.png)
 coif_cli_case(view_absent EXIT 2 STDERR "coif view: error: nope.coif: cannot open" ARGS view nope.coif)
 coif_cli_case(view_source EXIT 3 STDERR "not a cooked hair asset; cook it first: coif cook .*bob.glb -o hair.coif"

@@ -202,9 +202,23 @@ function(shared_package)
   finds(${WORK}/pkg_only_skin ${libraries})
 endfunction()
 
+# finds_its_page(): the program in ${prefix} fills in the page that was installed with it, and not another one.
+function(finds_its_page)
+  set(page ${prefix}/share/coif/view.html)
+  run(${prefix}/bin/coif view ${ASSET} -o ${WORK}/page.html)
+  file(RENAME ${page} ${page}.kept)
+  file(WRITE ${page} "notes")
+  must_fail(MATCHES "share/coif/view.html: not the page of coif view" ${prefix}/bin/coif view ${ASSET} -o ${WORK}/page.html)
+  file(RENAME ${page}.kept ${page})
+endfunction()
+
 # Everything, as one build tree installs it.
 function(whole_package)
   run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+
+  if(ASSET)
+    finds_its_page()
+  endif()
 
   # A header that no file set lists would compile in the project and be absent from the package.
   set(project ${consumer}/../..)
@@ -248,6 +262,7 @@ function(deb_package)
     message(FATAL_ERROR "the packaged program: exit code ${code}, '${version}'")
   endif()
   run(${prefix}/bin/coif validate ${ASSET})
+  finds_its_page()
   execute_process(COMMAND gzip -dc ${prefix}/share/man/man1/coif.1.gz OUTPUT_VARIABLE packed)
   execute_process(COMMAND ${prefix}/bin/coif --man OUTPUT_VARIABLE printed)
   if(NOT packed OR NOT packed STREQUAL printed)

@@ -62,7 +62,7 @@ TEST(ViewPage, FoundOnesAreFilesAndAMissingOneHasACure) {
     return;
   }
   EXPECT_EQ(found.error().kind, ToolError::Kind::kUnsupported);
-  EXPECT_NE(found.error().message.find("cmake --preset web"), std::string::npos) << found.error().message;
+  EXPECT_NE(found.error().message.find("cmake --install"), std::string::npos) << found.error().message;
 }
 
 }  // namespace coif::view::view_page_test

@@ -63,7 +63,7 @@ ordered_json dynamics_ranges(const Asset& asset) {
 }
 
 constexpr const char* kTextureRoles[] = {"base_color", "shift_mask", "normal", "strand_axis"};  // as TextureRole
-constexpr const char* kTexelFormats[] = {"rgba8", "rg8", "eac_rg11"};                           // as TexelFormat
+constexpr const char* kTexelFormats[] = {"rgba8", "rg8", "eac_rg11", "etc2_rgba8"};             // as TexelFormat
 
 /// The mips of the base colour with the coverage of each: hair that loses coverage gets thin with distance.
 ordered_json mip_list(const TextureRecord& texture, const std::vector<cook::AlphaCoverage>& coverage) {

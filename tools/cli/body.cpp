@@ -46,8 +46,9 @@ bool leaves_something(const cook::HairChoice& hair, const importer::SourceModel&
 
 /// Keeps only the body's meshes, so that hair is not drawn twice. `pattern`: meshes to keep, with * and ?; empty:
 /// everything that a cook with this recipe would not take for hair. `is_hairs_own`: the hair was cooked from this
-/// model; if it has nothing else, it is left without meshes. Errors: kBadInput with all names where nothing is left;
-/// those of choose_hair().
+/// model; if it has nothing else, it is left without meshes. A model without hair, which a caller passes as the body of
+/// hair from elsewhere, is kept whole. Errors: kBadInput with all names where nothing is left; those of
+/// check_hair_names(), and of choose_hair() for the hair's own model.
 tl::expected<importer::SourceModel, ToolError> keep_body(importer::SourceModel model, const std::string& pattern,
                                                          const cook::Recipe& recipe, bool is_hairs_own) {
   std::vector<std::string> names;
@@ -55,10 +56,13 @@ tl::expected<importer::SourceModel, ToolError> keep_body(importer::SourceModel m
   if (pattern.empty()) {
     cook::Findings unsaid;
     const auto hair = cook::choose_hair(model, recipe, unsaid);
-    // A caller who passes it as a body knows that it has no hair; a recipe that names hair is another matter.
-    if (!hair && recipe.names_hair()) return tl::unexpected(hair.error());
-    const bool leaves_body = hair && leaves_something(*hair, model);
-    if (hair && !leaves_body && is_hairs_own) {
+    if (!hair) {
+      if (is_hairs_own) return tl::unexpected(hair.error());
+      if (auto known = cook::check_hair_names(model, recipe); !known) return tl::unexpected(known.error());
+      return model;
+    }
+    const bool leaves_body = leaves_something(*hair, model);
+    if (!leaves_body && is_hairs_own) {
       model.meshes.clear();
       return model;
     }
@@ -76,20 +80,25 @@ tl::expected<importer::SourceModel, ToolError> keep_body(importer::SourceModel m
 
 }  // namespace
 
+tl::expected<Body, ToolError> body_of(importer::SourceModel read, const BodyOptions& options,
+                                      const RecipeChoice& choice, const Asset& asset) {
+  std::vector<std::filesystem::path> files = files_of(read);
+  const std::vector<std::filesystem::path> of_recipe = files_of(choice);
+  files.insert(files.end(), of_recipe.begin(), of_recipe.end());
+  cook::Findings findings;
+  if (auto resized = cook::settle_size(read, choice.recipe, findings).model) read = std::move(*resized);
+  auto model = keep_body(std::move(read), options.mesh, choice.recipe, is_source_of(asset, options.file));
+  if (!model) return tl::unexpected(model.error());
+  return Body{std::move(*model), std::move(files), std::move(findings)};
+}
+
 tl::expected<Body, ToolError> read_body(const BodyOptions& options, const Asset& asset, const Messages& messages) {
   const auto choice = choose_recipe(options.file, options.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
   auto model = importer::import_model(
       options.file, options.limits.of_import(import_settings(choice->recipe, options.roots), messages));
   if (!model) return tl::unexpected(model.error());
-  std::vector<std::filesystem::path> files = files_of(*model);
-  const std::vector<std::filesystem::path> of_recipe = files_of(*choice);
-  files.insert(files.end(), of_recipe.begin(), of_recipe.end());
-  cook::Findings findings;
-  if (auto resized = cook::settle_size(*model, choice->recipe, findings).model) *model = std::move(*resized);
-  model = keep_body(std::move(*model), options.mesh, choice->recipe, is_source_of(asset, options.file));
-  if (!model) return tl::unexpected(model.error());
-  return Body{std::move(*model), std::move(files), std::move(findings)};
+  return body_of(std::move(*model), options, *choice, asset);
 }
 
 }  // namespace coif::cli

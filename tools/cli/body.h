@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
 #include "cli/source_limits.h"
@@ -35,5 +36,9 @@ struct Body {
 /// Reads what is drawn with an asset's hair, in the asset's size. Where the asset was cooked from this very file, its
 /// hair is left out. Errors: those of the import; a pattern that matches nothing.
 tl::expected<Body, ToolError> read_body(const BodyOptions& options, const Asset& asset, const Messages& messages);
+
+/// The same of a model that was read before, with the recipe of its cook.
+tl::expected<Body, ToolError> body_of(importer::SourceModel model, const BodyOptions& options,
+                                      const RecipeChoice& choice, const Asset& asset);
 
 }  // namespace coif::cli

@@ -4,9 +4,11 @@
 #include "cli/body.h"
 #include "cli/command.h"
 #include "cli/cook_job.h"
+#include "cli/cook_process.h"
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
+#include "import/reader_process.h"
 #include "render/gallery.h"
 
 #include <fmt/format.h>
@@ -32,7 +34,8 @@ struct LookedAt {
   FileBytes bytes;
   std::vector<std::string> told;
   std::vector<std::filesystem::path> inputs;  ///< The inputs of that cook.
-  bool was_source = false;
+  std::optional<RecipeChoice> choice;         ///< The recipe of that cook.
+  platform::Bytes model;                      ///< For importer::decode_model(), the source as it was read.
 };
 
 /// A source is cooked only as far as a picture needs: the search for draw orders takes longest and changes soft edges
@@ -40,7 +43,7 @@ struct LookedAt {
 tl::expected<LookedAt, ToolError> asset_of(const LookOptions& options, const Messages& messages) {
   auto bytes = FileBytes::read(options.file);
   if (!bytes) return tl::unexpected(bytes.error());
-  if (!is_source(options.file, bytes->span())) return LookedAt{std::move(*bytes), {}, {}};
+  if (!is_source(options.file, bytes->span())) return LookedAt{std::move(*bytes), {}, {}, {}, {}};
   auto choice = choose_recipe(options.file, options.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
   choice->recipe.order_method = cook::OrderMethod::kHead;
@@ -48,20 +51,25 @@ tl::expected<LookedAt, ToolError> asset_of(const LookOptions& options, const Mes
   cook.sources = {options.file};
   cook.roots = options.roots;
   cook.limits = options.limits;
-  const auto cooked = cook_alone(cook, *choice, messages);
-  if (!cooked) return tl::unexpected(cooked.error());
-  LookedAt result{FileBytes::copy(cooked->asset), {}, files_of(*choice, cooked->inputs), true};
-  messages.tell(cooked->report.warnings, options.file);
-  for (const Diagnostic& warning : cooked->report.warnings) result.told.push_back("WARNING: " + warning.message);
-  for (const std::string& note : cooked->report.notes) result.told.push_back(note);
-  for (const cook::LeftOut& left_out : cooked->report.left_out) result.told.push_back("left out: " + left_out.text());
+  auto answer = cook_with_model(cook, *choice, messages);
+  if (!answer) return tl::unexpected(answer.error());
+  const cook::CookResult& cooked = answer->result;
+  LookedAt result{FileBytes::copy(cooked.asset), {}, files_of(*choice, cooked.inputs), {}, std::move(answer->model)};
+  result.choice = std::move(*choice);
+  messages.tell(cooked.report.warnings, options.file);
+  for (const Diagnostic& warning : cooked.report.warnings) result.told.push_back("WARNING: " + warning.message);
+  for (const std::string& note : cooked.report.notes) result.told.push_back(note);
+  for (const cook::LeftOut& left_out : cooked.report.left_out) result.told.push_back("left out: " + left_out.text());
   return result;
 }
 
 /// What is not hair. A file whose rest cannot be drawn is looked at without it.
-Body rest_of_source(const LookOptions& options, const Asset& asset, const Messages& messages) {
-  auto body =
-      read_body({options.file, {}, options.recipe, options.roots, options.limits}, asset, messages.without_notes());
+Body rest_of_source(const LookOptions& options, const LookedAt& looked, const Asset& asset) {
+  importer::ImportOutcome model;
+  if (!looked.choice || !importer::decode_model(looked.model, model) || !model) return {};
+  BodyOptions rest;
+  rest.file = options.file;
+  auto body = body_of(std::move(*model), rest, *looked.choice, asset);
   return body ? std::move(*body) : Body{};
 }
 
@@ -97,7 +105,7 @@ tl::expected<Exit, ToolError> run_look(const LookOptions& options, const Message
   ProgressLine line(options.file);
   render::LookSettings settings{options.size.width, options.size.height, title_of(options, asset), looked->told,
                                 nullptr};
-  const Body body = looked->was_source ? rest_of_source(options, asset, messages) : Body{};
+  const Body body = rest_of_source(options, *looked, asset);
   if (!body.model.meshes.empty()) settings.rest = &body.model;
   const auto look =
       render::render_look(asset, settings, [&line](const std::string& caption) { line.show(caption.c_str()); });

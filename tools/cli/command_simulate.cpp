@@ -1,4 +1,5 @@
 #include "animation/recording.h"
+#include "base/color_texels.h"
 #include "base/files.h"
 #include "base/json.h"
 #include "base/text.h"
@@ -38,8 +39,8 @@ struct SimulateOptions {
 
 std::vector<std::uint8_t> base_color_png(const Asset& asset) {
   const TextureRecord* texture = asset.texture(TextureRole::kBaseColor);
-  if (!texture || texture->format != TexelFormat::kSrgb8Alpha8) return {};
-  const auto texels = asset.texels(*texture, 0);
+  if (!texture) return {};
+  const auto texels = color_texels(asset, *texture, 0);
   render::Picture picture;
   picture.width = texture->width;
   picture.height = texture->height;

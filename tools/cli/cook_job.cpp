@@ -46,19 +46,19 @@ struct FinishedCook {
 };
 
 /// Cooks without a cache.
-tl::expected<cook::CookResult, FailedCook> cook_source(const CookOptions& options, const RecipeChoice& choice,
-                                                       std::span<const std::byte> bytes, const Messages& messages) {
+tl::expected<CookAnswer, FailedCook> cook_source(const CookOptions& options, const RecipeChoice& choice,
+                                                 std::span<const std::byte> bytes, bool keeps_model,
+                                                 const Messages& messages) {
   std::optional<ProgressLine> progress;
   if (options.shows_progress && !options.quiet) progress.emplace(options.source());
   CookOrder order = order_of(options, choice, messages);
   order.source_hash = xxh64(bytes);
   order.draft = options.draft;
   order.list_patches = options.list_patches;
+  order.keeps_model = keeps_model;
   LimitedCall call = limited_call(options);
   if (progress) call.on_part = [&progress](const char* part) { progress->show(part); };
-  auto answer = cook_in_child(order, call);
-  if (!answer) return tl::unexpected(answer.error());
-  return std::move(answer->result);
+  return cook_in_child(order, call);
 }
 
 tl::expected<FinishedCook, FailedCook> cook_or_find(const CookOptions& options, const RecipeChoice& choice,
@@ -66,20 +66,20 @@ tl::expected<FinishedCook, FailedCook> cook_or_find(const CookOptions& options, 
   const auto begin = platform::file_clock_now();
   const auto bytes = FileBytes::read(options.source());
   if (!bytes) return tl::unexpected(FailedCook(bytes.error(), {validate::make_issue("F101", bytes.error().message)}));
-  const auto fresh = [&] { return cook_source(options, choice, bytes->span(), messages); };
+  const auto fresh = [&] { return cook_source(options, choice, bytes->span(), false, messages); };
   if (options.cache.empty()) {
-    return fresh().map([](cook::CookResult result) { return FinishedCook{std::move(result), false}; });
+    return fresh().map([](CookAnswer answer) { return FinishedCook{std::move(answer.result), false}; });
   }
   const cache::CookCache cache(options.cache);
   const cache::CookPlace place{options.source(), choice.directory, options.roots};
   const std::string key = cache::cook_key({tool_identity(), importer::importer_name(), place, bytes->span(),
                                            cook::print_recipe(choice.recipe), options.draft});
   if (auto found = cache.find(key, place)) return FinishedCook{std::move(*found), true};
-  auto result = fresh();
-  if (!result) return tl::unexpected(result.error());
+  auto answer = fresh();
+  if (!answer) return tl::unexpected(answer.error());
   // A full disk costs the next cook's time, not this one's result.
-  if (auto stored = cache.store(key, place, *result, begin); !stored) messages.warning(stored.error().message);
-  return FinishedCook{std::move(*result), false};
+  if (auto stored = cache.store(key, place, answer->result, begin); !stored) messages.warning(stored.error().message);
+  return FinishedCook{std::move(answer->result), false};
 }
 
 tl::expected<std::string, ToolError> depfile_of(const CookOptions& options, const RecipeChoice& choice,
@@ -124,13 +124,29 @@ tl::expected<void, ToolError> acknowledge(const CookOptions& options, RecipeChoi
   return check_ignored(options.ignored, "--ignore");
 }
 
-tl::expected<cook::CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice,
-                                                     const Messages& messages) {
+namespace {
+
+tl::expected<CookAnswer, ToolError> answer_of_cook(const CookOptions& options, const RecipeChoice& choice,
+                                                   bool keeps_model, const Messages& messages) {
   const auto bytes = FileBytes::read(options.source());
   if (!bytes) return tl::unexpected(bytes.error());
-  auto result = cook_source(options, choice, bytes->span(), messages);
-  if (!result) return tl::unexpected<ToolError>(result.error());
-  return std::move(*result);
+  auto answer = cook_source(options, choice, bytes->span(), keeps_model, messages);
+  if (!answer) return tl::unexpected<ToolError>(answer.error());
+  return std::move(*answer);
+}
+
+}  // namespace
+
+tl::expected<cook::CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice,
+                                                     const Messages& messages) {
+  return answer_of_cook(options, choice, false, messages).map([](CookAnswer answer) {
+    return std::move(answer.result);
+  });
+}
+
+tl::expected<CookAnswer, ToolError> cook_with_model(const CookOptions& options, const RecipeChoice& choice,
+                                                    const Messages& messages) {
+  return answer_of_cook(options, choice, true, messages);
 }
 
 tl::expected<CookSummary, FailedCook> run_cook_job(const CookOptions& options, const RecipeChoice& choice,

@@ -92,6 +92,7 @@ struct FailedCook : ToolError {
 /// since a failed cook does not know all files that its source names.
 void report_failed_cook(const CookOptions& options, const FailedCook& failed, const Messages& messages);
 
+struct CookAnswer;
 struct CookOrder;
 
 /// The order to a child process that cooks the first of `options.sources`, without its hash. Prints once per process
@@ -107,6 +108,10 @@ tl::expected<void, ToolError> acknowledge(const CookOptions& options, RecipeChoi
 /// Cooks the first of `options.sources` within the limits, without a cache, and writes nothing.
 tl::expected<cook::CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice,
                                                      const Messages& messages);
+
+/// The same; the answer brings the model along.
+tl::expected<CookAnswer, ToolError> cook_with_model(const CookOptions& options, const RecipeChoice& choice,
+                                                    const Messages& messages);
 
 /// Cooks the first of `options.sources` or takes the result from the cache, prints the warnings, and writes asset,
 /// report and depfile. Each file is written whole or not at all, and none without the asset.

@@ -1,5 +1,6 @@
 #include "render/gallery.h"
 
+#include "base/color_texels.h"
 #include "base/geometry.h"
 #include "base/srgb.h"
 #include "motion/head_path.h"
@@ -244,7 +245,7 @@ MaterialRecord thesis_material(const Asset& asset) {
 Eigen::Vector3d mean_base_color(const Asset& asset) {
   const TextureRecord* const texture = asset.texture(TextureRole::kBaseColor);
   if (texture == nullptr) return Eigen::Vector3d::Ones();
-  const std::span<const std::byte> texels = asset.texels(*texture, 0);
+  const std::vector<std::byte> texels = color_texels(asset, *texture, 0);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double weight = 0;
   for (std::size_t i = 0; i + 3 < texels.size(); i += 4) {

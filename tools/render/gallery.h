@@ -111,8 +111,9 @@ struct LookSettings {
   const importer::SourceModel* rest = nullptr;  ///< What is not hair, without its textures; null: not known.
 };
 
-/// One sheet that shows whether a cook is right: the hair from all sides, its patches and the direction of its strands,
-/// the colliders through the hair, moments of three motions, the base texture and its alpha, and the cook's messages.
+/// One sheet that shows whether a cook is right: the hair from all sides with the rest of the model, its patches and
+/// the direction of its strands, the colliders through the hair, moments of three motions, the base texture and its
+/// alpha, and the cook's messages.
 /// Errors: kUsage for a size out of range; those of PictureMaker.
 tl::expected<GallerySheet, ToolError> render_look(const Asset& asset, const LookSettings& settings,
                                                   const std::function<void(const std::string&)>& progress);

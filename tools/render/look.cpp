@@ -1,11 +1,14 @@
 #include "render/gallery.h"
 
+#include "base/color_texels.h"
 #include "base/text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace coif::render {
 namespace {
@@ -40,50 +43,55 @@ struct Moment {
 
 constexpr Moment kMoments[] = {{"turn, 0.4 s", motion::Motion::kTurn, 0.4, 30},
                                {"nod, 0.4 s", motion::Motion::kNod, 0.4, 75},
-                               {"nod, 0.9 s", motion::Motion::kNod, 0.9, 75},
-                               {"charge, 0.2 s", motion::Motion::kCharge, 0.2, 75},
                                {"charge, 0.5 s", motion::Motion::kCharge, 0.5, 75}};
 
-Gallery in_motion(PictureSettings picture) {
-  Gallery gallery{0, "In motion", {}};
+/// One row: the colliders from two sides, and moments of motions where anything moves.
+Gallery colliders_and_motion(const Asset& asset, const PictureSettings& picture) {
+  Gallery gallery{0, "Colliders through the hair", {}};
+  PictureSettings colliders = picture;
+  colliders.colliders = true;
+  for (const Side& side : std::span(kSides).first(2)) {
+    gallery.pictures.push_back({side.name, seen_from(colliders, side)});
+  }
+  if (asset.chains().empty()) return gallery;
+  gallery.title += "; in motion";
+  PictureSettings moving = picture;
   for (const Moment& moment : kMoments) {
-    picture.motion = moment.motion;
-    picture.time = moment.time;
-    picture.yaw_degrees = moment.yaw_degrees;
-    gallery.pictures.push_back({moment.caption, picture});
+    moving.motion = moment.motion;
+    moving.time = moment.time;
+    moving.yaw_degrees = moment.yaw_degrees;
+    gallery.pictures.push_back({moment.caption, moving});
   }
   return gallery;
 }
 
+/// Few samples and no shadows: drawn in software, those take most of the time, and show little of what a cook decides.
 std::vector<Gallery> what_to_look_at(const Asset& asset, const LookSettings& settings) {
   PictureSettings picture;
   picture.width = settings.width;
   picture.height = settings.height;
   picture.warm_up = false;
-  picture.oversampling = 2;
-  picture.shadows = &kDeepShadow;
-  std::vector<Gallery> galleries{from_all_sides(settings.title, picture)};
+  picture.edge_samples = 1;
   PictureSettings part = picture;
-  part.body = settings.rest;
-  if (settings.rest) galleries.push_back(from_all_sides("On the rest of the model, which is not hair", part));
+  part.oversampling = 2;
+  part.ghost = settings.rest;
+  const std::string title = settings.title + (settings.rest ? "; what is not hair is like glass" : "");
+  std::vector<Gallery> galleries{from_all_sides(title, part)};
   part = picture;
   part.component = Component::kDirection;
   galleries.push_back(from_all_sides("Strands: green at the root, red at the tip, spikes point to the tip", part));
   part = picture;
   part.patches = true;
   galleries.push_back(from_all_sides("Patches, each in a colour", part));
-  part = picture;
-  part.colliders = true;
-  galleries.push_back(from_all_sides("Colliders through the hair", part));
-  if (!asset.chains().empty()) galleries.push_back(in_motion(picture));
+  galleries.push_back(colliders_and_motion(asset, picture));
   return galleries;
 }
 
 /// As much of the texture as a tile shows, and its alpha alone beside it.
 std::vector<SheetTile> base_texture(const Asset& asset, const LookSettings& settings) {
   const TextureRecord* const texture = asset.texture(TextureRole::kBaseColor);
-  if (texture == nullptr || texture->format != TexelFormat::kSrgb8Alpha8) return {};
-  const std::span<const std::byte> texels = asset.texels(*texture, 0);
+  if (texture == nullptr) return {};
+  const std::vector<std::byte> texels = color_texels(asset, *texture, 0);
   SheetTile color{fmt::format("{} x {} texels", texture->width, texture->height), {}}, alpha{"alpha", {}};
   for (SheetTile* tile : {&color, &alpha}) {
     tile->picture.width = settings.width;

@@ -78,8 +78,8 @@ bool shows_bust(const PictureSettings& settings) {
 
 std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& settings, const motion::HairPose& pose) {
   std::vector<SolidMesh> meshes;
+  const Eigen::Map<const Eigen::Vector3f> head_joint(asset.skeleton().head_joint);
   if (settings.body != nullptr) {
-    const Eigen::Map<const Eigen::Vector3f> head_joint(asset.skeleton().head_joint);
     const char* const head_bone = asset.bone_name(0);
     const BodyTurn body{head_bone != nullptr ? head_bone : "", pose.head.rotation};
     for (const importer::SourceMesh& mesh : settings.body->meshes) {
@@ -87,11 +87,15 @@ std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& s
             meshes.emplace_back(body_mesh(*settings.body, mesh, head_joint, body)));
     }
   }
+  if (settings.ghost != nullptr) {
+    for (const importer::SourceMesh& mesh : settings.ghost->meshes)
+      meshes.emplace_back(body_mesh(*settings.ghost, mesh, head_joint)).is_ghost = true;
+  }
   const bool wants_head = settings.body == nullptr && settings.mannequin;
   if (shows_bust(settings)) {
     std::ranges::move(bust_meshes(asset.colliders(), yaw_of_face(asset) != 0), std::back_inserter(meshes));
   }
-  if (settings.colliders || (wants_head && meshes.empty())) {
+  if (settings.colliders || (wants_head && std::ranges::all_of(meshes, &SolidMesh::is_ghost))) {
     for (SolidMesh& mesh : mannequin_meshes(asset.colliders())) {
       if (settings.colliders) mesh.color = Eigen::Vector3f(kColliderColor);
       meshes.push_back(std::move(mesh));

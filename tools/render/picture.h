@@ -87,10 +87,13 @@ struct PictureSettings {
   const importer::SourceModel* body =
       nullptr;                 ///< Drawn opaque instead of the collider: the source's meshes that are not hair.
   BodyTextures body_textures;  ///< The body's materials'; empty: clay where there should be one.
-  bool bust = false;           ///< A head with a face in place of the largest of them.
-  bool cuts_out_bodies = false;  ///< They hide hair and shade it, but are holes in the picture.
-  bool keeps_light = false;      ///< Also Picture::light.
-  bool mannequin = true;       ///< Without `body`: draw the colliders that hair stays out of, as a plain head.
+      nullptr;                 ///< Drawn opaque instead of the collider: the source's meshes that are not hair.
+  BodyTextures body_textures;  ///< The body's materials'; empty: clay where there should be one.
+  const importer::SourceModel* ghost = nullptr;  ///< Beside what the hair is on: drawn over all as clay like glass.
+  bool bust = false;                             ///< A head with a face in place of the largest of them.
+  bool cuts_out_bodies = false;                  ///< They hide hair and shade it, but are holes in the picture.
+  bool keeps_light = false;                      ///< Also Picture::light.
+  bool mannequin = true;  ///< Without `body`: draw the colliders that hair stays out of, as a plain head.
 };
 
 struct Picture {

@@ -59,8 +59,10 @@ Status draw_scene(HairRenderer& renderer, const PictureScene& scene, const Offsc
   if (scene.ground != nullptr) {
     for (const Eigen::Vector3d& place : scene.view.places) scene.ground->draw(scene.view.camera, place);
   }
-  if (settings.patches) return Status::kOk;  // They are on the stage.
-  return renderer.draw(scene.model, heads, desc);
+  // Patches are on the stage.
+  const Status drawn = settings.patches ? Status::kOk : renderer.draw(scene.model, heads, desc);
+  for (const HeadPose& pose : poses) scene.stage.draw_ghosts(scene.view.camera, pose, lights);
+  return drawn;
 }
 
 tl::expected<void, ToolError> draw_debug_lines(const PictureScene& scene, const PictureSettings& settings) {

@@ -128,6 +128,7 @@ tl::expected<StageRenderer, ToolError> StageRenderer::create(std::span<const Sol
     body.color = mesh.color;
     body.alpha_cutoff = mesh.alpha_cutoff;
     body.roughness = mesh.roughness;
+    body.is_ghost = mesh.is_ghost;
   }
   return stage;
 }
@@ -173,9 +174,10 @@ void StageRenderer::set_placement(const Eigen::Matrix4f& clip_from_world, const 
   set_matrix("world_from_head", matrix_of(head));
 }
 
-void StageRenderer::draw_meshes() const {
+void StageRenderer::draw_meshes(bool ghosts) const {
   glActiveTexture(GL_TEXTURE0 + GLenum(kBaseTextureUnit));
   for (const Body& body : bodies_) {
+    if (body.is_ghost != ghosts) continue;
     glUniform3fv(glGetUniformLocation(body_program_, "color"), 1, body.color.data());
     glUniform2f(glGetUniformLocation(body_program_, "surface"), body.alpha_cutoff, body.roughness);
     glBindTexture(GL_TEXTURE_2D, body.texture);
@@ -204,6 +206,28 @@ void StageRenderer::cut_out_bodies(const Camera& camera, const HeadPose& head) c
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   draw_casters(camera.clip_from_world, head);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void StageRenderer::draw_ghosts(const Camera& camera, const HeadPose& head, std::span<const Light> lights) const {
+  constexpr float kOpacity = 0.4f;
+  if (std::none_of(bodies_.begin(), bodies_.end(), [](const Body& body) { return body.is_ghost; })) return;
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  set_placement(camera.clip_from_world, head);
+  set_lights(body_program_, lights);
+  glUniform4f(glGetUniformLocation(body_program_, "look"), look_.ambient, look_.wrap, look_.bleed, look_.gloss);
+  // Their nearest surface first, so that only this one is blended.
+  glDepthMask(GL_TRUE);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  draw_meshes(true);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendColor(0, 0, 0, kOpacity);
+  glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+  draw_meshes(true);
+  glDisable(GL_BLEND);
+  glDepthFunc(GL_LESS);
 }
 
 // A framebuffer without colour ignores the shader's output.

@@ -51,6 +51,7 @@ struct SolidMesh {
   std::shared_ptr<const SolidTexture> texture;          ///< Times `color`; null: none.
   float alpha_cutoff = 0;                               ///< Texels with less alpha are holes, 0..1.
   float roughness = 0.8f;                               ///< 0 a mirror .. 1 matte; only where BodyLook has gloss.
+  bool is_ghost = false;                                ///< Drawn by draw_ghosts() alone.
 };
 
 /// The background: a gradient, and light in the middle of it. Linear colours.
@@ -126,12 +127,16 @@ class StageRenderer {
   /// Draws their depth alone, so that the hair behind them is hidden, with OpenGL's initial colour mask.
   void cut_out_bodies(const Camera& camera, const HeadPose& head) const;
 
+  /// Draws ghosts over all else, a single layer that one can see through: what is behind their nearest surface is not
+  /// hidden by it.
+  void draw_ghosts(const Camera& camera, const HeadPose& head, std::span<const Light> lights) const;
+
   /// Draws bodies without colour, for the bound shadow's depth.
   void draw_casters(const Eigen::Matrix4f& clip_from_world, const HeadPose& head) const;
 
  private:
   void set_placement(const Eigen::Matrix4f& clip_from_world, const HeadPose& head) const;
-  void draw_meshes() const;
+  void draw_meshes(bool ghosts = false) const;
 
   struct Body {
     std::uint32_t vertex_array = 0;
@@ -141,6 +146,7 @@ class StageRenderer {
     Eigen::Vector3f color;
     float alpha_cutoff = 0;
     float roughness = 1;
+    bool is_ghost = false;
   };
   [[nodiscard]] std::uint32_t texture_of(const SolidMesh& mesh);
 

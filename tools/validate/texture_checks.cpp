@@ -1,3 +1,4 @@
+#include "base/color_texels.h"
 #include "cook/texture/alpha.h"
 #include "validate/asset_checks.h"
 
@@ -28,7 +29,7 @@ const char* place(TextureRole role) {
 
 /// Some used texel has an alpha that neither passes as solid nor as nothing.
 bool has_soft_texels(const Asset& asset, const TextureRecord& texture) {
-  const auto texels = asset.texels(texture, 0);
+  const auto texels = color_texels(asset, texture, 0);
   for (std::size_t i = 3; i < texels.size(); i += 4) {
     const auto alpha = std::to_integer<int>(texels[i]);
     if (alpha > 16 && alpha < 239) return true;

@@ -44,10 +44,10 @@ tl::expected<std::filesystem::path, ToolError> find_view_page(const std::filesys
   for (const std::filesystem::path& place : {installed_page(), std::filesystem::path(COIF_BUILT_VIEW_PAGE)}) {
     if (!place.empty() && is_file(place)) return place;
   }
-  return failure(
-      ToolError::Kind::kUnsupported,
-      "this build of coif came without its page; make it with 'cmake --preset web && cmake --build --preset web "
-      "--target coif_view_html' (Debian: emscripten), or name one with --page");
+  return file_failure(
+      ToolError::Kind::kUnsupported, installed_page().lexically_normal(),
+      "this program came without the page of coif view; install coif again with 'cmake --install', or name the page "
+      "with --page (tools/view/built/view.html of the sources)");
 }
 
 tl::expected<std::string, ToolError> view_page(std::string_view page, std::span<const std::byte> asset,
@@ -57,7 +57,7 @@ tl::expected<std::string, ToolError> view_page(std::string_view page, std::span<
   const bool has_sheet = page.find(kSheetPlace) != page.npos;
   if (!sheet.empty() && !has_sheet) {
     return failure(ToolError::Kind::kBadInput,
-                   "a page of coif view that knows no galleries; build/web/view/view.html as it is made now does");
+                   "a page of coif view that knows no galleries; tools/view/built/view.html as it is made now does");
   }
   std::string out;
   out.reserve(page.size() + bytes.size() + title.size() + sheet.size());
@@ -67,7 +67,7 @@ tl::expected<std::string, ToolError> view_page(std::string_view page, std::span<
     if (place == kSheetPlace && !has_sheet) break;
     const std::size_t at = page.find(place);
     if (at == page.npos) {
-      return failure(ToolError::Kind::kBadInput, "not the page of coif view; build/web/view/view.html is");
+      return failure(ToolError::Kind::kBadInput, "not the page of coif view; tools/view/built/view.html is");
     }
     out.append(page.substr(0, at)).append(text);
     page.remove_prefix(at + place.size());
@@ -80,7 +80,7 @@ tl::expected<std::string, ToolError> with_motion(std::string_view page, std::str
   const std::size_t at = page.find(kPlace);
   if (at == page.npos) {
     return failure(ToolError::Kind::kBadInput,
-                   "not the page of coif view that knows motions; build/web/view/view.html is");
+                   "not the page of coif view that knows motions; tools/view/built/view.html is");
   }
   nlohmann::ordered_json json{{"motion", name}};
   if (!keys.empty()) {

@@ -1,5 +1,6 @@
 #include "visibility/hair_light.h"
 
+#include "base/color_texels.h"
 #include "base/srgb.h"
 
 #include <Eigen/Geometry>
@@ -81,7 +82,7 @@ ColorTexture::ColorTexture(const Asset& asset) {
   if (texture == nullptr) return;
   for (std::uint32_t mip = 0; mip < texture->mip_count; ++mip) {
     Level level{int(std::max(1u, texture->width >> mip)), int(std::max(1u, texture->height >> mip)), {}};
-    const auto texels = asset.texels(*texture, mip);
+    const auto texels = color_texels(asset, *texture, mip);
     for (std::size_t i = 0; i < texels.size(); ++i) {
       if (i % 4 != 3) level.rgb.push_back(std::to_integer<std::uint8_t>(texels[i]));
     }

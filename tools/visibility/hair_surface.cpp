@@ -1,6 +1,7 @@
 #include "visibility/hair_surface.h"
 
 #include "base/collider_shapes.h"
+#include "base/color_texels.h"
 
 #include <coif/skinning.h>
 
@@ -54,7 +55,7 @@ AlphaTexture::AlphaTexture(const Asset& asset) {
   const TextureRecord* texture = asset.texture(TextureRole::kBaseColor);
   if (texture == nullptr) return;
   for (std::uint32_t mip = 0; mip < texture->mip_count; ++mip) {
-    const auto texels = asset.texels(*texture, mip);
+    const auto texels = color_texels(asset, *texture, mip);
     levels_.emplace_back(std::max(1u, texture->width >> mip), std::max(1u, texture->height >> mip));
     levels_.back().set_texels({reinterpret_cast<const std::uint8_t*>(texels.data()), texels.size()});
   }

@@ -79,6 +79,8 @@ enum class TexelFormat : std::uint32_t {
   kSrgb8Alpha8 = 0,  ///< Four bytes, colour sRGB-encoded, alpha linear and not premultiplied.
   kRg8 = 1,          ///< Two bytes, linear.
   kRg11Eac = 2,      ///< ETC2/EAC RG11, unsigned: 16 bytes for 4x4 texels; the same meaning, half the size of kRg8.
+  /// ETC2 with EAC alpha: 16 bytes for 4x4 texels; the meaning of kSrgb8Alpha8, a quarter of its size.
+  kSrgb8Alpha8Etc2 = 3,
 };
 
 /// Whether a texture of this role describes the surface's form. Such textures are stored in RELR and RELD, all others
@@ -108,6 +110,7 @@ constexpr std::uint64_t mip_bytes(TexelFormat format, std::uint32_t width, std::
   switch (format) {
     case TexelFormat::kSrgb8Alpha8: return w * h * 4;
     case TexelFormat::kRg8: return w * h * 2;
+    case TexelFormat::kSrgb8Alpha8Etc2:
     case TexelFormat::kRg11Eac: return (w + 3) / 4 * ((h + 3) / 4) * 16;
   }
   return 0;

@@ -85,7 +85,9 @@ static GLuint upload_texture(const coif_asset* asset, uint32_t role, GLint wrap)
     } else if (texture->format == COIF_RG8) {
       glTexImage2D(GL_TEXTURE_2D, level, GL_RG8, width, height, 0, GL_RG, GL_UNSIGNED_BYTE, texels);
     } else {
-      glCompressedTexImage2D(GL_TEXTURE_2D, level, GL_COMPRESSED_RG11_EAC, width, height, 0, (GLsizei)bytes, texels);
+      const GLenum format =
+          texture->format == COIF_RG11_EAC ? GL_COMPRESSED_RG11_EAC : GL_COMPRESSED_SRGB8_ALPHA8_ETC2_EAC;
+      glCompressedTexImage2D(GL_TEXTURE_2D, level, format, width, height, 0, (GLsizei)bytes, texels);
     }
     width = width > 1 ? width / 2 : 1;
     height = height > 1 ? height / 2 : 1;

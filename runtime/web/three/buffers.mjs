@@ -8,6 +8,7 @@ import {
 import { CoifError } from '../memory.mjs';
 import { RECORDS } from '../records.mjs';
 import { decodeRg11 } from './eac.mjs';
+import { decodeEtc2 } from './etc2.mjs';
 
 const PALETTE_WIDTH = 768;
 const MATRIX_FLOATS = 12;
@@ -54,16 +55,20 @@ function wrapOf(places) {
   return places.array.some((place) => place < -slack || place > 1 + slack) ? RepeatWrapping : ClampToEdgeWrapping;
 }
 
+const DECODERS = { 'rg11-eac': decodeRg11, 'srgb8-alpha8-etc2': decodeEtc2 };
+
 function textureOf(asset, role, wrap) {
   const stored = asset.texture(role);
   if (stored === null) return null;
   const { format, width, height } = stored;
   const mipmaps = stored.mips.map((bytes, mip) => {
     const size = { width: Math.max(width >> mip, 1), height: Math.max(height >> mip, 1) };
-    return { data: format === 'rg11-eac' ? decodeRg11(bytes, size.width, size.height) : bytes.slice(), ...size };
+    const decode = DECODERS[format] ?? ((texels) => texels.slice());
+    return { data: decode(bytes, size.width, size.height), ...size };
   });
-  const texture = new DataTexture(mipmaps[0].data, width, height, format === 'srgb8-alpha8' ? RGBAFormat : RGFormat);
-  if (format === 'srgb8-alpha8') texture.colorSpace = SRGBColorSpace;
+  const isColor = format.startsWith('srgb8-alpha8');
+  const texture = new DataTexture(mipmaps[0].data, width, height, isColor ? RGBAFormat : RGFormat);
+  if (isColor) texture.colorSpace = SRGBColorSpace;
   texture.mipmaps = mipmaps; // the asset's own: they keep the hair's coverage
   texture.generateMipmaps = false;
   texture.minFilter = LinearMipmapLinearFilter;

@@ -1,4 +1,4 @@
-// Blocks of two-channel EAC by hand, from the format's own definition.
+// Blocks of two-channel EAC by hand, from the format's own definition, and blocks of colours as the native code decodes them.
 
 import { strict as assert } from 'node:assert';
 import { join } from 'node:path';
@@ -6,6 +6,7 @@ import { pathToFileURL } from 'node:url';
 import { test } from 'node:test';
 
 const { decodeRg11 } = await import(pathToFileURL(join(process.env.PACKAGE, 'three/eac.mjs')));
+const { decodeEtc2 } = await import(pathToFileURL(join(process.env.PACKAGE, 'three/etc2.mjs')));
 
 /** A channel's block: base, multiplier, row of modifiers, and which of the row each texel takes, column by column. */
 function block(base, multiplier, row, picks) {
@@ -42,4 +43,17 @@ test('blocks beyond the edge are cut', () => {
   const texels = decodeRg11(Uint8Array.from([...one, ...two]), 5, 2);
   assert.equal(texels.length, 20);
   assert.deepEqual([texels[6], texels[8], texels[18]], [byteOf(6), byteOf(1606), byteOf(1606)]);
+});
+
+test('blocks of colours of every mode are what tests/models/random_blocks.h says', () => {
+  const bytes = new Uint8Array(16 * 4096);
+  let x = 1;
+  for (let i = 0; i < bytes.length; ++i) {
+    x = (Math.imul(1664525, x) + 1013904223) >>> 0;
+    bytes[i] = x >>> 24;
+  }
+  let hash = 2166136261;
+  for (const byte of decodeEtc2(bytes, 256, 256)) hash = Math.imul(hash ^ byte, 16777619) >>> 0;
+  assert.equal(hash, 958072869);
+  assert.equal(decodeEtc2(bytes.subarray(0, 32), 5, 2).length, 40, 'blocks beyond the edge are cut');
 });

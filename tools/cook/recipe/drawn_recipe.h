@@ -13,6 +13,7 @@ enum class OrderMethod { kAuto, kHead, kSingle, kViews };
 enum class VertexColors { kAuto, kMultiply, kIgnore };
 enum class NormalGreen { kAuto, kUp, kDown };
 enum class ShiftMaskFormat { kEac, kRg8 };
+enum class ColorFormat { kAuto, kEtc2, kRgba8 };
 enum class Sides { kAuto, kBoth, kFront };
 enum class ShadingEnergy { kPublished, kBounded };
 
@@ -48,6 +49,7 @@ struct DrawnRecipe {
   std::optional<std::uint32_t> texture_max_size;
   std::uint32_t texture_seed = 0;
   ShiftMaskFormat shift_mask_format = ShiftMaskFormat::kEac;
+  ColorFormat color_format = ColorFormat::kAuto;
 
   std::array<double, 4> base_color{};
   std::array<double, 3> ambient{};

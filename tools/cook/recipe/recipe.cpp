@@ -139,6 +139,7 @@ Recipe draft_of(Recipe recipe) {
   recipe.lod_levels = 1;
   recipe.texture_max_size = std::min(texture_limit(recipe), kDraftTexels);
   recipe.shift_mask_format = ShiftMaskFormat::kRg8;
+  recipe.color_format = ColorFormat::kRgba8;
   recipe.occlusion_strength = 0;
   recipe.cards_rounds = std::min(recipe.cards_rounds, 1u);
   return recipe;

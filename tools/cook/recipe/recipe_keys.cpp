@@ -234,8 +234,10 @@ const RecipeKey kCookKeys[] = {
    "where green of it leads, up the image (OpenGL) or down (DirectX); auto: up in glTF, else what its slopes show"},
   {"textures", "max_size", &R::texture_max_size, "null", 1, 16384, nullptr, "texels",
    "larger images are reduced to this", "; null: 1024, and cards of strands get all of cards.texels", false, "1024"},
-  {"textures", "seed", &R::texture_seed, "1", 0, 4294967295.0, nullptr, "",
-   "start of the generated shift and mask"},
+  {"textures", "seed", &R::texture_seed, "1", 0, 4294967295.0, nullptr, "", "start of the generated shift and mask"},
+  {"textures", "color_format", choice_of<&R::color_format>, "\"auto\"", 0, 0, "auto|etc2|rgba8", "",
+   "how colour and alpha are stored: etc2 takes a quarter of the bytes, rgba8 keeps every value; auto: etc2 for textures of"
+   " 1048576 texels or more that hardly change by it", "", false, nullptr, kIsLater},
   {"textures", "shift_mask_format", choice_of<&R::shift_mask_format>, "\"eac\"", 0, 0, "eac|rg8", "",
    "how shift and mask, normals and strands are stored: eac takes half the bytes, rg8 keeps every value"},
 
@@ -251,12 +253,10 @@ const RecipeKey kCookKeys[] = {
   {"material", "opaque_threshold", &R::opaque_threshold, "0", 0, 1, nullptr, "alpha",
    "texels from this alpha on are drawn opaque, the others are blended; 0: the material's, else chosen from the texture, then for"
    " pictures nearest to the exact one, of which each layer of a pixel that is blended must gain 0.5 dB up to 50 dB"},
-  {"material", "discard_threshold", &R::discard_threshold, "0.02", 0, 1, nullptr, "alpha",
-   "texels below this alpha are never drawn"},
+  {"material", "discard_threshold", &R::discard_threshold, "0.02", 0, 1, nullptr, "alpha", "texels below this alpha are never drawn"},
   {"material", "primary_color", &R::primary_color, "[1, 0.95, 0.9]", 0, 100, nullptr, "linear",
    "colour of the primary highlight, towards the tip"},
-  {"material", "primary_exponent", &R::primary_exponent, "150", 0.1, 1.0e5, nullptr, "",
-   "sharpness of the primary highlight"},
+  {"material", "primary_exponent", &R::primary_exponent, "150", 0.1, 1.0e5, nullptr, "", "sharpness of the primary highlight"},
   {"material", "primary_shift", &R::primary_shift, "0.7", -10, 10, nullptr, "",
    "how far the normal moves the primary highlight"},
   {"material", "secondary_color", &R::secondary_color, "[1.3, 0.9, 0.6]", 0, 100, nullptr, "linear",

@@ -3,6 +3,7 @@
 #include "cook/lods/make_lods.h"
 #include "cook/pack/pack.h"
 #include "cook/texture/alpha.h"
+#include "cook/texture/compressed_color.h"
 #include "cook/texture/patch_coverage.h"
 #include "cook/texture/vertex_colors.h"
 
@@ -35,8 +36,10 @@ class HairDrawer {
     log_.pass("head order", [&] { drawn_.order = sort_patches(drawn_.strips.hair, drawn_.strips.head.center); });
     log_.pass("pack", [&] { pack(); });
     if (const Done done = order(scene.scene_draw); !done) return tl::unexpected(done.error());
-    // Last, since the threshold in use decides how much alpha the mips need.
+    // After draw orders, since the threshold in use decides how much alpha the mips need.
     log_.pass("mips", [&] { keep_coverage(drawn_.textures.used, drawn_.contents); });
+    // Last, since all before read colours and alphas.
+    log_.pass("blocks", [&] { compress_color(recipe_, settings_.threads, drawn_.contents, findings_); });
     return std::move(drawn_);
   }
 

@@ -1,5 +1,6 @@
 #include "cook/texture/alpha.h"
 
+#include "base/color_texels.h"
 #include "cook/texture/transparency.h"
 
 #include <algorithm>
@@ -134,7 +135,7 @@ std::vector<AlphaCoverage> mip_coverage(const Asset& asset) {
   std::vector<AlphaCoverage> result;
   for (std::uint32_t level = 0; level < texture->mip_count; ++level) {
     Image mip{used[level].width, used[level].height, 4, {}};
-    const auto texels = asset.texels(*texture, level);
+    const auto texels = color_texels(asset, *texture, level);
     for (const auto texel : texels) mip.texels.push_back(std::uint8_t(texel));
     result.push_back(alpha_coverage(mip, used[level], thresholds));
   }

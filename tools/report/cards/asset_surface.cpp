@@ -1,5 +1,6 @@
 #include "report/cards/asset_surface.h"
 
+#include "base/color_texels.h"
 #include "base/geometry.h"
 #include "cards/make_cards.h"
 #include "cook/recipe/hair_recipe.h"
@@ -128,7 +129,7 @@ void set_opacity(const Asset& asset, cards::CardSurface& surface) {
   }
   surface.width = texture->width;
   surface.height = texture->height;
-  const auto texels = asset.texels(*texture, 0);
+  const auto texels = color_texels(asset, *texture, 0);
   for (std::size_t i = 3; i < texels.size(); i += 4) {
     surface.opacity.push_back(std::min(float(texels[i]) / 255.0f * factor, 1.0f));
   }

@@ -1,5 +1,6 @@
 #include "view/page/triangle_view.h"
 
+#include "base/color_texels.h"
 #include "base/geometry.h"
 #include "render/gl_program.h"
 #include "view/page/layer_count.h"
@@ -151,7 +152,7 @@ void TriangleView::upload_texture(const Asset& asset) {
   for (std::uint32_t mip = 0; mip < record->mip_count; ++mip) {
     const auto size = [&](std::uint32_t whole) { return GLsizei(std::max(whole >> mip, 1u)); };
     glTexSubImage2D(GL_TEXTURE_2D, GLint(mip), 0, 0, size(record->width), size(record->height), GL_RGBA,
-                    GL_UNSIGNED_BYTE, asset.texels(*record, mip).data());
+                    GL_UNSIGNED_BYTE, color_texels(asset, *record, mip).data());
   }
   glBindTexture(GL_TEXTURE_2D, 0);
 }

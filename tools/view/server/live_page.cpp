@@ -30,7 +30,7 @@ tl::expected<std::string, ToolError> live_page(std::string_view page, std::strin
   for (const Mark& mark : kMarks) {
     const std::size_t at = rest.find(mark.tag);
     if (at == rest.npos)
-      return failure(ToolError::Kind::kBadInput, "not the page of coif view; build/web/view/view.html is");
+      return failure(ToolError::Kind::kBadInput, "not the page of coif view; tools/view/built/view.html is");
     out.append(rest.substr(0, at)).append(mark.begin);
     if (!mark.begin.ends_with('>')) out += fmt::format(" nonce=\"{}\">", nonce);
     rest.remove_prefix(at + mark.tag.size());

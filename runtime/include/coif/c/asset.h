@@ -157,7 +157,12 @@ typedef enum coif_texture_role {
   COIF_STRAND_MAP = 3
 } coif_texture_role;
 
-typedef enum coif_texel_format { COIF_SRGB8_ALPHA8 = 0, COIF_RG8 = 1, COIF_RG11_EAC = 2 } coif_texel_format;
+typedef enum coif_texel_format {
+  COIF_SRGB8_ALPHA8 = 0,
+  COIF_RG8 = 1,
+  COIF_RG11_EAC = 2,
+  COIF_SRGB8_ALPHA8_ETC2 = 3
+} coif_texel_format;
 
 typedef struct coif_texture {
   uint32_t role;   /* coif_texture_role */
