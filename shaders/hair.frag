@@ -48,6 +48,13 @@ Strand strand_of(vec3 color, vec2 shift_mask) {
   return Strand(t, n, normalize(-position), color, shift_mask.x - 0.5, shift_mask.y);
 }
 
+#ifndef COIF_MANY_FIBERS
+vec3 shaded_place(Strand strand) { return position; }
+float reach_without_map(float openness) { return 1.0; }
+vec3 sky_reflected(Strand strand, float openness) { return openness * strand.color; }
+vec3 passing(Strand strand, float share) { return vec3(share); }
+#endif
+
 Reflected sum_lights(Strand strand, out vec3 glow) {
   Reflected sum = Reflected(vec3(0.0), vec3(0.0), vec3(0.0));
   glow = vec3(0.0);
@@ -64,7 +71,9 @@ Reflected sum_lights(Strand strand, out vec3 glow) {
       color *= pow2(clamp(cone, 0.0, 1.0));
     }
 #ifdef COIF_SHADOW
-    color *= light_reaching(i);
+    color *= i == int(shadow_map.w) ? passing(strand, light_reaching(i)) : vec3(reach_without_map(openness));
+#else
+    color *= reach_without_map(openness);
 #endif
     add_light(sum, strand, towards, color);
 #ifdef COIF_STRAND_TERMS
@@ -83,7 +92,7 @@ void main() {
 #endif
   Strand strand = strand_of(base.rgb, shift_mask);
 #ifdef COIF_SHADOW
-  shadow_place = shadow_from_view * vec4(position, 1.0);
+  shadow_place = shadow_from_view * vec4(shaded_place(strand), 1.0);
   shadow_slope = hair_slope(shadow_place);
 #endif
   float coverage = keep(base.a);
@@ -91,5 +100,5 @@ void main() {
   Reflected sum = sum_lights(strand, glow);
   vec3 light = component.y * sum.diffuse + component.z * sum.primary + component.w * sum.secondary;
   light = light * tint(strand) + component.y * glow * base.rgb;
-  write_fragment(component.x * openness * ambient.rgb * base.rgb + light, coverage);
+  write_fragment(component.x * ambient.rgb * sky_reflected(strand, openness) + light, coverage);
 }

@@ -73,7 +73,11 @@ in float place;
 in float openness;
 
 // A card is a sheet of strands without thickness. From behind we see its back, so light and highlight belong to the side
-// that faces us.
+// that faces us. Normals of the hair's volume belong to both sides.
 vec3 seen_normal() {
+#ifdef COIF_VOLUME_NORMALS
+  return normalize(normal);
+#else
   return normalize(gl_FrontFacing ? normal : -normal);
+#endif
 }

@@ -9,6 +9,17 @@
 //   vec3 tint(Strand strand)
 //       The factor of the finished sums.
 //
+// A model that defines COIF_MANY_FIBERS has four more, for which hair.frag has simple forms else:
+//
+//   vec3 sky_reflected(Strand strand, float openness)
+//       The share of light from everywhere alike that is seen. `openness`: of the directions, those that nothing hides.
+//   vec3 shaded_place(Strand strand)
+//       Where shadows are looked up for the point `position`.
+//   float reach_without_map(float openness)
+//       What arrives of a light that no shadow map says.
+//   vec3 passing(Strand strand, float share)
+//       What arrives of light of which hair on its way leaves that share.
+//
 // All vectors are in view space. shaders/SHADING.md has all models side by side.
 
 struct Strand {
@@ -179,4 +190,103 @@ void add_light(inout Reflected sum, Strand strand, vec3 towards, vec3 color) {
   vec3 trt = gaussian(angles.sine_sum - 4.0 * tilt, 2.0 * width) * exp(17.0 * angles.cos_phi - 16.78) *
              pow2(1.0 - f) * f * absorbed;
   sum.secondary += kPi * strand.mask * trt * light;
+}
+
+//// shading_volume.glsl
+// Hair as a volume of fibres along T, endless below a surface with the normal N: what is seen of it from outside, in
+// closed form. Single scattering is exact but for its lobes; light that fibres hand on was computed by following it at
+// random (kVolume in shaders/SHADING.md) and is fit here. theta and phi are the angles out of the plane across T and
+// around T; n = N.L / cos(theta) is how steeply a direction leaves the volume as seen along T.
+//
+//   once     P(L, V) / (cos(theta_v) + cos(theta_l) (N.V) / (N.L)), P = sum over R, TT, TRT of A M N: the share of what
+//            a fibre meets that it sends out, per solid angle (Lommel and Seeliger's law, with fibres that hide less
+//            the more they are seen along themselves)
+//   more     3.6 color (1 + h n_l) (1 + h n_v) / (1 + h)^2 cone(s + e) over the same denominator
+//
+// with s = sin(theta_l) + sin(theta_v), and cone, h, e that grow with the colour, since light that loses less wanders
+// farther. Fibres are those of Chiang et al. 2016, "A practical and controllable hair and fur model for production path
+// tracing", averaged over the fibre's width: radial roughness 0.5, and a longitudinal variance that is the square of
+// the material's roughness. The base colour is theirs, too: that of the hair as a whole in white light.
+//
+// Reads fiber (x: tilt, y: width w) of the block. Colours are in the sums already.
+
+#define COIF_MANY_FIBERS
+
+const float kPi = 3.14159265;
+const float kFiberIndex = 1.55;
+const float kColorScale = 5.509;  // Chiang et al.'s, for radial roughness 0.5: absorption = (log(color) / it)^2
+const float kShiftShare = 0.2;  // of the texture's shift: how much fibres lean apart within a lock
+const float kOwnDepth = 0.006;  // metres: some three times as far as light gets into hair unhindered
+const float kApart = 0.45;  // radians: how far the fibres that hand light on run apart
+const float kLeastOnce = 0.25, kLeastOften = 0.7;  // fibres that are seen along themselves hide each other all the same
+const float kRound = 0.06;        // a light behind the surface still reaches the round outline of locks
+
+vec3 tint(Strand strand) { return vec3(1.0); }
+
+float gaussian(float x, float width) {
+  return exp(-0.5 * pow2(x / width)) * inversesqrt(2.0 * kPi) / width;
+}
+
+// A cosine that fades out below 0 rather than ending there.
+float rounded(float cosine) { return 0.5 * (cosine + sqrt(cosine * cosine + kRound * kRound)); }
+
+// The inside of a lock, seen through a gap, is as steep to the eye as its outside.
+float facing(float cosine) { return sqrt(cosine * cosine + 0.25 * kRound * kRound); }
+
+vec3 volume_color(Strand strand) { return clamp(strand.color, 0.002, 0.95); }
+
+// What lies just outside of a fibre shades it as the closed form says; a shadow is of what is farther away.
+vec3 shaded_place(Strand strand) { return position + kOwnDepth * strand.normal; }
+
+// Half of the directions lie behind the surface. What few of the others reach, a light hardly reaches either.
+float volume_openness(float openness) { return min(2.0 * openness, 1.0); }
+float reach_without_map(float openness) { return pow2(volume_openness(openness)); }
+
+// Light that hair has passed goes on forwards, the more of it the lighter the hair is.
+vec3 passing(Strand strand, float share) {
+  return pow(vec3(max(share, 1e-4)), 1.0 - sqrt(volume_color(strand)));
+}
+
+vec3 sky_reflected(Strand strand, float openness) {
+  vec3 color = volume_color(strand);
+  float along = dot(strand.tangent, strand.view);
+  float leaving = facing(dot(strand.normal, strand.view)) * inversesqrt(max(1.0 - along * along, 0.04));
+  float grazing = pow(max(1.0 - leaving, 0.0), 1.5);
+  vec3 dark = vec3(1.0) - color;
+  return volume_openness(openness) * (color + dark * (0.013 * dark + 0.95 * grazing * sqrt(color)));
+}
+
+void add_light(inout Reflected sum, Strand strand, vec3 towards, vec3 color) {
+  vec3 base = volume_color(strand);
+  float tilt = fiber.x, width = fiber.y;
+  vec3 t = shift_tangent(strand.tangent, strand.normal, kShiftShare * strand.shift);
+  float sin_l = clamp(dot(t, towards), -0.999, 0.999), sin_v = clamp(dot(t, strand.view), -0.999, 0.999);
+  float cos_l = sqrt(1.0 - sin_l * sin_l), cos_v = sqrt(1.0 - sin_v * sin_v);
+  float cos_phi = clamp((dot(towards, strand.view) - sin_l * sin_v) / (cos_l * cos_v), -1.0, 1.0);
+  float phi = acos(cos_phi);
+  float in_l = rounded(dot(strand.normal, towards)), in_v = facing(dot(strand.normal, strand.view));
+  float s = sin_l + sin_v;
+  // cos((a - b) / 2) of the two thetas, and its complement
+  float cos_d = sqrt(clamp(0.5 + 0.5 * (cos_l * cos_v + sin_l * sin_v), 0.04, 1.0));
+  float off = 1.0 - cos_d;
+  float inner = sqrt(1.0 - (1.0 - cos_d * cos_d) / (kFiberIndex * kFiberIndex));  // cosine within the fibre
+  vec3 loss = pow(log(base) / kColorScale, vec3(2.0)) / inner;
+  float mirrored = 0.075 + 0.42 * off * off, enters = pow2(1.0 - mirrored);
+  // what faces the light, over what hides it from there and from the eye
+  float lit = cos_l * in_v / in_l;
+  float once = kPi / max(cos_v + lit, kLeastOnce), often = kPi / (max(cos_v, kLeastOften) + lit);
+  vec3 light = color * once;
+
+  sum.primary += light * (gaussian(s + 2.0 * tilt, width) * mirrored / (2.0 * kPi));
+  float tt = gaussian(s - tilt, 0.5 * width) * enters * gaussian(kPi - phi, 0.73 + 0.47 * off);
+  float trt = gaussian(s - 4.0 * tilt, 2.0 * width) * enters * 0.87 * mirrored * gaussian(phi, 0.506);
+  sum.secondary += light * strand.mask * trt * exp(-3.6 * loss);
+
+  float mean = dot(base, vec3(1.0 / 3.0));
+  float steep = 0.5 + 2.3 * pow(mean, 0.75);
+  float wander = sqrt(pow2(width * 1.3 * (1.0 + pow(mean, 0.7))) + pow2(kApart * (cos_l + cos_v)));
+  float cone = mix(gaussian(s + 0.05 + 0.4 * mean, wander), 0.45 * cos_l * cos_v, 0.14);
+  float more = 3.6 * (1.0 + steep * min(in_l / cos_l, 1.0)) * (1.0 + steep * min(in_v / cos_v, 1.0)) / pow2(1.0 + steep) *
+               cone / kPi;
+  sum.diffuse += light * tt * exp(-1.86 * loss) + color * often * more * base;
 }

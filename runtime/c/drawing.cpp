@@ -35,7 +35,8 @@ COIF_SAME(coif_material, glow, coif::MaterialRecord, glow);
 COIF_SAME(coif_material, root_shade, coif::MaterialRecord, root_shade);
 COIF_SAME(coif_material, variation, coif::MaterialRecord, variation);
 static_assert(sizeof(coif_material) == sizeof(coif::MaterialRecord));
-static_assert(COIF_DOUBLE_SIDED == coif::kMaterialDoubleSided && COIF_FACES_TOGETHER == coif::kMaterialFacesTogether);
+static_assert(COIF_DOUBLE_SIDED == coif::kMaterialDoubleSided && COIF_FACES_TOGETHER == coif::kMaterialFacesTogether &&
+              COIF_VOLUME_NORMALS == coif::kMaterialVolumeNormals);
 
 COIF_SAME(coif_draw_block, clip_from_view, coif::DrawBlock, clip_from_view);
 COIF_SAME(coif_draw_block, base_color, coif::DrawBlock, base_color);

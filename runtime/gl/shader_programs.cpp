@@ -67,6 +67,7 @@ constexpr Define kDefines[] = {
     {variant::kShadow, "#define COIF_SHADOW\n"},
     {variant::kMotion, "#define COIF_MOTION\n"},
     {variant::kStrandTerms, "#define COIF_STRAND_TERMS\n"},
+    {variant::kVolumeNormals, "#define COIF_VOLUME_NORMALS\n"},
 };
 
 /// One shader's source: the lines of its bits, then files of shaders/.
@@ -96,7 +97,7 @@ Source vertex_source(std::uint32_t bits, const FragmentCode& code, const char* b
 
 /// In the order of ShadingModel.
 constexpr const char* kShadingPieces[] = {kShaderShadingThesisGlsl, kShaderShadingKajiyaKayGlsl,
-                                          kShaderShadingMarschnerGlsl};
+                                          kShaderShadingMarschnerGlsl, kShaderShadingVolumeGlsl};
 static_assert(sizeof kShadingPieces / sizeof kShadingPieces[0] == kShadingModelCount);
 static_assert(kShadingModelCount <= variant::kModel >> variant::kModelShift);
 
@@ -155,7 +156,8 @@ bool is_black(const float (&color)[3]) { return color[0] == 0.0f && color[1] == 
 std::uint32_t canonical(std::uint32_t bits, bool writes_other) {
   using namespace variant;
   if ((bits & (kFourBones | kOneBone)) == 0) bits &= ~kBonesInTexture;
-  if ((bits & kShaded) == 0) bits &= ~(kPrimary | kSecondary | kModel | kNormalMap | kStrandMap | kStrandTerms);
+  if ((bits & kShaded) == 0)
+    bits &= ~(kPrimary | kSecondary | kModel | kNormalMap | kStrandMap | kStrandTerms | kVolumeNormals);
   if ((bits & (kPrimary | kSecondary | kStrandTerms)) == 0) bits &= ~kShiftMask;
   if ((bits & kShaded) == 0 && !writes_other) bits &= ~kShadow;
   if ((bits & (kShaded | kDirection | kAlphaTest)) == 0 && !writes_other)
@@ -193,6 +195,7 @@ std::uint32_t variant_of(const Pass& pass, std::uint32_t needs, const MaterialRe
   if (pass.shaded) bits |= component == Component::kDirection ? variant::kDirection : variant::kShaded;
   bits |= shading_bits(material);
   if (has_strand_terms(material)) bits |= variant::kStrandTerms;
+  if ((material.flags & kMaterialVolumeNormals) != 0) bits |= variant::kVolumeNormals;
   if (pass.shadow != nullptr) bits |= pass.shadow->id << variant::kShadowShift;
   return canonical(bits, pass.code->other != nullptr) | pass.code->id << variant::kCodeShift;
 }

@@ -39,11 +39,12 @@ inline constexpr std::uint32_t kDirection = 1u << 9;  ///< Writes the strands' d
 inline constexpr std::uint32_t kModelShift = 10;      ///< Three bits from here on: ShadingModel.
 inline constexpr std::uint32_t kModel = 7u << kModelShift;
 inline constexpr std::uint32_t kNormalMap = 1u << 13;
-inline constexpr std::uint32_t kStrandMap = 1u << 14;    ///< How strands run on the surface.
-inline constexpr std::uint32_t kMotion = 1u << 15;       ///< Compares with the last frame.
-inline constexpr std::uint32_t kStrandTerms = 1u << 16;  ///< has_strand_terms().
-inline constexpr std::uint32_t kCodeShift = 23;          ///< Five bits from here on: FragmentCode::id.
-inline constexpr std::uint32_t kShadowShift = 28;        ///< Four bits: ShadowLookup::id, 0 without a shadow.
+inline constexpr std::uint32_t kStrandMap = 1u << 14;      ///< How strands run on the surface.
+inline constexpr std::uint32_t kMotion = 1u << 15;         ///< Compares with the last frame.
+inline constexpr std::uint32_t kStrandTerms = 1u << 16;    ///< has_strand_terms().
+inline constexpr std::uint32_t kVolumeNormals = 1u << 17;  ///< kMaterialVolumeNormals.
+inline constexpr std::uint32_t kCodeShift = 23;            ///< Five bits from here on: FragmentCode::id.
+inline constexpr std::uint32_t kShadowShift = 28;          ///< Four bits: ShadowLookup::id, 0 without a shadow.
 inline constexpr std::uint32_t kShadow = 15u << kShadowShift;
 }  // namespace variant
 

@@ -73,7 +73,7 @@ export interface Material {
   baseColor: number[]; ambient: number[]; opaqueThreshold: number; primaryColor: number[]; primaryExponent: number;
   secondaryColor: number[]; secondaryExponent: number; primaryShift: number; secondaryShift: number; discardThreshold: number;
   flags: number; // 1: double-sided, 2: both faces together
-  shading: number; // 0: thesis, 1: Kajiya-Kay, 2: Marschner
+  shading: number; // 0: thesis, 1: Kajiya-Kay, 2: Marschner, 3: volume
   tilt: number; roughness: number; scatter: number; lightCut: number;
   glow: number; rootShade: number; variation: number;
 }

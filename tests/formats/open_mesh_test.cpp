@@ -82,15 +82,15 @@ LoadCode material_refusal(Change change) {
   return refusal([&](AssetContents& contents) { change(contents.material[0]); });
 }
 
-TEST(OpenMaterial, KnowsThreeShadingModels) {
-  for (std::uint32_t model = 0; model <= 2; ++model) {
+TEST(OpenMaterial, KnowsFourShadingModels) {
+  for (std::uint32_t model = 0; model <= 3; ++model) {
     EXPECT_EQ(material_refusal([&](auto& m) {
                 m.shading = ShadingModel(model);
                 m.roughness = 0.14f;
               }),
               LoadCode::kOk);
   }
-  EXPECT_EQ(material_refusal([](auto& m) { m.shading = ShadingModel(3); }), LoadCode::kEnumerator);
+  EXPECT_EQ(material_refusal([](auto& m) { m.shading = ShadingModel(4); }), LoadCode::kEnumerator);
 }
 
 TEST(OpenMaterial, KeepsEveryNumberInItsRange) {

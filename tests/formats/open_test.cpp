@@ -252,7 +252,7 @@ TEST(Open, RefusesBrokenMapsOfTheSurface) {
 
 TEST(Open, RefusesBrokenAppearance) {
   EXPECT_EQ(refusal([](auto& a) { a.material[0].opaque_threshold = 2; }), LoadCode::kNotFinite);
-  EXPECT_EQ(refusal([](auto& a) { a.material[0].flags = 4; }), LoadCode::kReserved);
+  EXPECT_EQ(refusal([](auto& a) { a.material[0].flags = 8; }), LoadCode::kReserved);
   EXPECT_EQ(refusal([](auto& a) { a.textures[0].mip_count = 4; }), LoadCode::kNotFinite);
   EXPECT_EQ(refusal([](auto& a) { a.textures[0].width = 0; }), LoadCode::kNotFinite);
   EXPECT_EQ(refusal([](auto& a) { a.textures[1].offset = 64; }), LoadCode::kReference);

@@ -99,6 +99,12 @@ MaterialRecord marschner(float base, float roughness, float scatter) {
   return m;
 }
 
+MaterialRecord volume(float base, float roughness) {
+  MaterialRecord m = marschner(base, roughness, 0);
+  m.shading = ShadingModel::kVolume;
+  return m;
+}
+
 std::vector<Case> published_cases() {
   return {{"thesis, no highlights", thesis(0, 150, 30)}, {"thesis 150, 30", thesis(1, 150, 30)},
           {"thesis 1000, 70", thesis(1, 1000, 70)},      {"thesis 5000, 100", thesis(1, 5000, 100)},
@@ -114,6 +120,14 @@ std::vector<Case> fiber_cases() {
           {"marschner, white, roughness 0.02", marschner(1, 0.02f, 0.8f)},
           {"marschner, grey 0.5", marschner(0.5f, 0.14f, 0.8f)},
           {"marschner, black", marschner(0, 0.14f, 0.8f)}};
+}
+
+std::vector<Case> volume_cases() {
+  return {{"volume, white", volume(1, 0.29f)},
+          {"volume, white, roughness 0.1", volume(1, 0.1f)},
+          {"volume, grey 0.5", volume(0.5f, 0.29f)},
+          {"volume, grey 0.2", volume(0.2f, 0.29f)},
+          {"volume, black", volume(0, 0.29f)}};
 }
 
 void print_row(const Case& c, const Albedo& albedo, double bound) {
@@ -152,6 +166,15 @@ TEST(Furnace, FibersReturnNoMoreThanTheyGet) {
     print_row(c, albedo, cook::furnace_bound(c.material));
     EXPECT_LE(albedo.most, 1.005) << c.name;
     EXPECT_EQ(cook::bounding_cut(c.material), 0) << c.name;
+  }
+}
+
+TEST(Furnace, VolumesOfFibersReturnNoMoreThanTheyGetOnTheWhole) {
+  for (const Case& c : volume_cases()) {
+    const Albedo albedo = furnace_albedo(c.material);
+    print_row(c, albedo, cook::furnace_bound(c.material));
+    EXPECT_LE(albedo.mean, 1.005) << c.name;
+    EXPECT_LE(albedo.most, cook::furnace_bound(c.material)) << c.name;
   }
 }
 

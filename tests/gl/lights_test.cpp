@@ -101,7 +101,8 @@ std::vector<Light> parts_of(const Light& whole, std::uint32_t count) {
 TEST_F(Lights, AddUpWhateverTheirKindAndTheModel) {
   const Light directional{Light::Kind::kDirectional, {0.2f, 0.5f, 0.8f}, {0.7f, 0.7f, 0.7f}};
   const Light point{Light::Kind::kPoint, {0.3f, 0.2f, 0.9f}, {0.5f, 0.5f, 0.5f}};
-  for (const ShadingModel model : {ShadingModel::kThesis, ShadingModel::kKajiyaKay, ShadingModel::kMarschner}) {
+  for (const ShadingModel model :
+       {ShadingModel::kThesis, ShadingModel::kKajiyaKay, ShadingModel::kMarschner, ShadingModel::kVolume}) {
     MaterialRecord material = dark_material();
     material.shading = model;
     material.roughness = 0.3f;
@@ -186,7 +187,8 @@ AssetContents shaded_card(ShadingModel model, std::array<std::uint8_t, 4> rgba) 
 }
 
 TEST_F(LinearLight, OpaqueColorsAreTheSameWhoeverEncodes) {
-  for (const ShadingModel model : {ShadingModel::kThesis, ShadingModel::kKajiyaKay, ShadingModel::kMarschner}) {
+  for (const ShadingModel model :
+       {ShadingModel::kThesis, ShadingModel::kKajiyaKay, ShadingModel::kMarschner, ShadingModel::kVolume}) {
     for (const int level : {8, 60, 140, 250}) {
       const AssetContents card =
           shaded_card(model, {std::uint8_t(level), std::uint8_t(level / 2), std::uint8_t(level / 3), 255});

@@ -104,6 +104,49 @@ ReflectedLight marschner(const ShadedPoint& point, const Vector3d& view, const V
           lit * kPi * trt * mask_of(point)};
 }
 
+/// In angles, where the shader has sines and cosines; the constants are those of shaders/SHADING.md.
+ReflectedLight volume(const ShadedPoint& point, const Vector3d& view, const Vector3d& light, const MaterialRecord& m) {
+  const Array3d base = base_color(point, m).max(0.002).min(0.95);
+  const Vector3d t = shifted(point, 0.2 * shift_of(point));
+  const double w = m.roughness, tilt = m.tilt;
+  const double theta_l = kPi / 2 - angle(t, light), theta_v = kPi / 2 - angle(t, view);
+  const double phi = angle((light - t.dot(light) * t).normalized(), (view - t.dot(view) * t).normalized());
+  const auto rounded = [](double cosine) { return (cosine + std::hypot(cosine, 0.06)) / 2; };
+  const double in_l = rounded(point.normal.dot(light)), in_v = std::hypot(point.normal.dot(view), 0.03);
+  const double along = std::sin(theta_l) + std::sin(theta_v);
+  const double off = 1 - std::cos((theta_l - theta_v) / 2);
+  const double inner = std::sqrt(1 - std::pow(std::sin((theta_l - theta_v) / 2) / 1.55, 2));
+  const Array3d loss = (base.log() / 5.509).square() / inner;
+  const double mirrored = 0.075 + 0.42 * off * off, enters = (1 - mirrored) * (1 - mirrored);
+  const double lit = std::cos(theta_l) * in_v / in_l;
+  const double once = kPi / std::max(std::cos(theta_v) + lit, 0.25),
+               often = kPi / (std::max(std::cos(theta_v), 0.7) + lit);
+
+  const double r = bell(along + 2 * tilt, w) * mirrored / (2 * kPi);
+  const Array3d tt = bell(along - tilt, w / 2) * enters * bell(kPi - phi, 0.73 + 0.47 * off) * (-1.86 * loss).exp();
+  const Array3d trt = bell(along - 4 * tilt, 2 * w) * enters * 0.87 * mirrored * bell(phi, 0.506) * (-3.6 * loss).exp();
+
+  const double mean = base.mean(), steep = 0.5 + 2.3 * std::pow(mean, 0.75);
+  const double apart = 0.45 * (std::cos(theta_l) + std::cos(theta_v));
+  const double wander = std::hypot(w * 1.3 * (1 + std::pow(mean, 0.7)), apart);
+  const double cone =
+      0.86 * bell(along + 0.05 + 0.4 * mean, wander) + 0.14 * 0.45 * std::cos(theta_l) * std::cos(theta_v);
+  const auto leaves = [&](double in, double theta) {
+    return (1 + steep * std::min(in / std::cos(theta), 1.0)) / (1 + steep);
+  };
+  const double more = 3.6 * leaves(in_l, theta_l) * leaves(in_v, theta_v) * cone / kPi;
+  return {once * tt + often * more * base, Array3d::Constant(once * r), once * trt * mask_of(point)};
+}
+
+/// Light from everywhere, as kVolume shows it.
+Array3d volume_sky(const ShadedPoint& point, const Vector3d& view, const MaterialRecord& m) {
+  const Array3d base = base_color(point, m).max(0.002).min(0.95), dark = 1 - base;
+  const double in_v = std::hypot(point.normal.dot(view), 0.03);
+  const double leaving = in_v / std::sqrt(std::max(1 - std::pow(point.tangent.dot(view), 2), 0.04));
+  const double grazing = std::pow(std::max(1 - leaving, 0.0), 1.5);
+  return base + dark * (0.013 * dark + 0.95 * grazing * base.sqrt());
+}
+
 /// Unit, and how much of its colour arrives.
 Vector3d reaching(const Light& light, const Vector3d& position, double& share) {
   Vector3d towards(light.from.x, light.from.y, light.from.z);
@@ -127,7 +170,8 @@ ReflectedLight reference_reflection(const ShadedPoint& point, const Vector3d& vi
                                     const MaterialRecord& material) {
   const auto model = material.shading == ShadingModel::kThesis      ? thesis
                      : material.shading == ShadingModel::kKajiyaKay ? kajiya_kay
-                                                                    : marschner;
+                     : material.shading == ShadingModel::kMarschner ? marschner
+                                                                    : volume;
   ReflectedLight light = model(point, view, towards, material);
   for (Array3d* part : {&light.diffuse, &light.primary, &light.secondary}) *part *= 1.0 - material.light_cut;
   return light;
@@ -138,7 +182,10 @@ std::array<int, 3> reference_color(const ShadedPoint& point, const Vector3d& eye
   const Vector3d view = (eye - point.position).normalized();
   const auto shows = [&](auto... wanted) { return ((component == wanted) || ...); };
   Array3d sum = Array3d::Zero();
-  if (shows(Component::kAll, Component::kAmbient)) sum += to_array(m.ambient) * base_color(point, m);
+  if (shows(Component::kAll, Component::kAmbient)) {
+    const bool is_volume = m.shading == ShadingModel::kVolume;
+    sum += to_array(m.ambient) * (is_volume ? volume_sky(point, view, m) : base_color(point, m));
+  }
   for (const Light& light : lights) {
     double share = 1;
     const Vector3d towards = reaching(light, point.position, share);

@@ -3,6 +3,8 @@
 #include "gl/gl_test.h"
 #include "gl/reference_shading.h"
 
+#include <coif/shading_models.h>
+
 #include <GLES3/gl3.h>
 #include <Eigen/Geometry>
 
@@ -18,7 +20,8 @@ namespace coif::shading_models_test {
 
 using Eigen::Vector3d;
 
-constexpr ShadingModel kModels[] = {ShadingModel::kThesis, ShadingModel::kKajiyaKay, ShadingModel::kMarschner};
+constexpr ShadingModel kModels[] = {ShadingModel::kThesis, ShadingModel::kKajiyaKay, ShadingModel::kMarschner,
+                                    ShadingModel::kVolume};
 
 /// A card, its material and its light, drawn from a seed.
 struct Scene {
@@ -195,7 +198,7 @@ std::string all_shader_text() {
 }
 
 TEST_F(ShadingModels, AProgramHoldsTheOneItDrawsWith) {
-  constexpr const char* kSigns[] = {"strand_specular", "to_cone", "gaussian"};
+  constexpr const char* kSigns[] = {"strand_specular", "to_cone", "transmitted", "volume_color"};
   for (std::size_t model = 0; model < std::size(kModels); ++model) {
     renderer_.destroy();
     ASSERT_EQ(renderer_.create(context_->loader(), kSmallBlocks), Status::kOk);
@@ -238,7 +241,7 @@ TEST_F(ShadingModels, NumbersOutOfRangeAreRefused) {
     return status;
   };
   EXPECT_EQ(drawn_with([](MaterialRecord&) {}), Status::kOk);
-  EXPECT_EQ(drawn_with([](MaterialRecord& m) { m.shading = ShadingModel(3); }), Status::kBadArgument);
+  EXPECT_EQ(drawn_with([](MaterialRecord& m) { m.shading = ShadingModel(kShadingModelCount); }), Status::kBadArgument);
   EXPECT_EQ(drawn_with([](MaterialRecord& m) { m.roughness = 0; }), Status::kBadArgument);
   EXPECT_EQ(drawn_with([](MaterialRecord& m) { m.tilt = 1; }), Status::kBadArgument);
   EXPECT_EQ(drawn_with([](MaterialRecord& m) { m.scatter = 1.5f; }), Status::kBadArgument);

@@ -44,7 +44,7 @@ using HairMemory = std::unique_ptr<std::byte, decltype(&std::free)>;
   return std::nullopt;
 }
 
-/// All names in the form of recipe keys: "thesis|kajiya-kay|marschner", ended by a zero byte.
+/// All names in the form of recipe keys: "thesis|kajiya-kay|marschner|volume", ended by a zero byte.
 inline constexpr auto kShadingWords = [] {
   std::array<char, 256> words{};
   std::size_t end = 0;

@@ -19,6 +19,12 @@ namespace {
 namespace fs = std::filesystem;
 using Model = tl::expected<importer::SourceModel, ToolError>;
 
+/// Drafts, and others that hardly compare cards with strands, do not compare kinds of cards either.
+std::optional<CardsPlan> plan_of(const cook::Recipe& recipe) {
+  if (recipe.cards_rounds > 1) return std::nullopt;
+  return CardsPlan{Construction::kBent, 3};
+}
+
 Model cards_of(const groom::Groom& groom, const cook::Recipe& recipe, const HairSourceSettings& settings) {
   if (settings.progress) settings.progress("cards");
   const CardsBudget budget{.triangles = recipe.cards_triangles,
@@ -28,7 +34,8 @@ Model cards_of(const groom::Groom& groom, const cook::Recipe& recipe, const Hair
                            .caps = float(recipe.cards_caps),
                            .levels = recipe.lod_levels,
                            .level_ratio = recipe.lod_ratio,
-                           .side = recipe.texture_max_size.value_or(0)};
+                           .side = recipe.texture_max_size.value_or(0),
+                           .plan = plan_of(recipe)};
   auto model = model_of_cards(groom, budget, settings.threads);
   if (model) model->roots = settings.import.roots;
   return model;

@@ -139,9 +139,9 @@ tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, const Pictu
   const auto target = OffscreenTarget::create(settings.width * finer, settings.height * finer,
                                               samples_of_driver(settings), OffscreenTarget::Pixels::kRadiance);
   if (!target) return tl::unexpected(target.error());
-  Picture picture{settings.width, settings.height,   {},
-                  device.context.device(), 0, target->samples(), scene.view.camera,
-                  lights_of(settings, scene.view.camera), {}};
+  Picture picture{settings.width,    settings.height,  {}, device.context.device(), 0,
+                  target->samples(), scene.view.camera};
+  picture.lights = lights_of(settings, scene.view.camera);
   for (int frame = settings.warm_up ? 0 : 1; frame < 2; ++frame) {
     glFinish();
     const auto start = std::chrono::steady_clock::now();
@@ -291,18 +291,6 @@ tl::expected<void, ToolError> write_png(const std::string& path, const Picture& 
   const std::vector<std::uint8_t> png = encode_png(picture);
   if (png.empty()) return failure(ToolError::Kind::kInternal, "out of memory");
   return write_output(path, std::as_bytes(std::span(png)));
-}
-
-MaterialRecord shaded_material(const Asset& asset, ShadingModel model) {
-  MaterialRecord material = own_material(asset);
-  if (material.shading != model) material.light_cut = 0;
-  material.shading = model;
-  if (material.roughness < kLeastRoughness) {  // never cooked with a recipe
-    material.tilt = 0.05f;
-    material.roughness = 0.14f;
-    material.scatter = 0.8f;
-  }
-  return material;
 }
 
 }  // namespace coif::render

@@ -46,8 +46,8 @@ namespace coif::render {
 
 /// Light in place of a rig's.
 struct PictureLight {
-  std::vector<Light> lights;       ///< The first casts shadows.
-  std::array<float, 3> sky{};      ///< Radiance from everywhere alike, linear, in place of the material's own.
+  std::vector<Light> lights;   ///< The first casts shadows.
+  std::array<float, 3> sky{};  ///< Radiance from everywhere alike, linear, in place of the material's own.
 };
 
 struct PictureSettings {
@@ -56,7 +56,7 @@ struct PictureSettings {
   double yaw_degrees = 30;   ///< 0: from the front, positive: towards the model's left.
   double pitch_degrees = 5;  ///< Positive: from above.
   double margin = 1.08;      ///< Times the distance from which all is seen, in the motion's first seconds too, 1..10.
-  std::optional<CameraPlace> camera;  ///< Instead of angles and margin, one head.
+  std::optional<CameraPlace> camera;             ///< Instead of angles and margin, one head.
   std::optional<motion::Motion> motion;          ///< None: the settled pose at rest.
   std::shared_ptr<const motion::HeadPath> clip;  ///< Instead of `motion`, unless null.
   double time = 0;                               ///< Seconds into the motion.
@@ -87,8 +87,6 @@ struct PictureSettings {
   const importer::SourceModel* body =
       nullptr;                 ///< Drawn opaque instead of the collider: the source's meshes that are not hair.
   BodyTextures body_textures;  ///< The body's materials'; empty: clay where there should be one.
-      nullptr;                 ///< Drawn opaque instead of the collider: the source's meshes that are not hair.
-  BodyTextures body_textures;  ///< The body's materials'; empty: clay where there should be one.
   const importer::SourceModel* ghost = nullptr;  ///< Beside what the hair is on: drawn over all as clay like glass.
   bool bust = false;                             ///< A head with a face in place of the largest of them.
   bool cuts_out_bodies = false;                  ///< They hide hair and shade it, but are holes in the picture.
@@ -103,9 +101,9 @@ struct Picture {
   std::string device;              ///< GL_RENDERER.
   double draw_ms = 0;              ///< Last frame, glFinish to glFinish.
   std::uint32_t edge_samples = 1;  ///< The driver's number.
-  CameraPlace camera;              ///< Metres from the head's joint.
-  std::vector<Light> lights;
-  LinearPicture light;  ///< Before the tone curve; empty unless PictureSettings::keeps_light.
+  CameraPlace camera{};            ///< Metres from the head's joint.
+  std::vector<Light> lights{};
+  LinearPicture light{};  ///< Before the tone curve; empty unless PictureSettings::keeps_light.
 };
 
 /// The contents and the frame of a picture.

@@ -3,6 +3,7 @@
 #include "base/geometry.h"
 #include "render/motion_colors.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,12 @@ Status draw_scene(HairRenderer& renderer, const PictureScene& scene, const Offsc
   desc.component = settings.component;
   const MaterialRecord* const own = settings.material ? &*settings.material : nullptr;
   desc.material = settings.colliders ? &scene.glass : own;
+  MaterialRecord lit;
+  if (settings.light) {
+    lit = desc.material != nullptr ? *desc.material : scene.model.material();
+    std::ranges::copy(settings.light->sky, lit.ambient);
+    desc.material = &lit;
+  }
   desc.transparency = settings.transparency;
   desc.order = scene.order;
 

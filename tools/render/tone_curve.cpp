@@ -34,7 +34,8 @@ LinearPicture light_of(std::span<const float> samples, std::uint32_t width, std:
   for (std::size_t y = 0; y < std::size_t{height} * oversampling; ++y) {
     for (std::size_t x = 0; x < row; ++x) {
       float* const pixel = &picture.rgba[4 * (y / oversampling * width + x / oversampling)];
-      for (std::size_t k = 0; k < 4; ++k) pixel[k] += share * std::clamp(samples[4 * (y * row + x) + k], 0.0f, 65504.0f);
+      for (std::size_t k = 0; k < 4; ++k)
+        pixel[k] += share * std::clamp(samples[4 * (y * row + x) + k], 0.0f, 65504.0f);
     }
   }
   return picture;

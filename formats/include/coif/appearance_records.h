@@ -12,13 +12,17 @@ inline constexpr std::uint32_t kMaterialDoubleSided = 1u << 0;
 /// before front faces.
 inline constexpr std::uint32_t kMaterialFacesTogether = 1u << 1;
 
-inline constexpr std::uint32_t kMaterialFlags = kMaterialDoubleSided | kMaterialFacesTogether;
+/// Normals are those of the hair as one soft body: they point out of it, and are the same from both sides of a card.
+inline constexpr std::uint32_t kMaterialVolumeNormals = 1u << 2;
+
+inline constexpr std::uint32_t kMaterialFlags = kMaterialDoubleSided | kMaterialFacesTogether | kMaterialVolumeNormals;
 
 /// How strands reflect light. Formulas, with their sources: shaders/SHADING.md.
 enum class ShadingModel : std::uint32_t {
   kThesis = 0,     ///< Algorithm 3 of the thesis: wrapped diffuse light and two shifted highlights.
   kKajiyaKay = 1,  ///< Diffuse light by the sine to the strand, one highlight around the mirror cone.
   kMarschner = 2,  ///< Light that a fibre's surface reflects, lets through, and reflects at its far side.
+  kVolume = 3,     ///< Fibres so many that light wanders among them: what path tracing shows, in closed form.
 };
 
 inline constexpr float kMostTilt = 0.35f;  ///< Radians; scales of real hair lean by 0.03 to 0.09.

@@ -22,6 +22,7 @@ inline constexpr ShadingTraits kShadingModels[] = {
     {"thesis", true, true, true, false},
     {"kajiya-kay", true, false, true, false},
     {"marschner", true, true, false, true},
+    {"volume", true, true, false, true},
 };
 inline constexpr std::uint32_t kShadingModelCount = sizeof kShadingModels / sizeof kShadingModels[0];
 

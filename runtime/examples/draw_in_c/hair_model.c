@@ -102,6 +102,7 @@ static void add_defines(host_source* source, const model* drawn) {
   for (role = 0; role < ROLES; ++role) {
     if (drawn->textures[role] != 0) host_source_add(source, maps[role]);
   }
+  if ((drawn->hair.material.flags & COIF_VOLUME_NORMALS) != 0) host_source_add(source, "#define COIF_VOLUME_NORMALS\n");
   host_source_add(source, "#define COIF_PRIMARY\n#define COIF_SECONDARY\n#define COIF_ALPHA_TEST\n");
 }
 
@@ -117,7 +118,8 @@ static host_source vertex_source(const model* drawn, const char* folder) {
 }
 
 static host_source fragment_source(const model* drawn, const char* folder, int is_shaded) {
-  static const char* const models[] = {"shading_thesis.glsl", "shading_kajiya_kay.glsl", "shading_marschner.glsl"};
+  static const char* const models[] = {"shading_thesis.glsl", "shading_kajiya_kay.glsl", "shading_marschner.glsl",
+                                       "shading_volume.glsl"};
   host_source source = host_source_begin();
   add_defines(&source, drawn);
   host_source_add_piece(&source, folder, "hair.glsl", "draw_block.glsl");

@@ -33,9 +33,9 @@ struct Light {
 };
 
 /// The part of the shading that is drawn. The parts of Algorithm 3 are as in the six pictures of the thesis's Gallery
-/// 1. With ShadingModel::kMarschner the primary highlight is R and the secondary one TRT; TT is a part of the diffuse
-/// light. kDirection draws the strands' direction without light, to check an asset: green at the root to red at the
-/// tip, with arrowheads that point to the tip.
+/// 1. With ShadingModel::kMarschner and kVolume the primary highlight is R and the secondary one TRT; TT is a part of
+/// the diffuse light. kDirection draws the strands' direction without light, to check an asset: green at the root to
+/// red at the tip, with arrowheads that point to the tip.
 enum class Component : std::uint8_t { kAll, kAmbient, kDiffuse, kSpecular, kPrimary, kSecondary, kDirection };
 
 /// One head of a crowd.

@@ -8,6 +8,7 @@ import { keepHair, shadeHair } from './shader_code.mjs';
 
 const DOUBLE_SIDED = 1; // MaterialRecord::flags
 const FACES_TOGETHER = 2;
+const VOLUME_NORMALS = 4;
 const NO_LIMIT = 3.402823466e38;
 const DEPTH_ALPHA = 0.5; // from this alpha on, missing depth would be the larger error for things that are drawn later
 
@@ -54,9 +55,10 @@ export function passesOf(mode, material, { lowest, highest }) {
 /** The defines for an asset's features. */
 function definesOf(hair, each) {
   const { skinning, textures, material } = hair;
-  const lit = (color) => color.some((part) => part !== 0) || material.shading === 2; // Marschner's highlights have no colour of their own
+  const lit = (color) => color.some((part) => part !== 0) || material.shading >= 2; // fibres' highlights have no colour of their own
   const defines = { HAIR_BONES: [0, 1, 4][skinning] };
   if (each.tests) defines.COIF_ALPHA_TEST = '';
+  if ((material.flags & VOLUME_NORMALS) !== 0) defines.COIF_VOLUME_NORMALS = '';
   if (textures.base) defines.COIF_BASE_TEXTURE = '';
   if (textures.shiftMask) defines.COIF_SHIFT_MASK = '';
   if (textures.normals) defines.COIF_NORMAL_MAP = '';

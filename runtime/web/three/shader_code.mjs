@@ -3,7 +3,7 @@
 
 import { pieces } from './shaders.mjs';
 
-const MODELS = ['thesis', 'kajiya_kay', 'marschner'];
+const MODELS = ['thesis', 'kajiya_kay', 'marschner', 'volume'];
 
 /** Vertices: bones of all heads in one texture, head after head; each instance has a number and a matrix of its own. */
 const VERTEX = /* glsl */ `
@@ -86,6 +86,9 @@ uniform vec4 primary, secondary, shift, component, fiber;
 ${maps ? pieces['relief.glsl'] : ''}
 ${pieces['shading.glsl']}
 ${pieces[`shading_${MODELS[model]}.glsl`]}
+#ifndef COIF_MANY_FIBERS
+vec3 sky_reflected(Strand strand, float openness) { return openness * strand.color; }
+#endif
 #undef pow2
 #undef uv
 #undef position
@@ -104,7 +107,7 @@ void RE_Direct_Hair(const in IncidentLight light, const in vec3 at, const in vec
 }
 void RE_IndirectDiffuse_Hair(const in vec3 irradiance, const in vec3 at, const in vec3 normal, const in vec3 view, const in vec3 clearcoat,
                              const in HairMaterial material, inout ReflectedLight reflected) {
-  reflected.indirectDiffuse += component.x * hair_openness * irradiance * RECIPROCAL_PI * material.color;
+  reflected.indirectDiffuse += component.x * irradiance * RECIPROCAL_PI * sky_reflected(hair_strand, hair_openness);
 }
 #define RE_Direct RE_Direct_Hair
 #define RE_IndirectDiffuse RE_IndirectDiffuse_Hair
@@ -118,7 +121,11 @@ const strandMain = (maps) => /* glsl */ `
 #else
   vec2 shift_mask = vec2(0.5, 1.0);
 #endif
+#ifdef COIF_VOLUME_NORMALS
+  vec3 along = normalize(hair_tangent), outward = normalize(vNormal);
+#else
   vec3 along = normalize(hair_tangent), outward = normal;
+#endif
   ${maps ? 'follow_relief(along, outward);' : ''}
   hair_strand = Strand(along, outward, normalize(vViewPosition), hair_texel.rgb, shift_mask.x - 0.5, shift_mask.y);
   hair_sum = Reflected(vec3(0.0), vec3(0.0), vec3(0.0));

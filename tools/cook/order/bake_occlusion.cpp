@@ -28,6 +28,9 @@ constexpr float kNoLight = 1.0e-7f;    ///< Far below the stored precision: furt
 constexpr double kMostTries = 2.0e6;
 constexpr float kFewestLines = 8;
 
+/// With normals of the volume: metres. What lies closer above a point is a part of how the volume reflects.
+constexpr float kOwnDepth = 0.006f;
+
 /// A point where light is gathered.
 struct Receiver {
   Vector3f point;               ///< The vertex.
@@ -157,13 +160,24 @@ struct Gathered {
   bool is_coarse = false;      ///< Fewer lines than wanted were used.
 };
 
+/// The places of the vertices at which light is gathered.
+std::vector<Vector3f> lit_places(const Asset& asset) {
+  std::vector<Vector3f> places = visibility::posed_positions(asset, {});
+  const bool is_volume = asset.material() != nullptr && (asset.material()->flags & kMaterialVolumeNormals) != 0;
+  for (std::size_t v = 0; is_volume && v < places.size(); ++v) {
+    const std::int16_t* const n = asset.vertices()[v].normal;
+    places[v] += kOwnDepth * Vector3f(n[0], n[1], n[2]).normalized();
+  }
+  return places;
+}
+
 Gathered gather(const visibility::HairSurface& hair, std::span<const Vector3f> positions,
-                const platform::Threads& threads) {
+                std::span<const Vector3f> places, const platform::Threads& threads) {
   std::vector<Receiver> receivers;
   Eigen::AlignedBox3f box;
-  for (const Vector3f& point : positions) {
-    receivers.push_back({point, out_of(hair.solids, point), Vector3f::Zero()});
-    box.extend(point);
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    receivers.push_back({places[v], out_of(hair.solids, places[v]), Vector3f::Zero()});
+    box.extend(positions[v]);
   }
   find_surface(hair, positions, receivers);
   const float side = box.sizes().maxCoeff(), spacing = choose_spacing(hair, positions, side);
@@ -221,11 +235,12 @@ void bake_occlusion(const DrawnRecipe& recipe, const platform::Threads& threads,
   const Asset& asset = opened.asset();
   if (!asset.is_open()) return;
   const std::vector<Vector3f> positions = visibility::posed_positions(asset, {});
+  const std::vector<Vector3f> places = lit_places(asset);
   Written written{std::vector<bool>(positions.size(), false)};
   bool is_coarse = false;
   for (std::uint32_t lod = 0; lod < asset.lod_count(); ++lod) {
     if (std::ranges::all_of(asset.lod_indices(lod), [&](std::uint32_t v) { return bool(written.is_lit[v]); })) continue;
-    const Gathered gathered = gather(visibility::HairSurface(asset, lod), positions, threads);
+    const Gathered gathered = gather(visibility::HairSurface(asset, lod), positions, places, threads);
     is_coarse = is_coarse || gathered.is_coarse;
     write_level(gathered, recipe.occlusion_strength, contents.vertices, written);
   }

@@ -70,6 +70,11 @@ tl::expected<OrderFigures, ToolError> choose_order(const DrawnRecipe& recipe, st
                                                    const platform::Threads& threads, AssetContents& contents,
                                                    Findings& findings);
 
+/// With ShadingModel::kVolume: turns the vertices' normals into those of the hair as one soft body, hair and head as
+/// they fill space, blurred over some six cells of a grid, and says so in the material's flags. Light then runs on from
+/// card to card.
+void bake_normals(AssetContents& contents, Findings& findings);
+
 /// Writes into each vertex the share of ambient light that reaches it in the rest pose (VertexRecord::normal[3]): the
 /// mean over the 96 directions of view_cells.h, each as wide as its cell, of the light that the hair before the vertex
 /// lets through, 0 where a collider of the head is before it. Two-sided hair is lit from both sides; one-sided hair

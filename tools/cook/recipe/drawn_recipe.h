@@ -62,9 +62,9 @@ struct DrawnRecipe {
   std::array<double, 3> secondary_color{};
   double secondary_exponent = 0;
   double secondary_shift = 0;
-  std::string shading;   ///< A shading model's name.
-  double tilt = 0;       ///< Degrees.
-  double roughness = 0;  ///< Degrees.
+  std::string shading;              ///< A shading model's name.
+  double tilt = 0;                  ///< Degrees.
+  std::optional<double> roughness;  ///< Degrees; none: as the model wants it.
   double scatter = 0;
   double glow = 0;
   double root_shade = 0;

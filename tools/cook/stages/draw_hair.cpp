@@ -91,6 +91,7 @@ class HairDrawer {
   Done order(bool is_drawn) {
     AssetContents& contents = drawn_.contents;
     if (is_drawn) {
+      log_.pass("soft body", [&] { bake_normals(contents, findings_); });
       log_.pass("occlusion", [&] { bake_occlusion(recipe_, settings_.threads, contents, findings_); });
     }
     // With the threshold from before a search for orders, so that the message does not depend on the search.

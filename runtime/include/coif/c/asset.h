@@ -134,7 +134,8 @@ typedef struct coif_lod {
 typedef enum coif_shading {
   COIF_SHADING_THESIS = 0,
   COIF_SHADING_KAJIYA_KAY = 1,
-  COIF_SHADING_MARSCHNER = 2
+  COIF_SHADING_MARSCHNER = 2,
+  COIF_SHADING_VOLUME = 3
 } coif_shading;
 
 /* MaterialRecord in coif/appearance_records.h; colours are linear. */
@@ -142,13 +143,14 @@ typedef struct coif_material {
   float base_color[4], ambient[3], opaque_threshold;
   float primary_color[3], primary_exponent, secondary_color[3], secondary_exponent;
   float primary_shift, secondary_shift, discard_threshold;
-  uint32_t flags;   /* COIF_DOUBLE_SIDED, COIF_FACES_TOGETHER */
+  uint32_t flags;   /* COIF_DOUBLE_SIDED, COIF_FACES_TOGETHER, COIF_VOLUME_NORMALS */
   uint32_t shading; /* coif_shading */
   float tilt, roughness, scatter, light_cut;
   float glow, root_shade, variation;
 } coif_material;
 #define COIF_DOUBLE_SIDED 1u
 #define COIF_FACES_TOGETHER 2u
+#define COIF_VOLUME_NORMALS 4u
 
 typedef enum coif_texture_role {
   COIF_BASE_COLOR = 0,
