@@ -9,6 +9,7 @@
 #     farm    many machines, emulated on this one: Slurm and GNU parallel, killed nodes and lost hosts
 #     web     in WebAssembly: the npm package gives the same bits in node, hair in three's scenes and the page of coif view in Chromium
 #     blender   what is read of FBX, OBJ and COLLADA is what Blender reads of it
+#     truth   hair beside the same strands path-traced by Blender, small
 #     variants  reader and simulation, by other compilers and flags, in 32 bits and for ARM, give the same bits; or one of them by
 #             its preset: fma, avx2, native, clang, x86-32, arm64
 #     calm    hair of heads that are held comes to rest, in every way to run each of the artists' files; ten minutes
@@ -85,16 +86,17 @@ compare_builds() {
 
 install program tests
 for part in ${*:-plain}; do
-  [ "$part" = all ] && part='plain asan asan-cook fuzz farm web blender variants calm agree style tidy debug'
+  [ "$part" = all ] && part='plain asan asan-cook fuzz farm web blender truth variants calm agree style tidy debug'
   for part in $part; do
     case $part in
-      plain) build release -DCOIF_TESTS=ON all && run release plain -LE '^(farm|other_builds|web|blender|calm_all|agree_all|style|tidy)$' ;;
+      plain) build release -DCOIF_TESTS=ON all && run release plain -LE '^(farm|other_builds|web|blender|truth|calm_all|agree_all|style|tidy)$' ;;
       asan) sanitize asan formats sim c import groom ;;
       asan-cook) sanitize asan-cook cook cache validate view ;;
       fuzz) install fuzz && build fuzz -DCOIF_TESTS=ON fuzz_readers && run fuzz fuzz ;;
       farm) install farm && build release -DCOIF_TESTS=ON coif_cli && run release farm -L '^farm$' ;;
       web) test_web ;;
       blender) install blender && build release -DCOIF_TESTS=ON coif_print_model && run release blender -L '^blender$' ;;
+      truth) install blender && build release -DCOIF_TESTS=ON coif_cli && run release truth -L '^truth$' ;;
       variants) install fuzz variants && for preset in fma avx2 native clang x86-32 arm64; do try_variant $preset; done ;;
       fma | avx2 | native) try_variant "$part" ;;
       clang | x86-32 | arm64) install fuzz variants && try_variant "$part" ;;
@@ -103,7 +105,7 @@ for part in ${*:-plain}; do
       style) install style && build release -DCOIF_TESTS=ON coif_cli && run release style -L '^style$' ;;
       tidy) install tidy && build release -DCOIF_TESTS=ON coif_cli && run release tidy -L '^tidy$' ;;
       debug) compare_builds ;;
-      *) echo "run.sh: '$part' is none of plain, asan, asan-cook, fuzz, farm, web, blender, variants (or one of them), calm, agree, style, tidy, debug, all" >&2; broken=$((broken + 1)) ;;
+      *) echo "run.sh: '$part' is none of plain, asan, asan-cook, fuzz, farm, web, blender, truth, variants (or one of them), calm, agree, style, tidy, debug, all" >&2; broken=$((broken + 1)) ;;
     esac
   done
 done

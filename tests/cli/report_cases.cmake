@@ -5,7 +5,7 @@ coif_cli_case(report_text_file EXIT 3 STDERR "coif report: error: notes.coif: no
   TEXT notes.coif "this text is long enough for a header" ARGS report notes.coif stability)
 coif_cli_case(report_no_file EXIT 1 STDERR "coif report: error: FILE is required" ARGS report)
 coif_cli_case(report_unknown_subject EXIT 1
-  STDERR "coif report: error: SUBJECT: 'speed' is not one of accuracy, stability, order, shadows, cost, cards" ARGS report a.coif speed)
+  STDERR "coif report: error: SUBJECT: 'speed' is not one of accuracy, stability, order, shadows, cost, cards, picture" ARGS report a.coif speed)
 coif_cli_case(report_unknown_suffix EXIT 1 STDERR "coif report: error: out.pdf: the suffix must be .html or .json"
   ARGS report a.coif accuracy -o out.pdf)
 coif_cli_case(report_unknown_solver EXIT 1 STDERR "coif report: error: --solver: 'magic' is not one of .*thesis"
@@ -142,6 +142,23 @@ coif_cli_case(report_shadows_without_device EXIT 5 SAMPLE STDERR "bob.coif: no E
   ARGS report ${COIF_COOKED_SAMPLE} shadows ${quick_shadows})
 set_tests_properties(cli.report_shadows_without_device PROPERTIES ENVIRONMENT "__EGL_VENDOR_LIBRARY_FILENAMES=/none")
 coif_cli_script(report_order_needs_a_mesh SAMPLE DEFINE ASSET=${COIF_COOKED_SAMPLE})
+
+# Pictures beside true ones: tests/cli/report_pictures.py measures.
+set(picture report ${COIF_COOKED_SAMPLE} picture)
+coif_cli_case(report_picture_without_truth EXIT 1
+  STDERR "coif report: error: pictures are compared with true ones; name their folder: --truth FOLDER" ARGS report a.coif picture)
+coif_cli_case(report_truth_of_others EXIT 1 SAMPLE
+  STDERR "coif report: error: --truth is for 'coif report FILE.coif picture' only; leave it out" ARGS report ${COIF_COOKED_SAMPLE} --truth .)
+coif_cli_case(report_picture_of_no_folder EXIT 2 SAMPLE STDERR "truth.json: cannot open" ARGS ${picture} --truth absent)
+coif_cli_case(report_picture_of_an_empty_list EXIT 3 SAMPLE TEXT truth.json "{}"
+  STDERR "truth.json: it lists no 'scenes'" ARGS ${picture} --truth .)
+coif_cli_case(report_picture_of_half_a_scene EXIT 3 SAMPLE TEXT truth.json "{\"scenes\": [{\"view\": \"front\"}]}"
+  STDERR "truth.json: scene 0: it has no text 'color'" ARGS ${picture} --truth .)
+coif_cli_case(render_no_such_camera EXIT 2 SAMPLE STDERR "absent.json: cannot open"
+  ARGS render ${COIF_COOKED_SAMPLE} --camera absent.json -o a.png)
+coif_cli_case(render_bad_camera EXIT 3 SAMPLE TEXT camera.json "{\"eye\": [0, 0]}" STDERR "camera.json: its camera has no three numbers 'eye'"
+  ARGS render ${COIF_COOKED_SAMPLE} --camera camera.json -o a.png)
+coif_cli_case(render_light EXIT 0 SAMPLE WRITES a.exr ARGS render ${COIF_COOKED_SAMPLE} --size 64x48 --samples 1 -o a.exr)
 
 # Cards beside their strands: tests/cli/report_cards.py measures.
 set(cards report ${COIF_COOKED_SAMPLE} cards)

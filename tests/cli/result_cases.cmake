@@ -76,7 +76,7 @@ coif_cli_case(render_colliders EXIT 0 SAMPLE WRITES bob.png
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --component colliders -o bob.png)
 coif_cli_case(render_debug EXIT 0 SAMPLE WRITES bob.png
   ARGS render ${COIF_COOKED_SAMPLE} --size 64x48 --samples 1 --debug bones,colliders,contacts,limits,motion -o bob.png)
-foreach(shading thesis kajiya-kay marschner)
+foreach(shading thesis kajiya-kay marschner volume)
   coif_cli_case(render_${shading} EXIT 0 SAMPLE WRITES bob.png
     ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --shading ${shading} -o bob.png)
 endforeach()

@@ -18,3 +18,6 @@ endforeach()
 add_test(NAME cli.report_cards
   COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/report_cards.py $<TARGET_FILE:coif_cli> ${CMAKE_CURRENT_BINARY_DIR}/report_cards)
 set_tests_properties(cli.report_cards PROPERTIES TIMEOUT 600)
+add_test(NAME cli.report_pictures
+  COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/report_pictures.py $<TARGET_FILE:coif_cli> ${COIF_COOKED_SAMPLE} ${CMAKE_CURRENT_BINARY_DIR}/report_pictures)
+set_tests_properties(cli.report_pictures PROPERTIES TIMEOUT 120 FIXTURES_REQUIRED COIF_COOKED_SAMPLE)

@@ -92,7 +92,7 @@ coif_cli_case(render_bad_backdrop EXIT 1 STDERR "'grey' is not dark, light, clea
   ARGS render a.coif --backdrop grey -o out.png)
 coif_cli_case(render_bad_samples EXIT 1 STDERR "--samples: '3' is not 1, 2, 4, 8, 16, 32 or 64"
   ARGS render a.coif --samples 3 -o out.png)
-coif_cli_case(render_bad_shading EXIT 1 STDERR "--shading: 'phong' is not one of thesis, kajiya-kay, marschner"
+coif_cli_case(render_bad_shading EXIT 1 STDERR "--shading: 'phong' is not one of thesis, kajiya-kay, marschner, volume"
   ARGS render a.coif --shading phong -o out.png)
 coif_cli_case(render_bad_order EXIT 1 STDERR "--order: 'depth' is not one of cooked, bones"
   ARGS render a.coif --order depth -o out.png)

@@ -64,7 +64,7 @@ def columns_without_key(report):
 
 def layouts(tools):
     found = sorted(Path(tools).rglob("*_page.json"))
-    assert len(found) == 8, found
+    assert len(found) == 9, found
     return {path.name: json.loads(path.read_text()) for path in found}
 
 

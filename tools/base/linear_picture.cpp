@@ -26,7 +26,8 @@ std::string taken(const char* error) {
 /// Width and height, before memory is taken for them.
 tl::expected<std::array<int, 2>, std::string> extent_of(const unsigned char* bytes, std::size_t size) {
   EXRVersion version;
-  if (ParseEXRVersionFromMemory(&version, bytes, size) != TINYEXR_SUCCESS) return tl::unexpected(std::string("it is no OpenEXR"));
+  if (ParseEXRVersionFromMemory(&version, bytes, size) != TINYEXR_SUCCESS)
+    return tl::unexpected(std::string("it is no OpenEXR"));
   if (version.multipart != 0 || version.non_image != 0) return tl::unexpected(std::string("it has more than one part"));
   EXRHeader header;
   InitEXRHeader(&header);

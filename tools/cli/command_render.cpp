@@ -46,7 +46,7 @@ constexpr Choice<DebugPart> kDebugParts[] = {{"bones", &render::DebugView::bones
                                              {"limits", &render::DebugView::limits},
                                              {"motion", &render::DebugView::motion}};
 
-constexpr const char* kLightSuffix = ".exr";  ///< Of pictures before the tone curve.
+constexpr const char* kLightSuffix = ".exr";  ///< A picture before the tone curve.
 
 struct RenderOptions {
   std::string file;
@@ -138,8 +138,7 @@ tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Mes
   }
   const auto file = AssetFile::open(options.file);
   if (!file) return tl::unexpected(file.error());
-  if (auto checked = check_output(options.output, {options.file, options.camera, clip_file(options.motion)});
-      !checked)
+  if (auto checked = check_output(options.output, {options.file, options.camera, clip_file(options.motion)}); !checked)
     return tl::unexpected(checked.error());
 
   render::PictureSettings settings = picture_settings(options);

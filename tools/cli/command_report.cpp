@@ -12,8 +12,8 @@
 #include "report/cards/cards_report.h"
 #include "report/cost/cost_report.h"
 #include "report/order/order_report.h"
-#include "report/picture/picture_report.h"
 #include "report/page/report_page.h"
+#include "report/picture/picture_report.h"
 #include "report/shadow/shadow_report.h"
 #include "report/stability/stability_report.h"
 
@@ -139,9 +139,9 @@ tl::expected<Rendered, ToolError> report_subject(const ReportJob& job, const rep
                                                                            strands.settings, progress);
                                             });
     case ReportSubject::kPicture:
-      return report_on<report::PictureReport>(
-          job, {report::picture_text, report::picture_json, report::coif_picture_page},
-          with(report::measure_pictures, job.picture));
+      return report_on<report::PictureReport>(job,
+                                              {report::picture_text, report::picture_json, report::coif_picture_page},
+                                              with(report::measure_pictures, job.picture));
     case ReportSubject::kCost:
       return report_on<report::CostReport>(job, {report::cost_text, report::cost_json, report::coif_cost_page},
                                            with(measure_all_cost, cost_choice(job.options)));

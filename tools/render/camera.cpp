@@ -110,8 +110,8 @@ CrowdView frame_crowd(std::span<const Eigen::Vector3d> points, const CameraSetti
   double distance = 0;
   for (const Eigen::Vector3d& point : points) {
     const Eigen::Vector3d p = axes * point - center;
-    distance = std::max(
-        {distance, (std::abs(p.x()) + reach.x()) / tangents.x() + p.z(), (std::abs(p.y()) + reach.y()) / tangents.y() + p.z()});
+    distance = std::max({distance, (std::abs(p.x()) + reach.x()) / tangents.x() + p.z(),
+                         (std::abs(p.y()) + reach.y()) / tangents.y() + p.z()});
   }
   distance *= settings.margin;
 

@@ -18,9 +18,10 @@ namespace coif::render {
 
 /// Where a camera stands and looks.
 struct CameraPlace {
-  Eigen::Vector3d eye;              ///< World, metres.
-  Eigen::Vector3d right, up, back;  ///< Unit, world; `back` points from the scene to the eye.
-  double fov_degrees = 30;          ///< Across the shorter side of the picture.
+  Eigen::Vector3d eye = Eigen::Vector3d::Zero();  ///< World, metres.
+  /// Unit, world; `back` points from the scene to the eye.
+  Eigen::Vector3d right = Eigen::Vector3d::UnitX(), up = Eigen::Vector3d::UnitY(), back = Eigen::Vector3d::UnitZ();
+  double fov_degrees = 30;  ///< Across the shorter side of the picture.
 };
 
 struct Camera : CameraPlace {

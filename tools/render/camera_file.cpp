@@ -62,10 +62,8 @@ tl::expected<CameraPlace, std::string> camera_of_json(const nlohmann::json& json
   const nlohmann::json& inner = member(json, "camera");
   const nlohmann::json& own = inner.is_object() ? inner : json;
   CameraPlace camera;
-  for (const auto& [name, place] : {std::pair{"eye", &camera.eye},
-                                    {"right", &camera.right},
-                                    {"up", &camera.up},
-                                    {"back", &camera.back}}) {
+  for (const auto& [name, place] :
+       {std::pair{"eye", &camera.eye}, {"right", &camera.right}, {"up", &camera.up}, {"back", &camera.back}}) {
     const auto v = vector_of_json(member(own, name));
     if (!v) return tl::unexpected(fmt::format("its camera has no three numbers '{}'", name));
     *place = *v;
@@ -75,7 +73,8 @@ tl::expected<CameraPlace, std::string> camera_of_json(const nlohmann::json& json
     return tl::unexpected(std::string("the camera's 'right', 'up' and 'back' are not unit vectors at right angles"));
   }
   const auto fov = number_of(member(own, "fov_degrees"));
-  if (!fov || !(*fov >= 1 && *fov <= 150)) return tl::unexpected(std::string("its camera has no 'fov_degrees' of 1 to 150"));
+  if (!fov || !(*fov >= 1 && *fov <= 150))
+    return tl::unexpected(std::string("its camera has no 'fov_degrees' of 1 to 150"));
   camera.fov_degrees = *fov;
   return camera;
 }
@@ -88,7 +87,8 @@ tl::expected<std::vector<Light>, std::string> lights_of_json(const nlohmann::jso
   for (const nlohmann::json& one : json) {
     const auto towards = vector_of_json(member(one, "towards")), color = vector_of_json(member(one, "color"));
     if (!towards || !(towards->norm() > 0)) return tl::unexpected(std::string("a light has no direction 'towards'"));
-    if (!color || !(color->minCoeff() >= 0)) return tl::unexpected(std::string("a light has no 'color' of three numbers from 0"));
+    if (!color || !(color->minCoeff() >= 0))
+      return tl::unexpected(std::string("a light has no 'color' of three numbers from 0"));
     const Eigen::Vector3f from = towards->cast<float>(), rgb = color->cast<float>();
     lights.push_back({Light::Kind::kDirectional, {from.x(), from.y(), from.z()}, {rgb.x(), rgb.y(), rgb.z()}});
   }

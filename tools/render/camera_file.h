@@ -16,8 +16,8 @@
 
 namespace coif::render {
 
-// Cameras and lights as JSON, so that two pictures, perhaps of two renderers, show the same. Places are in the metres of
-// the source, Y up: an asset's own begin at the head's joint, `joint` here.
+// Cameras and lights as JSON, so that two pictures, perhaps of two renderers, show the same. Places are in the metres
+// of the source, Y up: an asset's own begin at the head's joint, `joint` here.
 
 /// "eye", "right", "up", "back", "fov_degrees", as CameraPlace.
 [[nodiscard]] nlohmann::ordered_json camera_json(const CameraPlace& camera, const Eigen::Vector3d& joint);

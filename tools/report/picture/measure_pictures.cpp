@@ -15,7 +15,7 @@
 namespace coif::report {
 namespace {
 
-constexpr std::uint32_t kSmaller = 4;     ///< The divisor of the smaller size.
+constexpr std::uint32_t kSmaller = 4;       ///< The divisor of the smaller size.
 constexpr std::uint32_t kOversampling = 4;  ///< Each way: the pictures' noise is not the renderer's.
 
 render::PictureSettings settings_of(const Asset& asset, const PictureReportSettings& settings,
@@ -31,7 +31,8 @@ render::PictureSettings settings_of(const Asset& asset, const PictureReportSetti
   picture.cuts_out_bodies = picture.keeps_light = true;
   picture.warm_up = false;
   picture.backdrop = render::Backdrop{.opacity = 0};
-  MaterialRecord material = render::shaded_material(asset, settings.shading.value_or(render::own_material(asset).shading));
+  MaterialRecord material =
+      render::shaded_material(asset, settings.shading.value_or(render::own_material(asset).shading));
   if (scene.base_color) Eigen::Map<Eigen::Vector3f>{material.base_color} = *scene.base_color;
   picture.material = material;
   return picture;

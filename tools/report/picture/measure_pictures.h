@@ -16,9 +16,9 @@
 namespace coif::report {
 
 struct PictureReportSettings {
-  std::filesystem::path truth;                ///< The folder of true pictures (truth_folder.h).
+  std::filesystem::path truth;                  ///< The folder of true pictures (truth_folder.h).
   const importer::SourceModel* body = nullptr;  ///< What hides and shades the hair there; null: its own head.
-  std::optional<ShadingModel> shading;        ///< Instead of the asset's.
+  std::optional<ShadingModel> shading;          ///< Instead of the asset's.
   std::uint32_t lod = 0;
   bool sheets = false;  ///< Also pictures side by side.
 };

@@ -81,10 +81,12 @@ Columns<PictureRow> picture_columns() {
                        {"color", &Row::color, {"colour"}, {"colour", -8}},
                        {"light", &Row::light, {"light"}, {"light", -8}},
                        {"size", &Row::size, {"pixels"}, {"pixels", 7}},
-                       {"tone", [](const Row& row) { return row.figures.tone; },
+                       {"tone",
+                        [](const Row& row) { return row.figures.tone; },
                         {"tone, RMS", {"{:.1f} %", "-", 100}},
                         {"tone %", 8, {"{:.1f}", "-", 100}}},
-                       {"bias", [](const Row& row) { return row.figures.bias; },
+                       {"bias",
+                        [](const Row& row) { return row.figures.bias; },
                         {"bias", {"{:+.1f} %", "-", 100}},
                         {"bias %", 8, {"{:+.1f}", "-", 100}}}};
   static constexpr std::array<std::array<const char*, 3>, 6> kBands{{{"grain_1", "grain, 1 px", "g1"},
@@ -94,12 +96,18 @@ Columns<PictureRow> picture_columns() {
                                                                      {"grain_16", "16 px", "g16"},
                                                                      {"grain_32", "32 px", "g32"}}};
   for (std::size_t i = 0; i < kBands.size(); ++i) {
-    columns.add({kBands[i][0], [i](const Row& row) { return row.figures.grain[i]; }, {kBands[i][1], "{:.2f}"},
+    columns.add({kBands[i][0],
+                 [i](const Row& row) { return row.figures.grain[i]; },
+                 {kBands[i][1], "{:.2f}"},
                  {kBands[i][2], 6, "{:.2f}"}});
   }
-  columns.add({"outline", [](const Row& row) { return row.figures.outline; }, {"outline IoU", "{:.3f}"},
+  columns.add({"outline",
+               [](const Row& row) { return row.figures.outline; },
+               {"outline IoU", "{:.3f}"},
                {"outline", 9, "{:.3f}"}});
-  columns.add({"coverage", [](const Row& row) { return row.figures.coverage; }, {"coverage IoU", "{:.3f}"},
+  columns.add({"coverage",
+               [](const Row& row) { return row.figures.coverage; },
+               {"coverage IoU", "{:.3f}"},
                {"cover", 7, "{:.3f}"}});
   return columns;
 }

@@ -12,8 +12,7 @@ namespace {
 tl::expected<TruthScene, std::string> scene_of(const nlohmann::json& json, const std::filesystem::path& folder,
                                                const Eigen::Vector3d& joint) {
   TruthScene scene;
-  for (const auto& [name, text] :
-       {std::pair{"view", &scene.view}, {"color", &scene.color}, {"light", &scene.light}}) {
+  for (const auto& [name, text] : {std::pair{"view", &scene.view}, {"color", &scene.color}, {"light", &scene.light}}) {
     *text = printable_text_of(member(json, name));
     if (text->empty()) return tl::unexpected(fmt::format("it has no text '{}'", name));
   }

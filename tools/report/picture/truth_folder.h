@@ -22,7 +22,7 @@ struct TruthScene {
   std::array<std::filesystem::path, 2> files;
   render::CameraPlace camera;
   render::PictureLight lights;
-  std::optional<Eigen::Vector3f> base_color;  ///< Of hair, linear, in place of the asset's factor.
+  std::optional<Eigen::Vector3f> base_color;  ///< The hair's, linear, in place of the asset's factor.
 
   [[nodiscard]] std::string name() const { return view + ", " + color + ", " + light; }
 };
