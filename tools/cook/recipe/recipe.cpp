@@ -134,13 +134,15 @@ Recipe default_recipe() {
 }
 
 Recipe draft_of(Recipe recipe) {
-  constexpr std::uint32_t kDraftTexels = 512;
+  // A volume without occlusion is lit as if its inside lay open, and fine strands need texels.
+  const bool is_volume = recipe.shading == "volume";
+  const std::uint32_t draft_texels = is_volume ? 1024 : 512;
   recipe.order_method = OrderMethod::kHead;
   recipe.lod_levels = 1;
-  recipe.texture_max_size = std::min(texture_limit(recipe), kDraftTexels);
+  recipe.texture_max_size = std::min(texture_limit(recipe), draft_texels);
   recipe.shift_mask_format = ShiftMaskFormat::kRg8;
   recipe.color_format = ColorFormat::kRgba8;
-  recipe.occlusion_strength = 0;
+  if (!is_volume) recipe.occlusion_strength = 0;
   recipe.cards_rounds = std::min(recipe.cards_rounds, 1u);
   return recipe;
 }
