@@ -38,7 +38,7 @@ convert -delay 6 -loop 0 "$work"/[0-9][0-9].png -quality 82 "$out/turn.webp"
 # What each preset of `coif cook --list-presets` grows where there is no hair yet.
 for preset in realistic anime stylised ponytail curly short; do
   cat >"$work/$preset.recipe.json" <<END
-{"grow": {"strands": 9000}, "cards": {"rounds": 2}, "order": {"method": "head"}, "lods": {"levels": 1}}
+{"grow": {"strands": 9000}, "cards": {"rounds": 1}, "order": {"method": "head"}, "lods": {"levels": 1}}
 END
   "$coif" cook "$work/$preset.recipe.json" --preset "$preset" --body "$here/portrait.glb" -o "$work/$preset.coif"
   picture "$preset" --size 360x400 --view 35,5 -o "$work/$preset.png"
