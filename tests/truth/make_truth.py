@@ -84,11 +84,13 @@ def make(options, name, style):
         run(options.blender, "-b", "--factory-startup", "--python-exit-code", 3, "--python", HERE / "trace_strands.py", "--",
             folder / "job.json")
     (folder / "truth.json").write_text(json.dumps({"scenes": scenes}, indent=1))
-    report = ["report", asset, "picture", "--truth", folder, "--body", PORTRAIT]
-    print(run(options.coif, *report, "-o", options.folder / f"{name}.html"))
+    report = ["report", asset, "picture", "--truth", folder, "--body", PORTRAIT, "-o", options.folder / f"{name}.html"]
     if options.most_tone is None and options.least_outline is None:
+        print(run(options.coif, *report))
         return []
-    total = json.loads(run(options.coif, *report, "--format", "json"))["totals"][0]
+    found = json.loads(run(options.coif, *report, "--format", "json"))
+    print(found["finding"])
+    total = found["totals"][0]
     faults = []
     if options.most_tone is not None and not total["tone"] <= options.most_tone:
         faults.append(f"{name}: tone is {total['tone']:.3f}, above {options.most_tone}")

@@ -41,7 +41,7 @@ tl::expected<std::array<int, 2>, std::string> extent_of(const unsigned char* byt
   for (const int side : extent) {
     if (side < 1 || side > kMostPixels) {
       return tl::unexpected(std::string("it has more than 8192 pixels each way, or none"));
-    };
+    }
   }
   return extent;
 }
@@ -98,6 +98,21 @@ tl::expected<LinearPicture, std::string> decode_exr(std::span<const std::byte> b
   const std::unique_ptr<float, FreeBlock> owned(rgba);
   return LinearPicture{std::uint32_t(width), std::uint32_t(height),
                        std::vector<float>(rgba, rgba + std::size_t{4} * std::size_t(width) * std::size_t(height))};
+}
+
+LinearPicture reduced(const LinearPicture& picture, std::uint32_t factor) {
+  LinearPicture small{picture.width / factor, picture.height / factor, {}};
+  small.rgba.resize(std::size_t{4} * small.width * small.height);
+  const float share = 1 / float(factor * factor);
+  for (std::size_t y = 0; y < std::size_t{small.height} * factor; ++y) {
+    for (std::size_t x = 0; x < std::size_t{small.width} * factor; ++x) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        small.rgba[4 * (y / factor * small.width + x / factor) + k] +=
+            share * picture.rgba[4 * (y * picture.width + x) + k];
+      }
+    }
+  }
+  return small;
 }
 
 }  // namespace coif

@@ -17,6 +17,10 @@ struct LinearPicture {
   std::vector<float> rgba;  ///< Rows top to bottom; colours are premultiplied with alpha, which is coverage.
 };
 
+/// A picture with a `factor`th of the pixels each way, each the mean of those it replaces; what is left over at the
+/// right and below is cut off.
+[[nodiscard]] LinearPicture reduced(const LinearPicture& picture, std::uint32_t factor);
+
 /// OpenEXR, 16-bit floats: what other renderers and picture editors read.
 [[nodiscard]] tl::expected<std::vector<std::byte>, std::string> encode_exr(const LinearPicture& picture);
 

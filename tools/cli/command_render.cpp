@@ -227,16 +227,6 @@ void add_debug(CLI::App& app, render::DebugView& debug) {
       ->type_name("NAME,...");
 }
 
-void add_shading(CLI::App& app, std::optional<ShadingModel>& choice) {
-  static const auto choices = [] {
-    std::vector<Choice<std::optional<ShadingModel>>> all;
-    for (const ShadingTraits& model : kShadingModels) all.push_back({model.name, shading_model(model.name)});
-    return all;
-  }();
-  add_choice<std::optional<ShadingModel>>(app, "--shading", choice, choices,
-                                          "How strands reflect light (default: as cooked)");
-}
-
 void add_samples(CLI::App& app, std::uint32_t& samples) {
   const auto is_power_of_two = [](const std::string& word) {
     const auto number = parse_number<std::uint32_t>(word);

@@ -1,5 +1,6 @@
 #include "cli/verb_options.h"
 
+#include "base/hair_runtime.h"
 #include "cli/options.h"
 
 #include <fmt/format.h>
@@ -83,6 +84,16 @@ void add_picture_options(CLI::App& app, render::PictureSettings& picture) {
   add_order(app, picture.order);
   add_shadows(app, picture.shadows);
   add_stage(app, picture);
+}
+
+CLI::Option* add_shading(CLI::App& app, std::optional<ShadingModel>& choice) {
+  static const auto choices = [] {
+    std::vector<Choice<std::optional<ShadingModel>>> all;
+    for (const ShadingTraits& model : kShadingModels) all.push_back({model.name, shading_model(model.name)});
+    return all;
+  }();
+  return add_choice<std::optional<ShadingModel>>(app, "--shading", choice, choices,
+                                                 "How strands reflect light (default: as cooked)");
 }
 
 }  // namespace coif::cli

@@ -1,6 +1,7 @@
 #include "cli/report_options.h"
 
 #include "cli/options.h"
+#include "cli/verb_options.h"
 #include "cli/view_output.h"
 
 #include <algorithm>
@@ -136,17 +137,11 @@ std::vector<const CLI::Option*> add_cards_options(CLI::App& app, CardsChoice& ca
 }
 
 std::vector<const CLI::Option*> add_truth_options(CLI::App& app, PictureChoice& picture) {
-  static const auto choices = [] {
-    std::vector<Choice<std::optional<ShadingModel>>> all;
-    for (const ShadingTraits& model : kShadingModels) all.push_back({model.name, shading_model(model.name)});
-    return all;
-  }();
   return {app.add_option("--truth", picture.settings.truth,
                          "The folder of path-traced pictures of the same hair, with their list, truth.json")
               ->type_name("FOLDER"),
           app.add_option("--body", picture.body, "The model that hides and shades the hair there")->type_name("SOURCE"),
-          add_choice<std::optional<ShadingModel>>(app, "--shading", picture.settings.shading, choices,
-                                                  "How strands reflect light (default: as cooked)"),
+          add_shading(app, picture.settings.shading),
           app.add_option("--lod", picture.settings.lod, "Level of detail, 0 is the finest")->capture_default_str()};
 }
 

@@ -15,6 +15,9 @@ namespace coif::cli {
 /// to look at; `picture` must outlive the parsing.
 void add_picture_options(CLI::App& app, render::PictureSettings& picture);
 
+/// --shading; none: as cooked.
+CLI::Option* add_shading(CLI::App& app, std::optional<ShadingModel>& choice);
+
 // Options of `coif simulate` alone: what the head does and how long frames are, for who checks hair by its CSV.
 
 /// --attitude X,Y,Z: where the head's up axis points to once the head was turned.

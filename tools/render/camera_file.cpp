@@ -1,6 +1,7 @@
 #include "render/camera_file.h"
 
 #include "base/files.h"
+#include "base/geometry.h"
 #include "base/json.h"
 
 #include <fmt/format.h>
@@ -50,10 +51,9 @@ nlohmann::ordered_json camera_json(const CameraPlace& camera, const Eigen::Vecto
 nlohmann::ordered_json lights_json(std::span<const Light> lights) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    const Vec3 &from = lights[i].from, &color = lights[i].color;
     list.push_back({{"name", i < std::size(kLightNames) ? kLightNames[i] : fmt::format("{}", i)},
-                    {"towards", vector_json(Eigen::Vector3d(from.x, from.y, from.z).normalized())},
-                    {"color", {color.x, color.y, color.z}}});
+                    {"towards", vector_json(to_eigen(lights[i].from).cast<double>().normalized())},
+                    {"color", vector_json(to_eigen(lights[i].color).cast<double>())}});
   }
   return list;
 }
@@ -89,8 +89,7 @@ tl::expected<std::vector<Light>, std::string> lights_of_json(const nlohmann::jso
     if (!towards || !(towards->norm() > 0)) return tl::unexpected(std::string("a light has no direction 'towards'"));
     if (!color || !(color->minCoeff() >= 0))
       return tl::unexpected(std::string("a light has no 'color' of three numbers from 0"));
-    const Eigen::Vector3f from = towards->cast<float>(), rgb = color->cast<float>();
-    lights.push_back({Light::Kind::kDirectional, {from.x(), from.y(), from.z()}, {rgb.x(), rgb.y(), rgb.z()}});
+    lights.push_back({Light::Kind::kDirectional, to_vec3(*towards), to_vec3(*color)});
   }
   return lights;
 }

@@ -161,7 +161,7 @@ tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, const Pictu
     }
   }
   picture.rgba = develop(radiance, settings.width, settings.height, finer);
-  if (settings.keeps_light) picture.light = light_of(radiance, settings.width, settings.height, finer);
+  if (settings.keeps_light) picture.light = light_of(std::move(radiance), settings.width, settings.height, finer);
   return picture;
 }
 

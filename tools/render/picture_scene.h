@@ -58,7 +58,7 @@ tl::expected<std::vector<Eigen::Vector3d>, ToolError> points_in_motion(const Ass
 void apply_tone_curve(std::span<float, 3> radiance);
 
 /// The light of a picture from `oversampling` times as many samples in each direction, in the order of develop().
-[[nodiscard]] LinearPicture light_of(std::span<const float> samples, std::uint32_t width, std::uint32_t height,
+[[nodiscard]] LinearPicture light_of(std::vector<float> samples, std::uint32_t width, std::uint32_t height,
                                      std::uint32_t oversampling);
 
 /// Makes the pixels of a picture from `oversampling` times as many in each direction: RGBA, linear, rows top to bottom,

@@ -6,11 +6,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace coif::render {
 namespace {
 
-constexpr float kShoulder = 0.75f;  ///< Share of white at which the curve leaves the straight line.
+constexpr float kMostRadiance = 65504;  ///< Half floats hold infinities, too, which would spoil a whole mean.
+constexpr float kShoulder = 0.75f;      ///< Share of white at which the curve leaves the straight line.
 
 std::uint8_t to_srgb(float linear) {
   return std::uint8_t(std::lround(255 * encode_srgb(std::clamp(linear, 0.0f, 1.0f))));
@@ -26,19 +28,10 @@ void apply_tone_curve(std::span<float, 3> radiance) {
   for (float& channel : radiance) channel *= shown / most;
 }
 
-LinearPicture light_of(std::span<const float> samples, std::uint32_t width, std::uint32_t height,
+LinearPicture light_of(std::vector<float> samples, std::uint32_t width, std::uint32_t height,
                        std::uint32_t oversampling) {
-  LinearPicture picture{width, height, std::vector<float>(std::size_t{4} * width * height)};
-  const std::size_t row = std::size_t{width} * oversampling;
-  const float share = 1 / float(oversampling * oversampling);
-  for (std::size_t y = 0; y < std::size_t{height} * oversampling; ++y) {
-    for (std::size_t x = 0; x < row; ++x) {
-      float* const pixel = &picture.rgba[4 * (y / oversampling * width + x / oversampling)];
-      for (std::size_t k = 0; k < 4; ++k)
-        pixel[k] += share * std::clamp(samples[4 * (y * row + x) + k], 0.0f, 65504.0f);
-    }
-  }
-  return picture;
+  for (float& sample : samples) sample = std::clamp(sample, 0.0f, kMostRadiance);
+  return reduced({width * oversampling, height * oversampling, std::move(samples)}, oversampling);
 }
 
 std::vector<std::uint8_t> develop(std::span<const float> samples, std::uint32_t width, std::uint32_t height,
@@ -52,8 +45,7 @@ std::vector<std::uint8_t> develop(std::span<const float> samples, std::uint32_t 
       for (std::size_t s = 0; s < std::size_t{oversampling} * oversampling; ++s) {
         const std::size_t at = (y * oversampling + s / oversampling) * row + x * oversampling + s % oversampling;
         std::array<float, 4> sample;
-        // Half floats hold infinities, which would spoil the whole mean.
-        for (std::size_t k = 0; k < 4; ++k) sample[k] = std::clamp(samples[4 * at + k], 0.0f, 65504.0f);
+        for (std::size_t k = 0; k < 4; ++k) sample[k] = std::clamp(samples[4 * at + k], 0.0f, kMostRadiance);
         apply_tone_curve(std::span(sample).first<3>());
         for (std::size_t k = 0; k < 4; ++k) mean[k] += share * sample[k];
       }

@@ -1,6 +1,4 @@
-#include "base/geometry.h"
 #include "cook/order/choose_order.h"
-#include "cook/recipe/drawn_recipe.h"
 #include "lab/rig.h"
 #include "visibility/hair_surface.h"
 

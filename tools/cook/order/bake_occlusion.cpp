@@ -28,7 +28,8 @@ constexpr float kNoLight = 1.0e-7f;    ///< Far below the stored precision: furt
 constexpr double kMostTries = 2.0e6;
 constexpr float kFewestLines = 8;
 
-/// With normals of the volume: metres. What lies closer above a point is a part of how the volume reflects.
+/// With normals of the volume: metres. What lies closer above a point is a part of how the volume reflects, as in
+/// shading.glsl.
 constexpr float kOwnDepth = 0.006f;
 
 /// A point where light is gathered.
@@ -160,9 +161,8 @@ struct Gathered {
   bool is_coarse = false;      ///< Fewer lines than wanted were used.
 };
 
-/// The places of the vertices at which light is gathered.
-std::vector<Vector3f> lit_places(const Asset& asset) {
-  std::vector<Vector3f> places = visibility::posed_positions(asset, {});
+/// Where light is gathered for vertices at `places`.
+std::vector<Vector3f> lit_places(const Asset& asset, std::vector<Vector3f> places) {
   const bool is_volume = asset.material() != nullptr && (asset.material()->flags & kMaterialVolumeNormals) != 0;
   for (std::size_t v = 0; is_volume && v < places.size(); ++v) {
     const std::int16_t* const n = asset.vertices()[v].normal;
@@ -235,7 +235,7 @@ void bake_occlusion(const DrawnRecipe& recipe, const platform::Threads& threads,
   const Asset& asset = opened.asset();
   if (!asset.is_open()) return;
   const std::vector<Vector3f> positions = visibility::posed_positions(asset, {});
-  const std::vector<Vector3f> places = lit_places(asset);
+  const std::vector<Vector3f> places = lit_places(asset, positions);
   Written written{std::vector<bool>(positions.size(), false)};
   bool is_coarse = false;
   for (std::uint32_t lod = 0; lod < asset.lod_count(); ++lod) {

@@ -40,7 +40,7 @@ render::SheetSection row_of(std::string title, const std::vector<std::string>& c
   return section;
 }
 
-CardsSheet sheet_of(std::string caption, std::span<const render::SheetSection> sections) {
+ReportSheet sheet_of(std::string caption, std::span<const render::SheetSection> sections) {
   const render::Picture sheet = render::contact_sheet(sections, kColumns);
   return {std::move(caption), encode_png(sheet.rgba, sheet.width, sheet.height)};
 }
@@ -64,9 +64,9 @@ void CardSheets::add(const std::string& caption, const cards::CardSurface& surfa
   }
 }
 
-std::vector<CardsSheet> CardSheets::finish() const {
+std::vector<ReportSheet> CardSheets::finish() const {
   if (captions_.empty()) return {};
-  std::vector<CardsSheet> sheets;
+  std::vector<ReportSheet> sheets;
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const Side& side = sides_[i];
     render::SheetSection hair = row_of(shown_sides()[i].name, captions_, side.hair);

@@ -39,7 +39,7 @@ class CardSheets {
   void add(const std::string& caption, const cards::CardSurface& surface);
 
   /// One sheet for each side, and one of textures.
-  [[nodiscard]] std::vector<CardsSheet> finish() const;
+  [[nodiscard]] std::vector<ReportSheet> finish() const;
 
  private:
   /// All sets of cards, from one side.

@@ -144,12 +144,6 @@ struct CardsLeftOut {
           {"why", &CardsLeftOut::why}};
 }
 
-/// Pictures side by side.
-struct CardsSheet {
-  std::string caption;
-  std::vector<std::uint8_t> png;
-};
-
 struct CardsReport {
   std::string source;         ///< The strands' file, as the user gave it.
   bool is_its_source = true;  ///< The asset was cooked from that file, byte for byte.
@@ -163,7 +157,7 @@ struct CardsReport {
   std::vector<CardsAblation> ablation;  ///< Empty where it was not requested.
   std::vector<CardsAssetLevel> asset;
   std::vector<CardsLeftOut> left_out;
-  std::vector<CardsSheet> sheets;  ///< For the page; empty where none were requested.
+  std::vector<ReportSheet> sheets;  ///< For the page; empty where none were requested.
 };
 
 /// `coif report cards`: the heading, then facts about the strands, and `rows`, `summary`, `ablation`, `asset_levels`

@@ -1,4 +1,3 @@
-#include "base/encodings.h"
 #include "report/cards/cards_report.h"
 
 #include <fmt/format.h>
@@ -79,10 +78,7 @@ nlohmann::ordered_json cards_json(const ReportHeading& heading, const CardsRepor
   add_list(json, "ablation", cards_ablation_columns(), report.ablation);
   add_list(json, "asset_levels", cards_asset_columns(), report.asset);
   json["left_out"] = json_list(cards_left_out_columns(), report.left_out);
-  json["sheets"] = nlohmann::ordered_json::array();
-  for (const CardsSheet& sheet : report.sheets) {
-    json["sheets"].push_back({{"caption", sheet.caption}, {"png", base64(sheet.png)}});
-  }
+  add_sheets(json, report.sheets);
   json["notes"] = {{"method", cards_method(report)}};
   end_report(json, heading, "cards", "How far cards are from strands", cards_summary(report));
   return json;

@@ -1,5 +1,6 @@
 #include "report/page/report_heading.h"
 
+#include "base/encodings.h"
 #include "base/json.h"
 
 #include <fmt/format.h>
@@ -102,6 +103,12 @@ void end_report(nlohmann::ordered_json& report, const ReportHeading& heading, co
 
 std::string device_text(const std::string& device) {
   return device.starts_with("llvmpipe") ? device + ", which draws on the processor, not on a graphics card" : device;
+}
+
+void add_sheets(nlohmann::ordered_json& report, const std::vector<ReportSheet>& sheets) {
+  report["sheets"] = nlohmann::ordered_json::array();
+  for (const ReportSheet& sheet : sheets)
+    report["sheets"].push_back({{"caption", sheet.caption}, {"png", base64(sheet.png)}});
 }
 
 }  // namespace coif::report

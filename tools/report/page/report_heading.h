@@ -55,6 +55,15 @@ struct ReportHeading {
 void end_report(nlohmann::ordered_json& report, const ReportHeading& heading, const std::string& subject,
                 const std::string& title, const std::string& finding, const ViewLink& shown = {});
 
+/// Pictures side by side, for the page.
+struct ReportSheet {
+  std::string caption;
+  std::vector<std::uint8_t> png;
+};
+
+/// Adds them as "sheets", each with a "caption" and the picture, a "png" in base64.
+void add_sheets(nlohmann::ordered_json& report, const std::vector<ReportSheet>& sheets);
+
 /// The names in one member of the records, each once, in the order in which they first occur.
 template <typename Record>
 [[nodiscard]] std::vector<std::string> names_of(const std::vector<Record>& records, std::string Record::*name) {

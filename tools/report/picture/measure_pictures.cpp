@@ -5,10 +5,7 @@
 #include "render/picture_scene.h"
 #include "report/picture/truth_folder.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -38,7 +35,7 @@ render::PictureSettings settings_of(const Asset& asset, const PictureReportSetti
   return picture;
 }
 
-/// Coverage over white, so that outlines are seen.
+/// Over grey, so that outlines are seen.
 render::Picture developed(const LinearPicture& light) {
   render::Picture picture{light.width, light.height, {}, {}, 0};
   LinearPicture shown = light;
@@ -51,7 +48,7 @@ render::Picture developed(const LinearPicture& light) {
   return picture;
 }
 
-PictureSheet sheet_of(const std::string& caption, const LinearPicture& truth, const LinearPicture& ours) {
+ReportSheet sheet_of(const std::string& caption, const LinearPicture& truth, const LinearPicture& ours) {
   const render::Picture left = developed(truth), right = developed(ours);
   render::Picture pair{2 * left.width, left.height, {}, {}, 0};
   for (std::size_t y = 0; y < left.height; ++y) {
@@ -64,7 +61,7 @@ PictureSheet sheet_of(const std::string& caption, const LinearPicture& truth, co
 }
 
 TruthPicture reduced(const TruthPicture& truth, std::uint32_t factor) {
-  return {{report::reduced(truth.halves[0], factor), report::reduced(truth.halves[1], factor)}};
+  return {{coif::reduced(truth.halves[0], factor), coif::reduced(truth.halves[1], factor)}};
 }
 
 }  // namespace

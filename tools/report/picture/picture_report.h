@@ -22,19 +22,13 @@ struct PictureRow {
 
 [[nodiscard]] Columns<PictureRow> picture_columns();
 
-/// Two pictures side by side.
-struct PictureSheet {
-  std::string caption;
-  std::vector<std::uint8_t> png;
-};
-
 struct PictureReport {
   std::string truth;   ///< The folder, as the user gave it.
   std::string device;  ///< GL_RENDERER.
   std::string shading;
   std::vector<PictureRow> rows;
-  std::vector<PictureRow> totals;  ///< Over all scenes, then by light, by colour: "all" where a name says nothing.
-  std::vector<PictureSheet> sheets;
+  std::vector<PictureRow> totals;   ///< Over all scenes, then by light, by colour: "all" where a name says nothing.
+  std::vector<ReportSheet> sheets;  ///< For the page; empty where none were requested.
 };
 
 /// Totals of rows at their full sizes and of those at a quarter.

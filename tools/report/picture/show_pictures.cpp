@@ -1,26 +1,25 @@
-#include "base/encodings.h"
 #include "report/picture/picture_report.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <optional>
 
 namespace coif::report {
 namespace {
 
 constexpr const char* kAll = "all";
 
-/// Over those rows that the names and the size choose.
-std::optional<PictureRow> total_of(const std::vector<PictureRow>& rows, PictureRow total, bool at_full_size) {
+/// Over the rows with the names and the size of `total`.
+std::optional<PictureRow> total_of(const std::vector<PictureRow>& rows, PictureRow total) {
   LightFigures& sum = total.figures;
   std::array<double, 6> grains{};
-  double count = 0, tones = 0, pictures = 0;
+  double count = 0, tones = 0;
   const auto fits = [](const std::string& wanted, const std::string& name) { return wanted == kAll || wanted == name; };
   for (const PictureRow& row : rows) {
-    if (row.is_full_size != at_full_size || !fits(total.light, row.light) || !fits(total.color, row.color)) continue;
-    ++pictures;
+    const bool is_meant = fits(total.light, row.light) && fits(total.color, row.color);
+    if (row.is_full_size != total.is_full_size || !is_meant) continue;
     total.size = row.size;
     if (std::isfinite(row.figures.tone)) {
       ++tones;
@@ -42,15 +41,14 @@ std::optional<PictureRow> total_of(const std::vector<PictureRow>& rows, PictureR
   for (std::size_t i = 0; i < grains.size(); ++i) sum.grain[i] = std::exp(sum.grain[i] / grains[i]);
   sum.outline /= count;
   sum.coverage /= count;
-  total.view = fmt::format("{} pictures", pictures);
-  total.is_full_size = at_full_size;
+  total.view = fmt::format("{} pictures", count);
   return total;
 }
 
-std::set<std::string> names(const std::vector<PictureRow>& rows, std::string PictureRow::*name) {
-  std::set<std::string> all;
-  for (const PictureRow& row : rows) all.insert(row.*name);
-  return all;
+std::vector<std::string> sorted_names(const std::vector<PictureRow>& rows, std::string PictureRow::*name) {
+  std::vector<std::string> names = names_of(rows, name);
+  std::ranges::sort(names);
+  return names;
 }
 
 std::string finding(const PictureReport& report) {
@@ -116,13 +114,13 @@ std::vector<PictureRow> picture_totals(const std::vector<PictureRow>& rows) {
   std::vector<PictureRow> totals;
   for (const bool at_full_size : {true, false}) {
     const auto add = [&](const std::string& color, const std::string& light) {
-      if (auto total = total_of(rows, {"", color, light, 0, at_full_size, {}}, at_full_size)) {
+      if (auto total = total_of(rows, {"", color, light, 0, at_full_size, {}})) {
         totals.push_back(std::move(*total));
       }
     };
     add(kAll, kAll);
-    for (const std::string& light : names(rows, &PictureRow::light)) add(kAll, light);
-    for (const std::string& color : names(rows, &PictureRow::color)) add(color, kAll);
+    for (const std::string& light : sorted_names(rows, &PictureRow::light)) add(kAll, light);
+    for (const std::string& color : sorted_names(rows, &PictureRow::color)) add(color, kAll);
   }
   return totals;
 }
@@ -134,10 +132,7 @@ nlohmann::ordered_json picture_json(const ReportHeading& heading, const PictureR
   json["shading"] = report.shading;
   add_list(json, "totals", picture_columns(), report.totals);
   add_list(json, "rows", picture_columns(), report.rows);
-  json["sheets"] = nlohmann::ordered_json::array();
-  for (const PictureSheet& sheet : report.sheets) {
-    json["sheets"].push_back({{"caption", sheet.caption}, {"png", base64(sheet.png)}});
-  }
+  add_sheets(json, report.sheets);
   json["notes"] = {{"method", kMethod}};
   end_report(json, heading, "picture", "How far pictures are from path-traced strands", finding(report));
   return json;

@@ -81,19 +81,4 @@ tl::expected<TruthPicture, ToolError> read_truth(const TruthScene& scene) {
                       "it and the picture beside it are of two sizes, or smaller than 16 x 16 pixels");
 }
 
-LinearPicture reduced(const LinearPicture& picture, std::uint32_t factor) {
-  LinearPicture small{picture.width / factor, picture.height / factor, {}};
-  small.rgba.resize(std::size_t{4} * small.width * small.height);
-  const float share = 1 / float(factor * factor);
-  for (std::size_t y = 0; y < std::size_t{small.height} * factor; ++y) {
-    for (std::size_t x = 0; x < std::size_t{small.width} * factor; ++x) {
-      for (std::size_t k = 0; k < 4; ++k) {
-        small.rgba[4 * (y / factor * small.width + x / factor) + k] +=
-            share * picture.rgba[4 * (y * picture.width + x) + k];
-      }
-    }
-  }
-  return small;
-}
-
 }  // namespace coif::report

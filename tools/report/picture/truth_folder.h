@@ -42,8 +42,4 @@ struct TruthPicture {
 /// Errors: kFileAccess, kBadInput; both files must have the same size.
 [[nodiscard]] tl::expected<TruthPicture, ToolError> read_truth(const TruthScene& scene);
 
-/// A picture with a `factor`th of the pixels each way, each the mean of those it replaces; what is left over at the
-/// right and below is cut off.
-[[nodiscard]] LinearPicture reduced(const LinearPicture& picture, std::uint32_t factor);
-
 }  // namespace coif::report
