@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace coif::cards::wisps_test {
@@ -48,6 +49,37 @@ TEST(Ribbon, WhatLiesBesideItsMiddleCountsLessThanWhatLiesInFront) {
   const EvenStrands shifted =
       even_strands(test::groom_of({test::hanging({0.01f, 0, 0}, 0.3f), test::hanging({0, 0, 0.01f}, 0.3f)}), kWidth);
   EXPECT_LT(4 * distance_to(ribbon, shifted.strand(0)), distance_to(ribbon, shifted.strand(1)));
+}
+
+/// Strands of one lock: they wave together, 2 cm to both sides, and end up to 10 cm apart.
+EvenStrands waving_lock() {
+  std::vector<std::vector<Eigen::Vector3f>> strands;
+  for (int i = 0; i < 40; ++i) {
+    const float length = 0.2f + 0.1f * float(i) / 39;
+    std::vector<Eigen::Vector3f> strand;
+    for (int k = 0; k <= 100; ++k) {
+      const float at = length * float(k) / 100;
+      strand.emplace_back(0.02f * std::sin(at / 0.016f), -at, 0.0001f * float(i % 7));
+    }
+    strands.push_back(std::move(strand));
+  }
+  return even_strands(test::groom_of(strands), kWidth);
+}
+
+TEST(CardRibbon, FollowsTheWavesOfALockWhoseStrandsEndApart) {
+  const EvenStrands strands = waving_lock();
+  std::vector<std::uint32_t> all(strands.count());
+  for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
+  const Ribbon ribbon = card_ribbon_of(strands, all);
+  float leftmost = 0, rightmost = 0, widest = 0;
+  for (std::size_t k = 0; k < Ribbon::kStations; ++k) {
+    leftmost = std::min(leftmost, ribbon.middle[k].x());
+    rightmost = std::max(rightmost, ribbon.middle[k].x());
+    widest = std::max(widest, ribbon.half_width[k]);
+  }
+  EXPECT_LT(leftmost, -0.015f);
+  EXPECT_GT(rightmost, 0.015f);
+  EXPECT_LT(widest, 0.01f) << "strands lie together wherever they are";
 }
 
 TEST(Wisps, AreTheOnesThatHangApart) {

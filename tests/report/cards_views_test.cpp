@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace coif::report::cards_views_test {
 
@@ -65,6 +66,45 @@ TEST(HairPictures, OfASurfaceAreLikeItself) {
     EXPECT_EQ(same.coverage_iou, 1);
     EXPECT_EQ(same.error, 0);
   }
+}
+
+/// A square with stripes of a texel.
+cards::CardSurface striped_square() {
+  cards::CardSurface surface = squares(1);
+  surface.width = surface.height = 256;
+  surface.opacity.clear();
+  for (std::size_t i = 0; i < std::size_t{256} * 256; ++i) surface.opacity.push_back(i % 4 == 0 ? 1.0f : 0.0f);
+  return surface;
+}
+
+TEST(SurfaceAsCooked, CoversAsMuchFromAfarAsCloseUp) {
+  cards::CardSurface surface = striped_square();
+  draw_as_cooked(surface);
+  ASSERT_EQ(surface.smaller_opacity.size(), 8u);
+  EXPECT_GT(surface.opaque_from, 0.4f);
+  EXPECT_GT(surface.discard_below, 0);
+  const auto coverage_of = [&](std::uint32_t size, std::uint32_t side) {
+    const auto frame = cards::frame_along({0, 0, -1}, cards::ball_around(surface.positions), size);
+    const auto picture = cards::draw_cards(surface, frame, 2, side);
+    return std::accumulate(picture.coverage.begin(), picture.coverage.end(), 0.0) / double(size) / double(size);
+  };
+  const double close = coverage_of(512, 1);
+  EXPECT_GT(close, 0);
+  EXPECT_NEAR(coverage_of(32, 4) / close, 1, 0.15);
+}
+
+TEST(HairPictures, AreSolidFromTheOpaqueThresholdOnAndEmptyBelowTheOther) {
+  cards::CardSurface surface = squares(1);
+  surface.opacity.assign(4, 0.6f);
+  const auto coverage = [&] {  // At a pixel beside the diagonal.
+    return cards::draw_cards(surface, frame_of(surface, {0, 0, -1}), 2).coverage[40 * 100 + 60];
+  };
+  EXPECT_NEAR(coverage(), 0.6f, 1e-3f);
+  surface.opaque_from = 0.5f;
+  EXPECT_NEAR(coverage(), 1, 1e-3f);
+  surface.opaque_from = 2;
+  surface.discard_below = 0.7f;
+  EXPECT_EQ(coverage(), 0);
 }
 
 TEST(CloserFrame, HoldsAllStrandsAndFillsThePicture) {

@@ -82,6 +82,8 @@ TEST_F(CardsReports, HaveEachSetOfCardsFromEachDirection) {
     EXPECT_LE(summary.made_texels, summary.texels);
     EXPECT_LE(summary.figures.worst_iou, summary.figures.mean_iou);
     EXPECT_LE(summary.figures.worst_psnr_db, summary.figures.mean_psnr_db);
+    EXPECT_GT(summary.figures.close_iou, 0.1);
+    EXPECT_GT(summary.figures.close_error, 0);
     EXPECT_GE(summary.figures.layers, 1);
     EXPECT_GT(summary.figures.vertices, summary.made_triangles / 2);
     EXPECT_EQ(summary.segments.has_value(), summary.baseline == "even");
@@ -134,8 +136,8 @@ TEST_F(CardsReports, HaveTheDocumentedKeys) {
   EXPECT_EQ(keys_of(json["rows"][0]),
             (Keys{"triangles", "texels", "direction", "coverage_iou", "psnr_db", "baseline"}));
   EXPECT_EQ(json["rows"][0]["direction"].size(), 3u);
-  const Keys figures{"mean_coverage_iou", "worst_coverage_iou", "mean_psnr_db", "worst_psnr_db",
-                     "mean_error",        "vertices",           "fragments",    "layers"};
+  const Keys figures{"mean_coverage_iou",  "worst_coverage_iou", "mean_psnr_db", "worst_psnr_db", "mean_error",
+                     "close_coverage_iou", "close_error",        "vertices",     "fragments",     "layers"};
   Keys summary{"name", "triangles", "texels", "baseline", "cards", "made_triangles", "made_texels", "segments"};
   summary.insert(summary.end(), figures.begin(), figures.end());
   summary.emplace_back("seconds");

@@ -11,9 +11,7 @@
 namespace coif::cards {
 namespace {
 
-constexpr int kCardSide = 4;  // samples of a pixel, each way
 constexpr std::uint32_t kCardBand = 8;
-constexpr int kSamplesOfPixel = kCardSide * kCardSide;
 
 /// A card's values at a sample.
 struct Fragment {
@@ -29,14 +27,19 @@ float shade_at(const CardSurface& surface, const PictureFrame& frame, const Surf
   return along.squaredNorm() > 0 ? shade_of(along.normalized()) : 1.0f;
 }
 
-/// Fragments of one band's samples, in the order of the triangles.
+/// Fragments of one band's samples, in the order of the triangles. Mips are those of pixels with `side` x `side`
+/// samples.
 std::vector<Fragment> fragments_of(const CardSurface& surface, const PictureFrame& frame, const SampleRows& rows,
-                                   std::span<const std::uint32_t> triangles) {
+                                   std::span<const std::uint32_t> triangles, std::uint32_t side) {
   std::vector<Fragment> fragments;
   for (const std::uint32_t triangle : triangles) {
+    const bool has_mips = !surface.smaller_opacity.empty();
+    const float level =
+        has_mips ? std::log2(float(side) * SeenTriangle(surface, frame, triangle).texels_of_pixel(surface)) : 0.0f;
     for_each_sample(surface, frame, rows, triangle, [&](std::uint32_t x, std::uint32_t y, const SurfacePoint& point) {
-      const float opacity = bilinear(surface, surface.opacity, point.uv);
-      if (!(opacity > 0)) return;
+      const float found = opacity_at(surface, point.uv, level);
+      if (!(found > 0) || found < surface.discard_below) return;
+      const float opacity = found >= surface.opaque_from ? 1.0f : found;
       fragments.push_back({(y - rows.first) * rows.width + x, point.depth, opacity, shade_at(surface, frame, point)});
     });
   }
@@ -87,39 +90,41 @@ void develop_pixel(std::span<const SampleSum> sums, std::size_t at, HairPicture&
     depth += sum.depth;
     ++deep;
   }
-  picture.coverage[at] = coverage / float(kSamplesOfPixel);
-  picture.shade[at] = shade / float(kSamplesOfPixel);
+  picture.coverage[at] = coverage / float(sums.size());
+  picture.shade[at] = shade / float(sums.size());
   if (deep > 0) picture.depth[at] = depth / float(deep);
 }
 
-void develop_band(std::span<const Fragment> fragments, const SampleRows& rows, HairPicture& picture) {
-  const std::uint32_t pixel_rows = rows.count / kCardSide, first = rows.first / kCardSide;
+void develop_band(std::span<const Fragment> fragments, const SampleRows& rows, std::uint32_t side,
+                  HairPicture& picture) {
+  const std::uint32_t pixel_rows = rows.count / side, first = rows.first / side;
+  const std::size_t samples_of_pixel = std::size_t(side) * side;
   std::vector<SampleSum> sums(std::size_t(rows.width) * rows.count);
   for (std::size_t begin = 0, end = 0; begin < fragments.size(); begin = end) {
     while (end < fragments.size() && fragments[end].sample == fragments[begin].sample) ++end;
     const std::uint32_t sample = fragments[begin].sample, x = sample % rows.width, y = sample / rows.width;
     // Fragments of a pixel are processed together.
-    const std::size_t pixel = std::size_t(y / kCardSide) * picture.size + x / kCardSide;
-    sums[pixel * kSamplesOfPixel + (y % kCardSide) * kCardSide + x % kCardSide] =
-        sum_of(fragments.subspan(begin, end - begin));
+    const std::size_t pixel = std::size_t(y / side) * picture.size + x / side;
+    sums[pixel * samples_of_pixel + (y % side) * side + x % side] = sum_of(fragments.subspan(begin, end - begin));
   }
   for (std::size_t pixel = 0; pixel < std::size_t(pixel_rows) * picture.size; ++pixel) {
-    develop_pixel(std::span(sums).subspan(pixel * kSamplesOfPixel, kSamplesOfPixel),
+    develop_pixel(std::span(sums).subspan(pixel * samples_of_pixel, samples_of_pixel),
                   std::size_t(first) * picture.size + pixel, picture);
   }
 }
 
 }  // namespace
 
-HairPicture draw_cards(const CardSurface& surface, const PictureFrame& frame, const platform::Threads& threads) {
+HairPicture draw_cards(const CardSurface& surface, const PictureFrame& frame, const platform::Threads& threads,
+                       std::uint32_t side) {
   HairPicture picture = blank_picture(frame.size);
-  const PictureFrame fine = finer(frame, kCardSide);
-  const auto bands = triangles_by_band(surface, fine, kCardBand * kCardSide);
+  const PictureFrame fine = finer(frame, int(side));
+  const auto bands = triangles_by_band(surface, fine, kCardBand * side);
   parallel_for(bands.size(), threads, [&](std::size_t b) {
     const auto first = std::uint32_t(b * kCardBand), count = std::min(kCardBand, frame.size - first);
-    const SampleRows rows{fine.size, first * kCardSide, count * kCardSide};
-    const auto fragments = fragments_of(surface, fine, rows, bands[b]);
-    develop_band(sorted(fragments, std::size_t(rows.width) * rows.count), rows, picture);
+    const SampleRows rows{fine.size, first * side, count * side};
+    const auto fragments = fragments_of(surface, fine, rows, bands[b], side);
+    develop_band(sorted(fragments, std::size_t(rows.width) * rows.count), rows, side, picture);
   });
   return picture;
 }

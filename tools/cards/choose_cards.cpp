@@ -10,6 +10,7 @@ namespace coif::cards {
 namespace {
 
 constexpr float kStraysBesideStrip = 0.04f;  // Share of a wisp's strands that may lie beside its strip.
+constexpr float kBehindStrip = 0.65f;        // Share of them that lie behind it, seen from outside.
 
 Eigen::Vector3f middle_of(const std::array<Eigen::Vector3f, 2>& edge) { return 0.5f * (edge[0] + edge[1]); }
 
@@ -18,22 +19,44 @@ struct OffStrip {
   float beside = 0, before = 0;  ///< Metres, of all strands but those that stray.
 };
 
-OffStrip strands_off(const EvenStrands& strands, std::span<const std::uint32_t> members, std::size_t station,
-                     const Eigen::Vector3f& middle, const Eigen::Vector3f& across, const Eigen::Vector3f& normal) {
+OffStrip strands_off(const StrandsAt& strands, std::size_t station, const Eigen::Vector3f& middle,
+                     const Eigen::Vector3f& across, const Eigen::Vector3f& normal) {
   std::vector<float> beside, before;
-  for (const std::uint32_t i : members) {
-    const Eigen::Vector3f off = strands.strand(i)[station] - middle;
+  strands.for_each(station, [&](const Eigen::Vector3f& point, float) {
+    const Eigen::Vector3f off = point - middle;
     beside.push_back(std::abs(off.dot(across)));
     before.push_back(std::abs(off.dot(normal)));
-  }
+  });
   return {quantile(beside, 1 - kStraysBesideStrip), quantile(before, 1 - kStraysBesideStrip)};
 }
 
+/// Moves the edges away from the middle of the hair, to where most strands lie behind them: the outer strands are those
+/// that are seen, and make the outline.
+void move_outwards(const StrandsAt& there, const Eigen::Vector3f& middle_of_hair, const Ribbon& ribbon,
+                   CardStrip& strip) {
+  const auto normal_at = [&](std::size_t k) { return ribbon.along[k].cross(ribbon.across[k]).eval(); };
+  float outwards = 0;
+  for (std::size_t k = 0; k < Ribbon::kStations; ++k) {
+    outwards += normal_at(k).dot(ribbon.middle[k] - middle_of_hair);
+  }
+  for (std::size_t e = 0; e < strip.edges.size(); ++e) {
+    const Eigen::Vector3f normal = (outwards < 0 ? -1.0f : 1.0f) * normal_at(strip.stations[e]);
+    const Eigen::Vector3f middle = middle_of(strip.edges[e]);
+    std::vector<float> before;
+    there.for_each(strip.stations[e],
+                   [&](const Eigen::Vector3f& point, float) { before.push_back((point - middle).dot(normal)); });
+    const float by = std::max(quantile(before, kBehindStrip), 0.0f);
+    for (Eigen::Vector3f& end : strip.edges[e]) end += by * normal;
+  }
+}
+
 /// Makes each edge as wide as its two quads need.
-void lay_strip(const EvenStrands& strands, Wisp& wisp, CardStrip& strip) {
+void lay_strip(const EvenStrands& strands, const Eigen::Vector3f& middle_of_hair, Wisp& wisp, CardStrip& strip) {
   strip.edges = edges_of(wisp.ribbon, strip);
   std::vector<float> half(strip.edges.size(), 0);
   wisp.ribbon.half_depth.fill(0);
+  const StrandsAt there(strands, wisp.members, wisp.ribbon.arc);
+  move_outwards(there, middle_of_hair, wisp.ribbon, strip);
   for (std::size_t e = 0; e + 1 < half.size(); ++e) {
     const std::size_t begin = strip.stations[e], end = strip.stations[e + 1];
     const Eigen::Vector3f from = middle_of(strip.edges[e]), way = middle_of(strip.edges[e + 1]) - from;
@@ -41,7 +64,7 @@ void lay_strip(const EvenStrands& strands, Wisp& wisp, CardStrip& strip) {
     for (std::size_t k = begin; k <= end; ++k) {
       const float share = float(k - begin) / float(end - begin);
       const Eigen::Vector3f across = wisp.ribbon.across[k], normal = along.cross(across).normalized();
-      const OffStrip off = strands_off(strands, wisp.members, k, from + share * way, across, normal);
+      const OffStrip off = strands_off(there, k, from + share * way, across, normal);
       half[e] = std::max(half[e], off.beside);
       half[e + 1] = std::max(half[e + 1], off.beside);
       wisp.ribbon.half_depth[k] = std::max(wisp.ribbon.half_depth[k], off.before);
@@ -67,8 +90,9 @@ CardStrip even_strip(std::uint32_t wisp, std::size_t segments) {
 }
 
 void lay_strips(const EvenStrands& strands, ChosenCards& cards, const platform::Threads& threads) {
+  const Eigen::Vector3f middle = box_of_roots(strands).center();
   parallel_for(cards.strips.size(), threads,
-               [&](std::size_t i) { lay_strip(strands, cards.wisps[cards.strips[i].wisp], cards.strips[i]); });
+               [&](std::size_t i) { lay_strip(strands, middle, cards.wisps[cards.strips[i].wisp], cards.strips[i]); });
 }
 
 ChosenCards construct_cards(const groom::Groom& groom, const EvenStrands& strands, const CardsPlan& plan,

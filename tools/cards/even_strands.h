@@ -16,7 +16,7 @@ namespace coif::cards {
 /// Strands as points at even shares of their length, root first, the same number for each, so that shapes can be
 /// compared.
 struct EvenStrands {
-  static constexpr std::size_t kStations = 16;
+  static constexpr std::size_t kStations = 32;
 
   std::vector<Eigen::Vector3f> points;  ///< kStations points per strand.
   std::vector<float> lengths;           ///< Metres, > 0.
@@ -25,6 +25,14 @@ struct EvenStrands {
   [[nodiscard]] std::size_t count() const { return lengths.size(); }
   [[nodiscard]] std::span<const Eigen::Vector3f> strand(std::size_t i) const {
     return std::span(points).subspan(i * kStations, kStations);
+  }
+
+  /// A strand's point at so many metres along it from its root; from its length on its tip.
+  [[nodiscard]] Eigen::Vector3f at_arc(std::size_t i, float arc) const {
+    const auto line = strand(i);
+    const float at = std::min(arc / lengths[i], 1.0f) * float(kStations - 1);
+    const auto k = std::min(std::size_t(at), kStations - 2);
+    return line[k] + (at - float(k)) * (line[k + 1] - line[k]);
   }
 };
 

@@ -40,11 +40,11 @@ struct HairPicture {
 [[nodiscard]] HairPicture draw_strands(const groom::Groom& groom, const PictureFrame& frame, float width,
                                        const platform::Threads& threads, std::uint32_t side = 8);
 
-/// Cards from one direction, as draw_strands() has strands. Each of 16 samples of a pixel is covered by as much as
-/// all cards there cover together; the nearest ones' shade covers that of what is behind; depth is that of the nearest
-/// place that hides half.
+/// Cards from one direction, as draw_strands() has strands. Each of `side` x `side` samples of a pixel is covered by as
+/// much as all cards there cover together; the nearest ones' shade covers that of what is behind; depth is that of the
+/// nearest place that hides half. Mips are chosen by pixels, not by samples.
 [[nodiscard]] HairPicture draw_cards(const CardSurface& surface, const PictureFrame& frame,
-                                     const platform::Threads& threads);
+                                     const platform::Threads& threads, std::uint32_t side = 4);
 
 /// The similarity of two pictures of hair in the same frame.
 struct HairLikeness {

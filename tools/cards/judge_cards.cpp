@@ -21,8 +21,8 @@ constexpr double kMostLayers = 3;           // times the fewest of all plans
 constexpr std::size_t kFewJudgedTexels = std::size_t{1} << 16;
 constexpr std::size_t kJudgedTexels = 4;  // the texels are divided by this
 /// What is tried of each construction: quads per card.
-constexpr double kBentQuads[] = {1, 1.5, 2, 3, 4, 5, 6.5, 9, 12}, kEvenQuads[] = {1, 2, 3, 4, 5, 6, 8, 10, 12, 15},
-                 kFlatQuads[] = {1};
+constexpr double kBentQuads[] = {1, 1.5, 2, 3, 4, 5, 6.5, 9, 12, 16, 20, 26},
+                 kEvenQuads[] = {1, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25}, kFlatQuads[] = {1};
 constexpr double kUsualQuads = 3;  // where the search begins
 
 std::span<const double> quads_of(Construction construction) {

@@ -22,8 +22,8 @@ namespace coif::cards {
 /// The budget of cards.
 struct CardsBudget {
   std::size_t triangles = 8000;
-  std::size_t texels = std::size_t{1} << 22;
-  int rounds = 6;  ///< Most rounds of fit_opacity().
+  std::size_t texels = 7 * (std::size_t{1} << 18);  ///< With 20,000 triangles an asset has some 6 MB.
+  int rounds = 6;                                   ///< Most rounds of fit_opacity().
   /// Metres, for strands whose groom has none; 0: so wide that they cover a head of their size as hair does.
   float strand_width = 0;
   /// Largest share of triangles and texels for cards that lie on the scalp (scalp_cards.h), 0..0.5.

@@ -6,23 +6,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace coif::cards {
 namespace {
 
 constexpr std::size_t kStations = Ribbon::kStations;
-constexpr float kShortest = 1e-9f;  // metres
+constexpr float kShortest = 1e-9f;    // metres
+constexpr float kUsualStray = 0.04f;  // Share of a card's strands that may lie beside it.
 
 Eigen::Vector3f any_right_angle(const Eigen::Vector3f& v) {
   const Eigen::Vector3f axis = std::abs(v.x()) < 0.7f ? Eigen::Vector3f::UnitX() : Eigen::Vector3f::UnitY();
   return v.cross(axis).normalized();
 }
 
-void set_middle(const EvenStrands& strands, std::span<const std::uint32_t> members, Ribbon& ribbon) {
+void set_middle(const StrandsAt& strands, Ribbon& ribbon) {
   for (std::size_t k = 0; k < kStations; ++k) {
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    for (const std::uint32_t i : members) sum += strands.strand(i)[k];
-    ribbon.middle[k] = sum / float(members.size());
+    float weights = 0;
+    strands.for_each(k, [&](const Eigen::Vector3f& point, float weight) {
+      sum += weight * point;
+      weights += weight;
+    });
+    ribbon.middle[k] = sum / weights;
   }
   for (std::size_t k = 0; k < kStations; ++k) {
     const Eigen::Vector3f way = ribbon.middle[std::min(k + 1, kStations - 1)] - ribbon.middle[k == 0 ? 0 : k - 1];
@@ -49,17 +55,17 @@ std::array<Eigen::Vector3f, kStations> untwisted(const Ribbon& ribbon) {
   return side;
 }
 
-void set_across(const EvenStrands& strands, std::span<const std::uint32_t> members, Ribbon& ribbon) {
+void set_across(const StrandsAt& strands, Ribbon& ribbon) {
   const auto side = untwisted(ribbon);
   std::array<Spread, kStations> spread{};
   for (std::size_t k = 0; k < kStations; ++k) {
     const Eigen::Vector3f up = ribbon.along[k].cross(side[k]);
-    for (const std::uint32_t i : members) {
-      const Eigen::Vector3f off = strands.strand(i)[k] - ribbon.middle[k];
+    strands.for_each(k, [&](const Eigen::Vector3f& point, float weight) {
+      const Eigen::Vector3f off = point - ribbon.middle[k];
       const float x = off.dot(side[k]), y = off.dot(up);
-      spread[k].x += x * x - y * y;
-      spread[k].y += 2 * x * y;
-    }
+      spread[k].x += weight * (x * x - y * y);
+      spread[k].y += weight * 2 * x * y;
+    });
   }
   // A card turns slowly: each station has a share of its neighbours' direction, which also replaces its own where
   // strands run together.
@@ -79,32 +85,38 @@ void set_across(const EvenStrands& strands, std::span<const std::uint32_t> membe
   }
 }
 
-void set_widths(const EvenStrands& strands, std::span<const std::uint32_t> members, float stray, Ribbon& ribbon) {
-  std::vector<float> beside(members.size()), before(members.size());
+void set_widths(const StrandsAt& strands, float width, float stray, Ribbon& ribbon) {
+  std::vector<float> beside, before;
   for (std::size_t k = 0; k < kStations; ++k) {
     const Eigen::Vector3f normal = ribbon.along[k].cross(ribbon.across[k]);
-    for (std::size_t m = 0; m < members.size(); ++m) {
-      const Eigen::Vector3f off = strands.strand(members[m])[k] - ribbon.middle[k];
-      beside[m] = std::abs(off.dot(ribbon.across[k]));
-      before[m] = std::abs(off.dot(normal));
-    }
-    ribbon.half_width[k] = quantile(beside, 1 - stray) + 0.5f * strands.width;
+    beside.clear();
+    before.clear();
+    strands.for_each(k, [&](const Eigen::Vector3f& point, float) {
+      const Eigen::Vector3f off = point - ribbon.middle[k];
+      beside.push_back(std::abs(off.dot(ribbon.across[k])));
+      before.push_back(std::abs(off.dot(normal)));
+    });
+    ribbon.half_width[k] = quantile(beside, 1 - stray) + 0.5f * width;
     ribbon.half_depth[k] = quantile(before, 1 - stray);
   }
 }
 
 }  // namespace
 
-Ribbon ribbon_of(const EvenStrands& strands, std::span<const std::uint32_t> members, float stray) {
+Ribbon ribbon_of(const EvenStrands& strands, std::span<const std::uint32_t> members, float stray, float arc) {
   Ribbon ribbon;
-  set_middle(strands, members, ribbon);
-  set_across(strands, members, ribbon);
-  set_widths(strands, members, stray, ribbon);
+  ribbon.arc = arc;
+  const StrandsAt there(strands, members, arc);
+  set_middle(there, ribbon);
+  set_across(there, ribbon);
+  set_widths(there, strands.width, stray, ribbon);
   return ribbon;
 }
 
 Ribbon card_ribbon_of(const EvenStrands& strands, std::span<const std::uint32_t> members) {
-  Ribbon ribbon = ribbon_of(strands, members);
+  float longest = 0;
+  for (const std::uint32_t i : members) longest = std::max(longest, strands.lengths[i]);
+  Ribbon ribbon = ribbon_of(strands, members, kUsualStray, longest);
   for (const std::size_t end : {std::size_t{0}, kStations - 1}) {
     const Eigen::Vector3f outwards = end == 0 ? (-ribbon.along[end]).eval() : ribbon.along[end];
     float farthest = 0;
@@ -124,10 +136,10 @@ float length_of(const Ribbon& ribbon) {
 }
 
 float distance_to(const Ribbon& ribbon, std::span<const Eigen::Vector3f> strand, float limit, float beside) {
-  // From the ends inwards, where strands of different shapes are farthest apart.
-  static_assert(kStations == 16);
-  constexpr std::size_t kOrder[kStations] = {15, 0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7};
-  const float most = limit * float(kStations);
+  // Every second station, from the ends inwards, where strands of different shapes are farthest apart.
+  static_assert(kStations == 32);
+  constexpr std::size_t kOrder[] = {31, 0, 16, 8, 24, 4, 20, 12, 28, 2, 18, 10, 26, 6, 22, 14};
+  const float most = limit * float(std::size(kOrder));
   float sum = 0;
   for (const std::size_t k : kOrder) {
     const Eigen::Vector3f off = strand[k] - ribbon.middle[k];
@@ -135,7 +147,7 @@ float distance_to(const Ribbon& ribbon, std::span<const Eigen::Vector3f> strand,
     sum += std::max(off.squaredNorm() - (1 - beside) * sideways * sideways, 0.0f);
     if (sum >= most) break;
   }
-  return sum / float(kStations);
+  return sum / float(std::size(kOrder));
 }
 
 }  // namespace coif::cards

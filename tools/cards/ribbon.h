@@ -20,14 +20,47 @@ struct Ribbon {
   /// Metres, > 0 where strands have a width. Strands lie within it, except for those that stray.
   std::array<float, kStations> half_width;
   std::array<float, kStations> half_depth;  ///< The same perpendicular to the card.
+  /// Metres along strands from the first station to the last. 0: stations are at even shares of each strand's length.
+  float arc = 0;
+
+  [[nodiscard]] float arc_at(std::size_t station) const { return arc * float(station) / float(kStations - 1); }
+};
+
+/// The part of a ribbon's strands that reach a station.
+class StrandsAt {
+ public:
+  StrandsAt(const EvenStrands& strands, std::span<const std::uint32_t> members, float arc)
+      : strands_(strands), members_(members), arc_(arc) {}
+
+  /// Calls take(point, weight) for each strand that is there at a station. Weights fall towards each strand's tip, so
+  /// that a mean does not leap where a strand ends.
+  void for_each(std::size_t station, const auto& take) const {
+    constexpr float kFade = 0.12f, kLeast = 1e-3f;  // share of the ribbon; weight
+    const float at = arc_ * float(station) / float(Ribbon::kStations - 1);
+    for (const std::uint32_t i : members_) {
+      if (!(arc_ > 0)) {
+        take(strands_.strand(i)[station], 1.0f);
+      } else if (at <= strands_.lengths[i] * 1.0001f) {
+        take(strands_.at_arc(i, at), std::clamp((strands_.lengths[i] - at) / (kFade * arc_), kLeast, 1.0f));
+      }
+    }
+  }
+
+ private:
+  const EvenStrands& strands_;
+  std::span<const std::uint32_t> members_;
+  float arc_;
 };
 
 /// The ribbon of some strands, at least one. Middle lines run through their means; `across` is where they spread most,
-/// with the least turn from station to station that allows; widths hold all but a share `stray` of them.
-[[nodiscard]] Ribbon ribbon_of(const EvenStrands& strands, std::span<const std::uint32_t> members, float stray = 0.04f);
+/// with the least turn from station to station that allows; widths hold all but a share `stray` of them. `arc`:
+/// Ribbon::arc, at most the length of the longest strand.
+[[nodiscard]] Ribbon ribbon_of(const EvenStrands& strands, std::span<const std::uint32_t> members, float stray = 0.04f,
+                               float arc = 0);
 
 /// The ribbon from which a card is cut: from the first root to the last tip, and wider by its depth, since hair before
-/// or behind a card is beside it for an eye at its side.
+/// or behind a card is beside it for an eye at its side. Its stations are at even distances along the longest strand:
+/// strands of one lock wave together at the same distance from their roots, not at the same share of their lengths.
 [[nodiscard]] Ribbon card_ribbon_of(const EvenStrands& strands, std::span<const std::uint32_t> members);
 
 /// Length of its middle line, metres.

@@ -94,6 +94,14 @@ class SeenTriangle {
         .eval();
   }
 
+  /// Change of a texture's coordinates from pixel to pixel, in texels: the larger of both ways, by which a graphics
+  /// card chooses a mip.
+  [[nodiscard]] float texels_of_pixel(const CardSurface& surface) const {
+    const Eigen::Vector2f size{float(surface.width), float(surface.height)};
+    const auto change = [&](const Eigen::Vector3f& by) { return mix(surface.uvs, by).cwiseProduct(size).norm(); };
+    return std::max(change(by_x_), change(by_y_));
+  }
+
  private:
   const std::uint32_t* vertices_;
   Eigen::Vector3f corners_[3];
@@ -120,18 +128,31 @@ void for_each_sample(const CardSurface& surface, const PictureFrame& frame, cons
   }
 }
 
-/// A texture's value between the four texels around a place, filtered as by a graphics card.
+/// A texture's value between the four texels around a place, filtered as by a graphics card. `mip`: of the surface's
+/// texture, whose texels these are.
 template <typename Texel>
-[[nodiscard]] Texel bilinear(const CardSurface& surface, const std::vector<Texel>& texels, const Eigen::Vector2f& uv) {
-  const float x = std::clamp(uv.x() * float(surface.width) - 0.5f, 0.0f, float(surface.width - 1));
-  const float y = std::clamp(uv.y() * float(surface.height) - 0.5f, 0.0f, float(surface.height - 1));
+[[nodiscard]] Texel bilinear(const CardSurface& surface, const std::vector<Texel>& texels, const Eigen::Vector2f& uv,
+                             std::size_t mip = 0) {
+  const std::uint32_t width = std::max(surface.width >> mip, 1u), height = std::max(surface.height >> mip, 1u);
+  const float x = std::clamp(uv.x() * float(width) - 0.5f, 0.0f, float(width - 1));
+  const float y = std::clamp(uv.y() * float(height) - 0.5f, 0.0f, float(height - 1));
   const auto x0 = std::size_t(x), y0 = std::size_t(y);
-  const std::size_t x1 = std::min<std::size_t>(x0 + 1, surface.width - 1),
-                    y1 = std::min<std::size_t>(y0 + 1, surface.height - 1);
+  const std::size_t x1 = std::min<std::size_t>(x0 + 1, width - 1), y1 = std::min<std::size_t>(y0 + 1, height - 1);
   const float fx = x - float(x0), fy = y - float(y0);
-  const auto at = [&](std::size_t column, std::size_t row) { return texels[row * surface.width + column]; };
+  const auto at = [&](std::size_t column, std::size_t row) { return texels[row * width + column]; };
   const Texel above = (1 - fx) * at(x0, y0) + fx * at(x1, y0), below = (1 - fx) * at(x0, y1) + fx * at(x1, y1);
   return (1 - fy) * above + fy * below;
+}
+
+/// The opacity at a place, by two neighbouring mips. `level`: 0 is the largest, between two the share of the second.
+[[nodiscard]] inline float opacity_at(const CardSurface& surface, const Eigen::Vector2f& uv, float level) {
+  const auto of_mip = [&](std::size_t mip) {
+    return bilinear(surface, mip == 0 ? surface.opacity : surface.smaller_opacity[mip - 1], uv, mip);
+  };
+  const float clamped = std::clamp(level, 0.0f, float(surface.smaller_opacity.size()));
+  const auto mip = std::size_t(clamped);
+  const float share = clamped - float(mip);
+  return share > 0 ? (1 - share) * of_mip(mip) + share * of_mip(mip + 1) : of_mip(mip);
 }
 
 }  // namespace coif::cards

@@ -66,7 +66,7 @@ const RecipeKey kCookKeys[] = {
 
   {"cards", "triangles", &R::cards_triangles, "8000", 2, 1000000, nullptr, "triangles",
    "where the file has strands instead of strips: what the cards that are made of them may have"},
-  {"cards", "texels", &R::cards_texels, "4194304", 4096, 67108864, nullptr, "texels",
+  {"cards", "texels", &R::cards_texels, "1835008", 4096, 67108864, nullptr, "texels",
    "what their texture may have, all cards together"},
   {"cards", "rounds", &R::cards_rounds, "6", 0, 100, nullptr, "rounds",
    "how often cards are compared with the strands from 32 directions and made more like them, at most: it ends where that gains little; with 2 or more also how many quads a card has, and how cards are cut, are chosen by such pictures"},

@@ -5,6 +5,8 @@
 #include "cards/make_cards.h"
 #include "cook/recipe/hair_recipe.h"
 #include "cook/size/evidence.h"
+#include "cook/texture/alpha.h"
+#include "cook/texture/transparency.h"
 
 #include <Eigen/Geometry>
 
@@ -14,8 +16,9 @@
 namespace coif::report {
 namespace {
 
-constexpr double kSameBox = 0.5;   // share of both boxes that cards and their strands have in common, at least
-constexpr double kClearly = 1.05;  // Factor over the file's own unit and axis: only then others are chosen.
+constexpr double kSameBox = 0.5;        // share of both boxes that cards and their strands have in common, at least
+constexpr double kClearly = 1.05;       // Factor over the file's own unit and axis: only then others are chosen.
+constexpr float kUsualDiscard = 0.02f;  // the default of material.discard_threshold
 constexpr float kFlatness =
     0.02f;  // Share of its diagonal that a box has at least in each direction, so that flat ones have a volume.
 
@@ -118,9 +121,13 @@ class LevelVertices {
   std::vector<std::uint32_t> number_;
 };
 
-/// Plain alpha, without thresholds; 1 everywhere without a texture.
+/// 1 everywhere without a texture.
 void set_opacity(const Asset& asset, cards::CardSurface& surface) {
   const float factor = asset.material() != nullptr ? asset.material()->base_color[3] : 1.0f;
+  if (asset.material() != nullptr) {
+    surface.opaque_from = asset.material()->opaque_threshold;
+    surface.discard_below = asset.material()->discard_threshold;
+  }
   const TextureRecord* const texture = asset.texture(TextureRole::kBaseColor);
   if (texture == nullptr) {
     surface.width = surface.height = 1;
@@ -129,10 +136,27 @@ void set_opacity(const Asset& asset, cards::CardSurface& surface) {
   }
   surface.width = texture->width;
   surface.height = texture->height;
-  const auto texels = color_texels(asset, *texture, 0);
-  for (std::size_t i = 3; i < texels.size(); i += 4) {
-    surface.opacity.push_back(std::min(float(texels[i]) / 255.0f * factor, 1.0f));
+  for (std::uint32_t mip = 0; mip < texture->mip_count; ++mip) {
+    const auto texels = color_texels(asset, *texture, mip);
+    std::vector<float>& opacity = mip == 0 ? surface.opacity : surface.smaller_opacity.emplace_back();
+    for (std::size_t i = 3; i < texels.size(); i += 4)
+      opacity.push_back(std::min(float(texels[i]) / 255.0f * factor, 1.0f));
   }
+}
+
+/// The opacity as alpha of a white image.
+cook::Image image_of(const cards::CardSurface& surface) {
+  cook::Image image{surface.width, surface.height, 4, std::vector<std::uint8_t>(4 * surface.opacity.size(), 255)};
+  for (std::size_t i = 0; i < surface.opacity.size(); ++i)
+    image.texels[4 * i + 3] = std::uint8_t(std::clamp(surface.opacity[i], 0.0f, 1.0f) * 255 + 0.5f);
+  return image;
+}
+
+cook::Image used_texels_of(const cards::CardSurface& surface) {
+  cook::HairMesh mesh;
+  mesh.uvs = surface.uvs;
+  mesh.triangles = surface.triangles;
+  return cook::used_texels(mesh, surface.width, surface.height);
 }
 
 }  // namespace
@@ -143,6 +167,22 @@ cards::CardSurface surface_of_asset(const Asset& asset, std::uint32_t lod, const
   for (const std::uint32_t vertex : asset.lod_indices(lod)) surface.triangles.push_back(vertices(vertex));
   set_opacity(asset, surface);
   return surface;
+}
+
+void draw_as_cooked(cards::CardSurface& surface) {
+  using namespace cook;
+  const Image image = image_of(surface), used = used_texels_of(surface);
+  surface.discard_below = kUsualDiscard;
+  surface.opaque_from =
+      float(choose_opaque_threshold(alpha_histogram(image, used, 1), double(surface.discard_below)).value);
+  std::vector<Image> mips = make_mips(image, kMaxImageSide, TexelMeaning::kSrgbColorAlpha);
+  keep_alpha_coverage(mips, make_mips(used, kMaxImageSide, TexelMeaning::kNumbers),
+                      {double(surface.opaque_from), double(surface.discard_below)});
+  surface.smaller_opacity.clear();
+  for (std::size_t mip = 1; mip < mips.size(); ++mip) {
+    std::vector<float>& opacity = surface.smaller_opacity.emplace_back();
+    for (std::size_t i = 3; i < mips[mip].texels.size(); i += 4) opacity.push_back(float(mips[mip].texels[i]) / 255.0f);
+  }
 }
 
 }  // namespace coif::report

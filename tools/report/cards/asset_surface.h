@@ -33,8 +33,12 @@ struct CookedPlace {
 /// with another unit.
 [[nodiscard]] tl::expected<CookedPlace, ToolError> find_cooked_place(const Asset& asset, const groom::Groom& groom);
 
-/// The surface of one level of detail at rest, in the groom's space: its triangles, tangents, and the alpha of its
-/// largest mip.
+/// The surface of one level of detail at rest, in the groom's space: its triangles, tangents, and the alpha of all mips
+/// with the material's thresholds, as it is drawn.
 [[nodiscard]] cards::CardSurface surface_of_asset(const Asset& asset, std::uint32_t lod, const CookedPlace& place);
+
+/// Gives a surface mips and thresholds of opacity as a cook does (cook/texture): mips that cover as much as the
+/// largest.
+void draw_as_cooked(cards::CardSurface& surface);
 
 }  // namespace coif::report

@@ -3,7 +3,8 @@
 // The results of `coif report cards`: records, measured by measure_cards(), and the columns that show them.
 //
 // Cards and strands are drawn alike, from directions all around, and compared: coverage by intersection over union, and
-// by PSNR the light that pixels send to an eye that carries the light, over pixels that either covers.
+// by PSNR the light that pixels send to an eye that carries the light, over pixels that either covers. Cards have mips
+// and thresholds of opacity as in an asset.
 
 #include "report/page/report_columns.h"
 
@@ -38,10 +39,11 @@ struct CardsRow {
 struct CardsFigures {
   double mean_iou = 0, worst_iou = 0;
   double mean_psnr_db = 0, worst_psnr_db = 0;
-  double mean_error = 0;       ///< Mean root mean square error of the pictures; 1 is white.
-  std::uint64_t vertices = 0;  ///< Vertices that some triangle uses.
-  double fragments = 0;        ///< Per picture, mean: pixels of all triangles, whatever their texels.
-  double layers = 0;           ///< Overlapping fragments per pixel, mean over pixels and pictures.
+  double mean_error = 0;                  ///< Mean root mean square error of the pictures; 1 is white.
+  double close_iou = 0, close_error = 0;  ///< The means of close-ups.
+  std::uint64_t vertices = 0;             ///< Vertices that some triangle uses.
+  double fragments = 0;                   ///< Per picture, mean: pixels of all triangles, whatever their texels.
+  double layers = 0;                      ///< Overlapping fragments per pixel, mean over pixels and pictures.
 };
 
 /// The columns of a record's `figures`.
@@ -53,6 +55,8 @@ template <typename Row>
           {"mean_psnr_db", of(&CardsFigures::mean_psnr_db), {"PSNR, mean", "{:.2f} dB"}, {"PSNR dB", 9, "{:.2f}"}},
           {"worst_psnr_db", of(&CardsFigures::worst_psnr_db), {"worst", "{:.2f} dB"}, {"worst", 7, "{:.2f}"}},
           {"mean_error", of(&CardsFigures::mean_error), {"RMS error", "{:.4f}"}, {"error", 8, "{:.4f}"}},
+          {"close_coverage_iou", of(&CardsFigures::close_iou), {"IoU, close up", "{:.4f}"}},
+          {"close_error", of(&CardsFigures::close_error), {"RMS error", "{:.4f}"}, {"close up", 10, "{:.4f}"}},
           {"vertices", of(&CardsFigures::vertices), {"vertices"}, {"vertices", 10}},
           {"fragments", of(&CardsFigures::fragments), {"fragments", "{:.0f}"}, {"fragments", 11, "{:.0f}"}},
           {"layers", of(&CardsFigures::layers), {"layers", "{:.2f}"}, {"layers", 8, "{:.2f}"}}};
@@ -148,8 +152,9 @@ struct CardsReport {
   std::string source;         ///< The strands' file, as the user gave it.
   bool is_its_source = true;  ///< The asset was cooked from that file, byte for byte.
   std::uint64_t strands = 0;
-  double strand_width = 0;  ///< Metres of the groom, mean.
-  std::uint32_t size = 0;   ///< Pixels of a picture, each way.
+  double strand_width = 0;       ///< Metres of the groom, mean.
+  std::uint32_t size = 0;        ///< Pixels of a picture from afar, each way.
+  std::uint32_t close_size = 0;  ///< The same close up.
   std::uint64_t directions = 0;
   double asset_factor = 1;  ///< The cook's factor on the groom's lengths.
   std::vector<CardsRow> rows;

@@ -36,16 +36,16 @@ cards::PictureFrame closer(cards::PictureFrame frame, const groom::Groom& groom)
 }
 
 GroomViews::GroomViews(const groom::Groom& groom, float width, std::vector<cards::PictureFrame> frames,
-                       const platform::Threads& threads)
-    : threads_(threads), frames_(std::move(frames)) {
+                       const platform::Threads& threads, std::uint32_t side)
+    : threads_(threads), side_(side), frames_(std::move(frames)) {
   for (const cards::PictureFrame& frame : frames_)
     strands_.push_back(cards::draw_strands(groom, frame, width, threads));
 }
 
-std::vector<cards::HairLikeness> GroomViews::compare(const cards::CardSurface& surface, std::size_t step) const {
+std::vector<cards::HairLikeness> GroomViews::compare(const cards::CardSurface& surface) const {
   std::vector<cards::HairLikeness> likeness;
-  for (std::size_t i = 0; i < count(); i += step) {
-    likeness.push_back(cards::compare_hair(strands_[i], cards::draw_cards(surface, frames_[i], threads_)));
+  for (std::size_t i = 0; i < count(); ++i) {
+    likeness.push_back(cards::compare_hair(strands_[i], cards::draw_cards(surface, frames_[i], threads_, side_)));
   }
   return likeness;
 }

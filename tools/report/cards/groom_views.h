@@ -26,22 +26,22 @@ namespace coif::report {
 /// Pictures of the strands in some frames, drawn once, for comparison with surfaces.
 class GroomViews {
  public:
-  /// `width` in metres is for strands whose groom has none.
+  /// `width` in metres is for strands whose groom has none; `side`: of draw_cards().
   GroomViews(const groom::Groom& groom, float width, std::vector<cards::PictureFrame> frames,
-             const platform::Threads& threads);
+             const platform::Threads& threads, std::uint32_t side = 4);
 
   [[nodiscard]] std::size_t count() const { return frames_.size(); }
   [[nodiscard]] const cards::PictureFrame& frame(std::size_t i) const { return frames_[i]; }
   [[nodiscard]] const cards::HairPicture& strands(std::size_t i) const { return strands_[i]; }
 
-  /// Compares in each `step`-th direction, from the first on.
-  [[nodiscard]] std::vector<cards::HairLikeness> compare(const cards::CardSurface& surface, std::size_t step = 1) const;
+  [[nodiscard]] std::vector<cards::HairLikeness> compare(const cards::CardSurface& surface) const;
 
   /// Mean over the directions.
   [[nodiscard]] cards::SurfaceCost cost(const cards::CardSurface& surface) const;
 
  private:
   platform::Threads threads_;
+  std::uint32_t side_;
   std::vector<cards::PictureFrame> frames_;
   std::vector<cards::HairPicture> strands_;
 };

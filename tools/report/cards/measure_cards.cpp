@@ -36,6 +36,18 @@ tl::expected<void, ToolError> check(const Asset& asset, const CardsSettings& set
   return {};
 }
 
+// Close-ups show what a texture has, far pictures what its mips have. A close-up has a sample per pixel, as a graphics
+// card takes, and so costs as much as a far picture.
+constexpr std::uint32_t kCloser = 4;        // pixels of a close-up, each way, in one of a far picture
+constexpr std::size_t kCloseUpOfViews = 4;  // a close-up in each such direction
+
+/// Each n-th direction, from the first on.
+std::vector<Eigen::Vector3f> directions_of_close_ups(const std::vector<Eigen::Vector3f>& all) {
+  std::vector<Eigen::Vector3f> directions;
+  for (std::size_t i = 0; i < all.size(); i += kCloseUpOfViews) directions.push_back(all[i]);
+  return directions;
+}
+
 /// Cards, the time that they took, and the groom's part that they were made of.
 struct MadeCards {
   cards::Cards cards;
@@ -56,6 +68,9 @@ class CardsMeasurement {
         directions_(cards::spread_directions(settings.directions)) {
     progress_("strands");
     views_.emplace(groom, shape_.strands.width, frames_around(groom, place.turn, directions_, settings.size), kThreads);
+    close_ups_.emplace(groom, shape_.strands.width,
+                       frames_around(groom, place.turn, directions_of_close_ups(directions_), kCloser * settings.size),
+                       kThreads, 1);
     if (settings.sheets) {
       const bool faces_backwards = (asset.skeleton().flags & kSkeletonFacesBackwards) != 0;
       sheets_.emplace(groom, shape_.strands.width, place.turn, faces_backwards, kThreads);
@@ -80,6 +95,12 @@ class CardsMeasurement {
 
   [[nodiscard]] cards::CardsBudget budget_of(std::size_t triangles) const {
     return {triangles, settings_.texels, settings_.rounds, settings_.strand_width, settings_.caps};
+  }
+
+  [[nodiscard]] static cards::CardSurface drawn_surface_of(const cards::Cards& cards) {
+    cards::CardSurface surface = cards::surface_of(cards);
+    draw_as_cooked(surface);
+    return surface;
   }
 
   /// Makes one set of cards. The time is that of making it, as by a cook.
@@ -107,7 +128,7 @@ class CardsMeasurement {
         budget.caps = has_caps ? settings_.caps : 0;
         const Made made = make(baseline, budget);
         if (!made) continue;
-        const cards::CardSurface surface = cards::surface_of(made->cards);
+        const cards::CardSurface surface = drawn_surface_of(made->cards);
         report_.ablation.push_back({baseline, budget.triangles, is_fitted, has_caps, made->cards.wisps.size(),
                                     figures_of(surface, views_->compare(surface)), made->seconds});
       }
@@ -119,6 +140,7 @@ class CardsMeasurement {
     report_.strands = groom_.strand_count();
     report_.strand_width = double(shape_.strands.width);
     report_.size = settings_.size;
+    report_.close_size = kCloser * settings_.size;
     report_.directions = settings_.directions;
     report_.asset_factor = place_.factor;
   }
@@ -131,7 +153,7 @@ class CardsMeasurement {
       if (!refusal_) refusal_ = made.error();
       return;
     }
-    const cards::CardSurface surface = cards::surface_of(made->cards);
+    const cards::CardSurface surface = drawn_surface_of(made->cards);
     CardsSummary summary{.baseline = baseline, .triangles = budget.triangles, .texels = budget.texels};
     summary.cards = made->cards.wisps.size();
     summary.made_triangles = surface.triangles.size() / 3;
@@ -182,6 +204,10 @@ class CardsMeasurement {
       figures.worst_psnr_db = std::min(figures.worst_psnr_db, psnr);
       figures.mean_error += one.error / count;
     }
+    for (const cards::HairLikeness& one : close_ups_->compare(surface)) {
+      figures.close_iou += one.coverage_iou / double(close_ups_->count());
+      figures.close_error += one.error / double(close_ups_->count());
+    }
     figures.vertices = surface.positions.size();
     const cards::SurfaceCost cost = views_->cost(surface);
     figures.fragments = cost.fragments;
@@ -196,7 +222,7 @@ class CardsMeasurement {
   const ReportProgress& progress_;
   cards::GroomShape shape_;
   std::vector<Eigen::Vector3f> directions_;
-  std::optional<GroomViews> views_;
+  std::optional<GroomViews> views_, close_ups_;
   std::optional<CardSheets> sheets_;
   std::optional<ToolError> refusal_;  ///< The first set of cards that could not be made.
   CardsReport report_;

@@ -14,20 +14,20 @@
 
 namespace coif::report {
 
-inline constexpr std::uint32_t kLeastCardsPicture = 16, kMostCardsPicture = 1024;  ///< Pixels each way.
+inline constexpr std::uint32_t kLeastCardsPicture = 16, kMostCardsPicture = 512;  ///< Pixels each way, from afar.
 
 struct CardsSettings {
   std::vector<std::size_t> budgets{1000, 2000, 4000, 8000, 16000};  ///< Triangles of each set of cards, 2 at least.
   std::size_t directions = 32;                                      ///< View directions, 1 at least.
-  std::uint32_t size = 256;                                         ///< Pixels of a picture, each way.
-  bool sheets = false;                                              ///< Also make the pictures of the page.
-  bool ablation = false;                                            ///< Also fill CardsReport::ablation.
+  std::uint32_t size = 256;  ///< Pixels of a picture from afar, each way; a close-up has four times as many.
+  bool sheets = false;       ///< Also make the pictures of the page.
+  bool ablation = false;     ///< Also fill CardsReport::ablation.
 
   // The next values come from the recipe.
-  std::size_t texels = std::size_t{1} << 22;  ///< Per set of cards.
-  int rounds = 6;                             ///< CardsBudget::rounds.
-  float strand_width = 0;                     ///< Metres; CardsBudget::strand_width.
-  float caps = 0.04f;                         ///< CardsBudget::caps.
+  std::size_t texels = 7 * (std::size_t{1} << 18);  ///< Per set of cards.
+  int rounds = 6;                                   ///< CardsBudget::rounds.
+  float strand_width = 0;                           ///< Metres; CardsBudget::strand_width.
+  float caps = 0.04f;                               ///< CardsBudget::caps.
 };
 
 /// Makes cards of `groom` for each budget, coif's own and the baselines, and compares all of them and the asset, which

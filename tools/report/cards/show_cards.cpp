@@ -53,10 +53,11 @@ std::string cards_method(const CardsReport& report) {
   std::string text = fmt::format(
       "{} strands of {}, {:.3g} wide in the file's metres, by 64 samples of a pixel, and cards by 16, along {} "
       "directions "
-      "all around, in pictures of {} x {} pixels. IoU: of coverage, intersection over union. PSNR and RMS error: of "
-      "what a "
-      "light at the eye shows of strands, over the pixels that either covers; 1 is white.",
-      report.strands, report.source, report.strand_width, report.directions, report.size, report.size);
+      "all around, in pictures of {} x {} pixels, with mips and thresholds of opacity as in an asset; close up, along "
+      "every fourth of them, in pictures of {} x {}. IoU: of coverage, intersection over union. PSNR and RMS error: of "
+      "what a light at the eye shows of strands, over the pixels that either covers; 1 is white.",
+      report.strands, report.source, report.strand_width, report.directions, report.size, report.size,
+      report.close_size, report.close_size);
   if (!report.is_its_source) text += " The asset was cooked from another file, or from another state of this one.";
   if (report.asset_factor != 1) {
     text += fmt::format(" The cook multiplied lengths with {:g}, which is undone here.", report.asset_factor);
@@ -71,6 +72,7 @@ nlohmann::ordered_json cards_json(const ReportHeading& heading, const CardsRepor
   json["strands"] = report.strands;
   json["strand_width"] = number_json(report.strand_width);
   json["size"] = report.size;
+  json["close_size"] = report.close_size;
   json["directions"] = report.directions;
   json["asset_factor"] = number_json(report.asset_factor);
   add_list(json, "rows", cards_columns(), report.rows);
