@@ -98,7 +98,10 @@ tl::expected<Exit, ToolError> view_live(LiveOptions options, const Messages& mes
   if (auto found = find_source(options); !found) return tl::unexpected(found.error());
   if (auto readable = importer::check_readable(options.file, importer::ImportSettings{}.max_file_bytes); !readable)
     return tl::unexpected(readable.error());
-  const auto page = moved_page(options.page, options.motion, messages);
+  auto page = moved_page(options.page, options.motion, messages);
+  if (!page) return tl::unexpected(page.error());
+  std::vector<fs::path> files;
+  page = bodied_page(std::move(*page), options.body, nullptr, messages, files);
   if (!page) return tl::unexpected(page.error());
 
   if (auto fits = view::live_page(*page, ""); !fits) {
