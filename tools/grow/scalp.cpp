@@ -29,8 +29,8 @@ float between(const std::array<Knot, N>& knots, float azimuth) {
   return knots.back().value;
 }
 
-/// A curve through knots that never passes beyond two neighbours, flat at both ends. Source: Fritsch and Butland 1984, "A
-/// method for constructing local monotone piecewise cubic interpolants".
+/// A curve through knots that never passes beyond two neighbours, flat at both ends. Source: Fritsch and Butland 1984,
+/// "A method for constructing local monotone piecewise cubic interpolants".
 template <std::size_t N>
 float along_curve(const std::array<Knot, N>& knots, float azimuth) {
   const auto rise = [&](std::size_t i) {
@@ -106,7 +106,8 @@ void thin_out(const cook::HairStyle& style, const HeadFrame& head, std::size_t i
   constexpr float kShortest = 0.008f, kLongest = 0.045f;  // metres
   const Dice dice(style.grow_seed, Purpose::kHairline);
   const float fewer = root.is_fringe ? 0.4f : 1.0f;
-  const float near = fewer * float(style.grow_hairline_wisps) * (1 - ramp(0, 1.8f * float(style.grow_hairline_fade), above));
+  const float near =
+      fewer * float(style.grow_hairline_wisps) * (1 - ramp(0, 1.8f * float(style.grow_hairline_fade), above));
   root.width = 1 - near * (0.3f + 0.4f * dice.unit(i, 1));
   if (dice.unit(i, 2) >= near) return;
   const float share = dice.unit(i, 3);

@@ -14,8 +14,8 @@
 
 namespace coif::grow {
 
-/// The lowest elevation of hair at an azimuth, degrees: one smooth line over forehead, temples, sideburns, around the ears
-/// and along the nape.
+/// The lowest elevation of hair at an azimuth, degrees: one smooth line over forehead, temples, sideburns, around the
+/// ears and along the nape.
 [[nodiscard]] float hairline(const cook::HairStyle& style, float azimuth);
 
 /// The beginning of a strand, and its properties.
@@ -85,8 +85,8 @@ void advance(const Ground& ground, const Eigen::Vector3f& turn, float length, fl
 /// For each strand the strand in the middle of its clump; a middle has itself.
 using ClumpMiddles = std::vector<std::uint32_t>;
 
-/// Finds clumps `size` metres apart, of strands that begin and fall beside each other; none crosses a parting. A wisp is
-/// a clump of its own. `within`, if not empty, are larger clumps; no clump crosses their borders.
+/// Finds clumps `size` metres apart, of strands that begin and fall beside each other; none crosses a parting. A wisp
+/// is a clump of its own. `within`, if not empty, are larger clumps; no clump crosses their borders.
 [[nodiscard]] ClumpMiddles find_clumps(const StrandPaths& paths, std::span<const Root> roots, float size,
                                        std::uint32_t seed, const ClumpMiddles& within);
 
@@ -94,7 +94,8 @@ using ClumpMiddles = std::vector<std::uint32_t>;
 /// parts that end inside the skin out of it. The terms are those of grooming tools: Yuksel, Schaefer and Keyser 2009,
 /// "Hair meshes"; clumps whose strands curl together as in Choe and Ko 2005, "A statistical wisp model and
 /// pseudophysical approaches".
-void shape_strands(const Ground& ground, std::span<const Root> roots, StrandPaths& paths, const platform::Threads& threads);
+void shape_strands(const Ground& ground, std::span<const Root> roots, StrandPaths& paths,
+                   const platform::Threads& threads);
 
 /// Number of points of each strand that remain below a level cut; all where the style has none. A strand's last point
 /// is moved to the cut.

@@ -30,7 +30,7 @@ constexpr BuiltInStyle kStyles[] = {
       "clump_size": 0.011, "clump_shape": 0.12, "clump_children": 0.3, "curl_radius": 0.0052, "curl_pitch": 0.0135, "curl_start": 0.08,
       "curl_random": 0.08, "length_random": 0.25, "frizz": 0.002, "flyaways": 0.02, "flyaway_reach": 0.006,
       "root_color": [0.07, 0.05, 0.04], "tip_color": [0.2, 0.13, 0.09]})"},
-    {"afro", R"({"length_top": 0.085, "length_front": 0.06, "length_sides": 0.07, "length_back": 0.075, "comb": "out",
+    {"afro", R"({"length_top": 0.085, "length_front": 0.042, "length_sides": 0.055, "length_back": 0.062, "comb": "out",
       "comb_strength": 1, "lift": 85, "volume": 0.02, "layers": 0.02, "stiffness": 0.85, "gravity": 0.12, "whorl": 0, "clump": 0.8,
       "clump_size": 0.009, "clump_shape": 0.25, "curl_radius": 0.0045, "curl_pitch": 0.011, "curl_start": 0.1, "curl_random": 0.25,
       "length_random": 0.2, "frizz": 0.004, "root_color": [0.05, 0.04, 0.035], "tip_color": [0.14, 0.1, 0.08]})"},

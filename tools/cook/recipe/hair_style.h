@@ -87,6 +87,7 @@ struct BuiltInStyle {
 [[nodiscard]] std::span<const BuiltInStyle> built_in_styles();
 
 /// The choices of "grow.style": "none" and the styles' names.
-inline constexpr const char* kStyleWords = "none|bob|fringe_bob|locks|long|wavy|curly|coily|afro|short|spiky|slick|ponytail";
+inline constexpr const char* kStyleWords =
+    "none|bob|fringe_bob|locks|long|wavy|curly|coily|afro|short|spiky|slick|ponytail";
 
 }  // namespace coif::cook

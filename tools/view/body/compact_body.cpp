@@ -27,8 +27,9 @@ std::vector<std::uint32_t> simplified(const render::SolidMesh& mesh, float error
   constexpr std::size_t kStride = sizeof(render::SolidVertex);
   const float scale = meshopt_simplifyScale(first, mesh.vertices.size(), kStride);
   std::vector<std::uint32_t> triangles(mesh.triangles.size());
-  const std::size_t kept = meshopt_simplify(triangles.data(), mesh.triangles.data(), mesh.triangles.size(), first,
-                                            mesh.vertices.size(), kStride, 0, scale > 0 ? error / scale : 0, 0, nullptr);
+  const std::size_t kept =
+      meshopt_simplify(triangles.data(), mesh.triangles.data(), mesh.triangles.size(), first, mesh.vertices.size(),
+                       kStride, 0, scale > 0 ? error / scale : 0, 0, nullptr);
   triangles.resize(kept);
   return triangles;
 }
@@ -117,9 +118,8 @@ CompactBody compact_body(const importer::SourceModel& model, const render::BodyT
 
 std::string body_json(const CompactBody& body) {
   const std::vector<std::byte> bytes = body_bytes(body.body);
-  nlohmann::ordered_json json{
-      {"meshes", base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()})},
-      {"images", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json json{{"meshes", base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()})},
+                              {"images", nlohmann::ordered_json::array()}};
   for (const std::vector<std::uint8_t>& image : body.images) json["images"].push_back(base64(image));
   return json.dump();
 }

@@ -22,7 +22,7 @@ constexpr std::uint32_t kNoImage = 0xFFFFFFFFu;
 
 /// A mesh in whole numbers.
 struct PackedMesh {
-  float low[5] = {}, size[5] = {};  ///< Range of position and uv.
+  float low[5] = {}, size[5] = {};     ///< Range of position and uv.
   std::vector<std::uint16_t> places;   ///< Five per vertex, shares of that range.
   std::vector<std::uint16_t> normals;  ///< Two per vertex: octahedral.
   std::vector<std::uint8_t> turning;   ///< Empty or one per vertex, 255: the whole turn.
@@ -98,8 +98,7 @@ std::optional<PageBodyMesh> unpacked(const PackedMesh& mesh) {
     Place place;
     for (int k = 0; k < 5; ++k) place[k] = low[k] + size[k] * float(mesh.places[5 * i + std::size_t(k)]) / kMost;
     const Vector2f flat(float(mesh.normals[2 * i]), float(mesh.normals[2 * i + 1]));
-    out.mesh.vertices.push_back(
-        {place.head<3>(), unfolded((2 / kMost * flat).array() - 1), place.tail<2>()});
+    out.mesh.vertices.push_back({place.head<3>(), unfolded((2 / kMost * flat).array() - 1), place.tail<2>()});
   }
   for (const std::uint16_t v : mesh.triangles) {
     if (v >= vertices) return std::nullopt;
