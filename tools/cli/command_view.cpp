@@ -83,7 +83,7 @@ tl::expected<Exit, ToolError> run_view(const ViewOptions& options, const Message
   auto page = moved_page(*place, options.live.motion, messages);
   if (!page) return tl::unexpected(page.error());
   std::vector<std::filesystem::path> files;
-  page = bodied_page(std::move(*page), body_options(options), &file->asset(), messages, files);
+  page = bodied_page(*place, std::move(*page), body_options(options), &file->asset(), messages, files);
   if (!page) return tl::unexpected(page.error());
   if (auto checked = check_output(output, files); !checked) return tl::unexpected(checked.error());
   const auto text = filled_page(*place, *page, *file, options.file);

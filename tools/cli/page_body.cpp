@@ -23,7 +23,8 @@ std::string head_bone_of(const Asset* asset, const importer::SourceModel& body) 
 
 }  // namespace
 
-tl::expected<std::string, ToolError> bodied_page(std::string page, const PageBodyOptions& options, const Asset* asset,
+tl::expected<std::string, ToolError> bodied_page(const std::filesystem::path& place, std::string page,
+                                                 const PageBodyOptions& options, const Asset* asset,
                                                  const Messages& messages, std::vector<std::filesystem::path>& files) {
   if (options.file.empty()) return page;
   const Asset unknown;
@@ -42,7 +43,9 @@ tl::expected<std::string, ToolError> bodied_page(std::string page, const PageBod
     messages.warning(options.file + ": is made of too many pieces for a page; shown as without --body");
     return page;
   }
-  return view::with_body(page, view::body_json(compact));
+  auto bodied = view::with_body(page, view::body_json(compact));
+  if (!bodied) return tl::unexpected(ToolError{bodied.error().kind, place.string() + ": " + bodied.error().message});
+  return bodied;
 }
 
 }  // namespace coif::cli

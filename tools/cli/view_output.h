@@ -52,11 +52,12 @@ struct PageBodyOptions {
   SourceLimits limits;
 };
 
-/// `page` with that body; unchanged where there is none. `asset`: the hair's, whose head bone the body turns with;
-/// null: not known yet, the body's own head is taken. Files that were read are added to `files`. Errors: those of
-/// read_body(), and of a page without a place for bodies.
-[[nodiscard]] tl::expected<std::string, ToolError> bodied_page(std::string page, const PageBodyOptions& body,
-                                                               const Asset* asset, const Messages& messages,
+/// `page`, which was read at `place`, with that body; unchanged where there is none. `asset`: the hair's, whose head
+/// bone the body turns with; null: not known yet, the body's own head is taken. Files that were read are added to
+/// `files`. Errors: those of read_body(), and of a page without a place for bodies.
+[[nodiscard]] tl::expected<std::string, ToolError> bodied_page(const std::filesystem::path& place, std::string page,
+                                                               const PageBodyOptions& body, const Asset* asset,
+                                                               const Messages& messages,
                                                                std::vector<std::filesystem::path>& files);
 
 /// The command line of `coif view` of a source or a recipe.

@@ -146,8 +146,10 @@ void settle(const cook::HairStyle& style, const HeadFrame& head, std::size_t i, 
 
 float hairline(const cook::HairStyle& style, float azimuth) {
   const auto front = float(style.grow_hairline_front), temples = float(style.grow_hairline_temples),
-             recess = float(style.grow_hairline_recess), burns = float(style.grow_hairline_sideburns),
-             sides = float(style.grow_hairline_sides), nape = float(style.grow_hairline_nape);
+             recess = float(style.grow_hairline_recess), sides = float(style.grow_hairline_sides),
+             nape = float(style.grow_hairline_nape);
+  // A head that is bald at the sides has no sideburns.
+  const float burns = sides - float(style.grow_hairline_sideburns) * (1 - ramp(45, 90, sides));
   const auto towards_nape = [&](float share) { return sides + share * (nape - sides); };
   const std::array<Knot, 14> knots{{{0, front},
                                     {20, front + 0.25f * recess},

@@ -43,7 +43,7 @@ constexpr BuiltInStyle kStyles[] = {
       "clump_size": 0.03, "clump_shape": 0.95, "clump_children": 0.3, "length_random": 0.25, "frizz": 0.0008, "flyaways": 0.006,
       "root_color": [0.35, 0.22, 0.1], "tip_color": [0.85, 0.68, 0.38]})"},
     {"slick", R"({"length_top": 0.15, "length_front": 0.16, "length_sides": 0.1, "length_back": 0.06, "comb": "back",
-      "hairline_sideburns": -10, "comb_strength": 1, "lift": 12, "volume": 0.005, "layers": 0.006, "stiffness": 0.3, "clump": 0.6, "clump_size": 0.014,
+      "hairline_sideburns": 8, "comb_strength": 1, "lift": 12, "volume": 0.005, "layers": 0.006, "stiffness": 0.3, "clump": 0.6, "clump_size": 0.014,
       "length_random": 0.08, "frizz": 0.0006, "flyaways": 0.005, "root_color": [0.06, 0.05, 0.045], "tip_color": [0.13, 0.1, 0.09]})"},
     {"ponytail",
      R"({"length_top": 0.46, "length_front": 0.5, "length_sides": 0.45, "length_back": 0.4, "gather": [180, 22],

@@ -18,8 +18,8 @@ struct HairStyle {
   // hairline: the lowest elevation of roots
   double grow_hairline_front = 0;
   double grow_hairline_temples = 0;
-  double grow_hairline_recess = 0;  ///< Degrees above the smooth line from the front to the temples.
-  double grow_hairline_sideburns = 0;
+  double grow_hairline_recess = 0;     ///< Degrees above the smooth line from the front to the temples.
+  double grow_hairline_sideburns = 0;  ///< Degrees below the line over the ears.
   double grow_hairline_sides = 0;
   double grow_hairline_nape = 0;
   double grow_hairline_fade = 0;   ///< Degrees over which roots become as dense as elsewhere.
