@@ -24,7 +24,8 @@ importer::SourceModel ball_on_neck(int rings, int sectors) {
   mesh.influence_begin.push_back(0);
   for (int ring = 0; ring <= rings; ++ring) {
     for (int sector = 0; sector < sectors; ++sector) {
-      const float polar = float(M_PI) * float(ring) / float(rings), around = 2 * float(M_PI) * float(sector) / float(sectors);
+      const float polar = float(M_PI) * float(ring) / float(rings),
+                  around = 2 * float(M_PI) * float(sector) / float(sectors);
       const Vector3f unit(std::sin(polar) * std::sin(around), std::cos(polar), std::sin(polar) * std::cos(around));
       mesh.positions.emplace_back(Vector3f(0, 1.6f, 0) + 0.1f * unit);
       mesh.normals.push_back(unit);
@@ -35,7 +36,8 @@ importer::SourceModel ball_on_neck(int rings, int sectors) {
   const auto at = [&](int ring, int sector) { return std::uint32_t(ring * sectors + sector % sectors); };
   for (int ring = 0; ring < rings; ++ring) {
     for (int sector = 0; sector < sectors; ++sector) {
-      const std::uint32_t a = at(ring, sector), b = at(ring, sector + 1), c = at(ring + 1, sector), d = at(ring + 1, sector + 1);
+      const std::uint32_t a = at(ring, sector), b = at(ring, sector + 1), c = at(ring + 1, sector),
+                          d = at(ring + 1, sector + 1);
       mesh.triangles.insert(mesh.triangles.end(), {a, c, d, a, d, b});
     }
   }
@@ -97,7 +99,9 @@ TEST(PageBody, LargeModelsLoseTrianglesAndKeepTheirShape) {
 }
 
 TEST(PageBody, PartsTurnAsTheirBonesSay) {
-  const auto turning = [](const std::string& bone) { return compact_body(ball_on_neck(8, 8), {}, bone).body.meshes[0].turning; };
+  const auto turning = [](const std::string& bone) {
+    return compact_body(ball_on_neck(8, 8), {}, bone).body.meshes[0].turning;
+  };
   const std::vector<float> shares = turning("head");
   for (const float share : {0.0f, 0.5f, 1.0f}) EXPECT_TRUE(std::ranges::count(shares, share) > 0) << share;
   EXPECT_TRUE(turning("another").empty()) << "all turns";

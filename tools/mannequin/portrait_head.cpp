@@ -35,7 +35,7 @@ double portrait_skull(const Vector3d& p) {
 
 double portrait_brow_and_socket(double head, const Vector3d& p) {
   const double brow = rod(p, {0.0150, 1.6240, 0.0735}, {0.0450, 1.6275, 0.0590}, 0.0050, 0.0050);
-  const double socket = ellipsoid(p, {0.0335, 1.6060, 0.0945}, {0.0205, 0.0125, 0.0130});
+  const double socket = ellipsoid(p, {0.0335, 1.6060, 0.0945}, {0.0205, 0.0125, 0.0115});
   head = join(head, brow, 0.030);
   const double inner_corner = ellipsoid(p, {0.0165, 1.6045, 0.0840}, {0.0050, 0.0050, 0.0085});
   return carve(carve(head, socket, 0.026), inner_corner, 0.012);
@@ -70,13 +70,11 @@ double portrait_nose(double head, const Vector3d& p) {
   const double tip = ellipsoid(p, {0, 1.5670, 0.0965}, {0.0074, 0.0068, 0.0074});
   const double wing = ellipsoid(p, {0.0098, 1.5640, 0.0880}, {0.0050, 0.0052, 0.0072});
   const double column = rod(p, {0, 1.5635, 0.0955}, {0, 1.5590, 0.0880}, 0.0040, 0.0042);
-  const double nostril = ellipsoid(p, {0.0058, 1.5572, 0.0915}, {0.0028, 0.0018, 0.0040});
   head = join(head, side, 0.022);
   head = join(head, bridge, 0.018);
   head = join(head, tip, 0.013);
   head = join(head, wing, 0.0075);
-  head = join(head, column, 0.007);
-  return carve(head, nostril, 0.004);
+  return join(head, column, 0.007);  // The nostrils are painted: samples would cut such holes to pieces.
 }
 
 double portrait_mouth(double head, const Vector3d& p) {
@@ -92,12 +90,8 @@ double portrait_mouth(double head, const Vector3d& p) {
   const double full = rod(p, {0, 1.5320, 0.0864}, {0.0095, 1.5332, 0.0846}, 0.0054, 0.0048);
   const double lower = rod(p, {0.0095, 1.5332, 0.0846}, {0.0262, 1.5407, 0.0754}, 0.0048, 0.0010);
   const double upper_lip = join(bow, middle, 0.003), lower_lip = join(full, lower, 0.004);
-  head = join(head, upper_lip, 0.0050);
-  head = join(head, lower_lip, 0.0060);
-  // Shallow and broad: the surface's samples would cut a narrow one to pieces. The line itself is painted.
-  const double line = rod(p, {0, 1.5367, 0.0952}, {0.0130, 1.5375, 0.0908}, 0.0006, 0.0006);
-  const double line_end = rod(p, {0.0130, 1.5375, 0.0908}, {0.0265, 1.5413, 0.0796}, 0.0006, 0.0003);
-  return carve(head, join(line, line_end, 0.002), 0.0048);
+  // A shallow groove: the surface's samples would cut a deep one to pieces. The line itself is painted.
+  return join(head, join(upper_lip, lower_lip, 0.0040), 0.0055);
 }
 
 double portrait_ear(double head, const Vector3d& p) {

@@ -126,14 +126,15 @@ Vector3d skin_color(const Vector3d& point) {
   if (front <= 0) return color;
   const LidEdges lids = lid_edges(x);
   const double near_eye = smooth_step(1.25, 1.0, std::abs(lids.across));
-  const double shade = bump(x, y, 0.0320, lids.upper + 0.0030, 0.0170, 0.0034) * 0.30;
+  const double shade = bump(x, y, 0.0320, lids.upper + 0.0030, 0.0170, 0.0034) * 0.16;
   color = blended(color, {0.300, 0.150, 0.110}, shade * front);
   color = blended(color, {0.480, 0.200, 0.170},
                   0.8 * bump(x, y, kOpeningMiddle - kOpeningHalf, kEyeLine, 0.0028, 0.0030) * front);
   const LipCover lips = lip_cover(x, y);
   const Vector3d lip =
-      kLips * (1.0 - 0.72 * smooth_step(0.84, 0.98, lips.depth)) * (1 + 0.05 * value_noise(point.x() * 1400, y * 150));
+      kLips * (1.0 - 0.55 * smooth_step(0.86, 0.98, lips.depth)) * (1 + 0.05 * value_noise(point.x() * 1400, y * 150));
   color = blended(color, lip, 0.92 * lips.share * front);
+  color = blended(color, {0.150, 0.065, 0.050}, 0.85 * bump(x, y, 0.0060, 1.5580, 0.0030, 0.0014) * front);  // nostrils
   color = blended(color, kBrow, 0.95 * brow_cover(x, y) * front);
   // Lash lines: broad above and towards the outer corner.
   const double width = 0.0004 + 0.0013 * smooth_step(-1.0, 0.7, lids.across);
