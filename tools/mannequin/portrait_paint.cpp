@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 const Vector3d kSkin{0.545, 0.335, 0.245};
 const Vector3d kBlush{0.560, 0.235, 0.180};
 const Vector3d kLips{0.470, 0.190, 0.165};
-const Vector3d kBrow{0.135, 0.080, 0.052};
+const Vector3d kBrow{0.100, 0.057, 0.036};
 const Vector3d kRoots{0.120, 0.072, 0.050};
 const Vector3d kLashes{0.020, 0.012, 0.010};
 
@@ -55,7 +55,7 @@ double brow_cover(double x, double y) {
   const double u = std::clamp(t, 0.0, 1.0);
   const double middle = kBrowLine + 0.0002 + 0.0048 * std::sin(0.5 * std::numbers::pi * std::min(u / 0.68, 1.0)) -
                         0.0062 * smooth_step(0.55, 1.05, u);
-  const double half = 0.0032 * (1 - 0.82 * smooth_step(0.45, 1.0, u));
+  const double half = 0.0038 * (1 - 0.82 * smooth_step(0.45, 1.0, u));
   const double v = (y - middle) / half;
   // Hairs rise at the inner end and lie along the brow towards the tail.
   const double lean = 0.35 + 2.6 * u;
