@@ -37,8 +37,8 @@ SurfaceMesh portrait_skin(const PortraitDetail& detail) {
                     graded_axis(cut - 0.015, 1.735, 0.0110 * f, 1.526, 1.616, 0.00130 * f),
                     graded_axis(-0.150, 0.120, 0.0110 * f, 0.062, 0.104, 0.00150 * f)};
   for (const double side : {-1.0, 1.0})
-    grid[0] = refined(grid[0], side * 0.078 - 0.010, side * 0.078 + 0.010, 0.0024 * f);
-  grid[2] = refined(grid[2], -0.036, 0.010, 0.0032 * f);
+    grid[0] = refined(grid[0], side * 0.078 - 0.010, side * 0.078 + 0.010, 0.0024 * f * f);
+  grid[2] = refined(grid[2], -0.036, 0.010, 0.0032 * f * f);
   const double edge = detail.has_shoulders ? 0.004 : 0.020;
   const auto distance = [&](const Vector3d& point) { return carve(portrait_distance(point), point.y() - cut, edge); };
   const auto normal = [&](const Vector3d& point) { return unit_gradient(distance, point, 1.5e-4); };
