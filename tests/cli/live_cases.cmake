@@ -1,5 +1,5 @@
 # `coif view` of a source, which runs until somebody ends it.
-foreach(case sliders_cook_at_once files_are_watched killed_in_mid_cook_leaves_nothing ends_soon_in_mid_cook outlives_its_cooks)
+foreach(case sliders_cook_at_once files_are_watched a_recipe_grows_hair killed_in_mid_cook_leaves_nothing ends_soon_in_mid_cook outlives_its_cooks)
   add_test(NAME cli.live_view.${case}
     COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/live_view.py ${case} $<TARGET_FILE:coif_cli> ${sample}
             ${CMAKE_CURRENT_BINARY_DIR}/live_view_${case})

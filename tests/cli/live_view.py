@@ -170,6 +170,21 @@ def files_are_watched(program, folder):
     assert view.left_behind() == []
 
 
+def a_recipe_grows_hair(program, folder):
+    recipe = folder / "grown.recipe.json"
+    text = json.dumps({"grow": {"style": "short", "strands": 300}, "cards": {"triangles": 400, "rounds": 1, "texels": 65536}})
+    recipe.write_text(text)
+    view = View(program, folder, "grown.recipe.json")
+    first = view.cooked()
+    assert (first["problem"], first["revision"]) == ("", 1), first
+    recipe.write_text(text.replace("short", "bob"))
+    later(recipe)
+    state = view.wait(lambda s: s["revision"] == 2)
+    assert state["recipe_file"]["grow"]["style"] == "bob" and state["problem"] == "", state
+    assert view.end() == 0
+    assert view.left_behind() == []
+
+
 def killed_in_mid_cook_leaves_nothing(program, folder):
     view = View(program, folder, "bob.glb", "--quality", "full")
     status, answer = view.post("model?format=glb&name=my%20hair.glb", (folder / "bob.glb").read_bytes())
@@ -246,7 +261,7 @@ def processes_of_nobody(folder):
     return found
 
 
-CASES = {f.__name__: f for f in (sliders_cook_at_once, files_are_watched, killed_in_mid_cook_leaves_nothing, ends_soon_in_mid_cook,
+CASES = {f.__name__: f for f in (sliders_cook_at_once, files_are_watched, a_recipe_grows_hair, killed_in_mid_cook_leaves_nothing, ends_soon_in_mid_cook,
                                 outlives_its_cooks)}
 
 

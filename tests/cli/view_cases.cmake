@@ -25,6 +25,13 @@ coif_cli_case(view_no_motion EXIT 1 STDERR "coif view: error: --motion: 'hop' is
   ARGS view a.coif --motion hop)
 coif_cli_case(view_page_without_motions EXIT 3 SAMPLE STDERR "coif view: error: empty.html: not the page of coif view that knows motions"
   TEXT empty.html ${empty_page} ARGS view ${COIF_COOKED_SAMPLE} --page empty.html --motion nod)
+coif_cli_case(view_body EXIT 0 SAMPLE WRITES bob.html STDOUT "bob.html: [0-9]+ KB" TEXT empty.html "${empty_page}@BODY@"
+  ARGS view ${COIF_COOKED_SAMPLE} --page empty.html --body ${PROJECT_SOURCE_DIR}/sample_assets/portrait/portrait.glb)
+coif_cli_case(view_page_without_bodies EXIT 3 SAMPLE STDERR "coif view: error: empty.html: not the page of coif view that knows bodies"
+  TEXT empty.html ${empty_page} ARGS view ${COIF_COOKED_SAMPLE} --page empty.html --body ${sample})
+coif_cli_case(view_absent_body EXIT 2 SAMPLE STDERR "coif view: error: nope.glb: cannot open"
+  TEXT empty.html "${empty_page}@BODY@" ARGS view ${COIF_COOKED_SAMPLE} --page empty.html --body nope.glb)
+coif_cli_case(view_body_mesh_alone EXIT 1 STDERR "--body-mesh requires --body" ARGS view a.coif --body-mesh skin)
 coif_cli_case(view_clip_of_a_source EXIT 2 STDERR "coif view: error: absent.glb: cannot open"
   TEXT empty.html "${empty_page}@MOTION@" ARGS view ${sample} --page empty.html --motion absent.glb)
 

@@ -44,7 +44,7 @@ LAYERS = {
     "tools/cli": None,  # Everything.
     # For browsers, by the build for the web: tools/CMakeLists.txt knows nothing of it. Of the cook it has the formulas of bones, and what
     # these stand on: view/page/CMakeLists.txt names their files.
-    "tools/view/page": SIM | RESEARCH | VIEW_SETTINGS
+    "tools/view/page": SIM | RESEARCH | VIEW_SETTINGS | {"tools/view/body"}
     | {"tools/base", "tools/motion", "tools/render", "tools/lab", "tools/cook/recipe", "tools/cook/dynamics"},
     # What that page can set, which sheets speak of.
     **{header: SIM | RESEARCH | {"tools/motion"} for header in VIEW_SETTINGS},
@@ -62,7 +62,7 @@ HOMES = {
     "hwy/": ["runtime/sim"],
     "xmmintrin.h": ["runtime/sim/float_environment.h"],
     "CLI/": ["tools/cli"],
-    "meshoptimizer.h": ["tools/cook/lods", "tools/cook/pack", "tools/gltf", "tests/import"],
+    "meshoptimizer.h": ["tools/cook/lods", "tools/cook/pack", "tools/gltf", "tools/view/body", "tests/import"],
     "draco/": ["tools/gltf", "tests/import"],
     "nlohmann/": ["tools/", "tests/"],
     "Eigen/": ["tools/", "tests/"],
@@ -70,6 +70,7 @@ HOMES = {
     "tl/": ["tools/", "tests/"],
     "stb/stb_easy_font.h": ["tools/render"],
     "webp/decode.h": ["tools/cook/texture/image_kinds.cpp"],
+    "webp/encode.h": ["tools/view/body"],
     "stb/stb_image.h": ["tools/cook/texture", "tests/"],
     "stb/stb_image_resize.h": ["tools/cook/texture"],
     "stb/stb_image_write.h": ["tools/base", "tests/cook"],

@@ -16,6 +16,7 @@ struct ViewOptions {
   std::string file;
   std::string output;
   std::string page;
+  PageBodyOptions body;
   HeadMotion motion;
   LiveOptions live;            ///< For a source.
   bool asks_for_cook = false;  ///< Something of `live` was given.
@@ -40,6 +41,13 @@ bool is_live(const std::string& path, const tl::expected<FileBytes, ToolError>& 
   return is_source(path, bytes ? bytes->span() : std::span<const std::byte>());
 }
 
+PageBodyOptions body_options(const ViewOptions& options) {
+  PageBodyOptions body = options.body;
+  body.roots = options.live.roots;
+  body.limits = options.live.limits;
+  return body;
+}
+
 tl::expected<Exit, ToolError> run_live(const ViewOptions& options, const Messages& messages) {
   if (!options.output.empty()) {
     return file_failure(ToolError::Kind::kBadInput, options.file,
@@ -52,6 +60,7 @@ tl::expected<Exit, ToolError> run_live(const ViewOptions& options, const Message
   LiveOptions live = options.live;
   live.file = options.file;
   live.page = *place;
+  live.body = body_options(options);
   live.format = options.format;
   return view_live(std::move(live), messages);
 }
@@ -71,8 +80,12 @@ tl::expected<Exit, ToolError> run_view(const ViewOptions& options, const Message
 
   const auto place = view::find_view_page(options.page);
   if (!place) return tl::unexpected(place.error());
-  const auto page = moved_page(*place, options.live.motion, messages);
+  auto page = moved_page(*place, options.live.motion, messages);
   if (!page) return tl::unexpected(page.error());
+  std::vector<std::filesystem::path> files;
+  page = bodied_page(*place, std::move(*page), body_options(options), &file->asset(), messages, files);
+  if (!page) return tl::unexpected(page.error());
+  if (auto checked = check_output(output, files); !checked) return tl::unexpected(checked.error());
   const auto text = filled_page(*place, *page, *file, options.file);
   if (!text) return tl::unexpected(text.error());
   if (auto written = write_output(output, std::as_bytes(std::span(*text))); !written) {
@@ -117,12 +130,19 @@ Command add_view_page(CLI::App& program) {
                   "Of an asset: the page to write (default: FILE's name with .html, here)")
       ->type_name("PAGE.html");
   add_page(*app, options->page);
+  CLI::Option* body = app->add_option("--body", options->body.file,
+                                      "Show this model's other meshes under the hair, instead of the head's collider");
+  body->type_name("SOURCE");
+  app->add_option("--body-mesh", options->body.mesh, "Which meshes, with * and ? (default: all that are not hair)")
+      ->type_name("PATTERN")
+      ->needs(body);
   add_motion(*app, options->motion, "What moves the head when the page opens, over and over");
   add_live(*app, *options);
   add_format(*app, options->format);
   return {app, [options, app](const Messages& messages) {
             for (const char* name : {"--recipe", "--quality", "--port", "--root"}) {
-              if (app->count(name) > 0) options->asks_for_cook = true;
+              const bool is_bodys = name == std::string_view("--root") && !options->body.file.empty();
+              if (app->count(name) > 0 && !is_bodys) options->asks_for_cook = true;
             }
             if (app->count("--motion") > 0) options->live.motion = options->motion;
             return run_view(*options, messages);

@@ -1,6 +1,7 @@
 #include "cli/view_output.h"
 
 #include "base/files.h"
+#include "base/json.h"
 #include "cli/cook_process.h"
 #include "cli/input_files.h"
 #include "platform/program.h"
@@ -24,7 +25,17 @@ std::string stem_of_recipe(const fs::path& recipe) {
   return stem.ends_with(".recipe") ? stem.substr(0, stem.size() - 7) : stem;
 }
 
-/// The only model beside a recipe that has the recipe's stem.
+/// Whether hair grows by the recipe, so that it needs no model.
+bool grows_hair(const fs::path& recipe) {
+  if (!cook::is_recipe_file(recipe)) return false;
+  const auto text = cook::read_recipe_text(recipe);
+  if (!text) return false;
+  const auto json = parse_shallow_json(*text);
+  return json && json->contains("grow");
+}
+
+/// The only model beside a recipe that has the recipe's stem; the recipe itself where hair grows by it and there is no
+/// such model.
 tl::expected<fs::path, ToolError> source_beside(const fs::path& recipe) {
   std::error_code error;
   if (!fs::exists(recipe, error))
@@ -36,6 +47,7 @@ tl::expected<fs::path, ToolError> source_beside(const fs::path& recipe) {
     if (path.stem() == stem_of_recipe(recipe) && importer::find_suffix(path)) found.push_back(path.filename().string());
   }
   if (found.size() == 1) return recipe.parent_path() / found.front();
+  if (found.empty() && grows_hair(recipe)) return recipe;
   const std::string what = found.empty() ? fmt::format("no model called '{}' lies beside it", stem_of_recipe(recipe))
                                          : fmt::format("several models lie beside it: {}", fmt::join(found, ", "));
   return file_failure(ToolError::Kind::kBadInput, recipe, "{}; say which: coif view MODEL --recipe {}", what,
@@ -47,7 +59,7 @@ tl::expected<void, ToolError> find_source(LiveOptions& options) {
   if (options.recipe) return usage(fmt::format("{} is a recipe, and --recipe names another", options.file));
   auto source = source_beside(options.file);
   if (!source) return tl::unexpected(source.error());
-  options.recipe = std::exchange(options.file, source->string());
+  if (*source != fs::path(options.file)) options.recipe = std::exchange(options.file, source->string());
   return {};
 }
 
@@ -98,7 +110,10 @@ tl::expected<Exit, ToolError> view_live(LiveOptions options, const Messages& mes
   if (auto found = find_source(options); !found) return tl::unexpected(found.error());
   if (auto readable = importer::check_readable(options.file, importer::ImportSettings{}.max_file_bytes); !readable)
     return tl::unexpected(readable.error());
-  const auto page = moved_page(options.page, options.motion, messages);
+  auto page = moved_page(options.page, options.motion, messages);
+  if (!page) return tl::unexpected(page.error());
+  std::vector<fs::path> files;
+  page = bodied_page(options.page, std::move(*page), options.body, nullptr, messages, files);
   if (!page) return tl::unexpected(page.error());
 
   if (auto fits = view::live_page(*page, ""); !fits) {

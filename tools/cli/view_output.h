@@ -44,6 +44,22 @@ CLI::Option* add_page(CLI::App& app, std::string& page);
                                                               const std::optional<HeadMotion>& motion,
                                                               const Messages& messages);
 
+/// --body of `coif view`: a model under the hair.
+struct PageBodyOptions {
+  std::string file;  ///< Empty: none.
+  std::string mesh;  ///< BodyOptions::mesh.
+  std::vector<std::filesystem::path> roots;
+  SourceLimits limits;
+};
+
+/// `page`, which was read at `place`, with that body; unchanged where there is none. `asset`: the hair's, whose head
+/// bone the body turns with; null: not known yet, the body's own head is taken. Files that were read are added to
+/// `files`. Errors: those of read_body(), and of a page without a place for bodies.
+[[nodiscard]] tl::expected<std::string, ToolError> bodied_page(const std::filesystem::path& place, std::string page,
+                                                               const PageBodyOptions& body, const Asset* asset,
+                                                               const Messages& messages,
+                                                               std::vector<std::filesystem::path>& files);
+
 /// The command line of `coif view` of a source or a recipe.
 struct LiveOptions {
   std::string file;  ///< A source, or a recipe with its source beside it.
@@ -51,6 +67,7 @@ struct LiveOptions {
   std::vector<std::filesystem::path> roots;
   std::filesystem::path page;        ///< As find_view_page() found it.
   std::optional<HeadMotion> motion;  ///< The page begins with it.
+  PageBodyOptions body;
   SourceLimits limits;
   bool draft = true;
   std::uint16_t port = 0;

@@ -70,7 +70,8 @@ class Middles {
 
 }  // namespace
 
-ClumpMiddles find_clumps(const StrandPaths& paths, float size, std::uint32_t seed, const ClumpMiddles& within) {
+ClumpMiddles find_clumps(const StrandPaths& paths, std::span<const Root> roots, float size, std::uint32_t seed,
+                         const ClumpMiddles& within) {
   const Dice dice(seed, Purpose::kClump);
   std::vector<std::uint32_t> order(paths.count());
   std::iota(order.begin(), order.end(), 0u);
@@ -78,13 +79,13 @@ ClumpMiddles find_clumps(const StrandPaths& paths, float size, std::uint32_t see
   Middles middles(paths, size, within);
   // The middles of larger clumps are middles of smaller ones, too, so that these keep to them.
   for (std::uint32_t i = 0; i < within.size(); ++i) {
-    if (within[i] == i) middles.add(i);
+    if (within[i] == i && !roots[i].is_wisp) middles.add(i);
   }
   ClumpMiddles found(paths.count());
   for (const std::uint32_t i : order) {
-    if (middles.nearest(i) == i && (within.empty() || within[i] != i)) middles.add(i);
+    if (!roots[i].is_wisp && middles.nearest(i) == i && (within.empty() || within[i] != i)) middles.add(i);
   }
-  for (const std::uint32_t i : order) found[i] = middles.nearest(i);
+  for (const std::uint32_t i : order) found[i] = roots[i].is_wisp ? i : middles.nearest(i);
   return found;
 }
 

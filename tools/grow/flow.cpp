@@ -1,6 +1,7 @@
 #include "grow/flow.h"
 
 #include "grow/random.h"
+#include "grow/strand_paths.h"
 
 #include <Eigen/Geometry>
 
@@ -84,12 +85,14 @@ Vector3f Flow::at(const Vector3f& place, const Vector3f& normal, float side, boo
   const auto strength = float(style_.grow_comb_strength);
   way = (1 - strength) * way + strength * along(comb_direction(style_.grow_comb, direction), normal);
   // Hair without a fringe is kept out of the face.
-  const float azimuth = azimuth_of(direction), below = float(style_.grow_hairline_front) - elevation_of(direction);
-  const float face = (1 - ramp(45, 75, std::abs(azimuth))) * ramp(-12, 12, below);
+  const float azimuth = azimuth_of(direction), above = elevation_of(direction) - hairline(style_, azimuth);
+  const float face = (1 - ramp(50, 80, std::abs(azimuth))) * (1 - ramp(-6, 16, above));
   const float aside = side != 0 && std::abs(azimuth) < 12 ? side : (direction.x() >= 0 ? 1.0f : -1.0f);
-  way += face * along(Vector3f(1.6f * aside, 0, -0.2f), normal);
+  const float back = style_.grow_comb == "back" ? strength : 0.0f;
+  way += face * along(Vector3f(1.6f * (1 - back) * aside, 0, -0.5f - back), normal);
   const float length = way.norm();
-  return length > 1e-4f ? Vector3f(way / std::max(length, 0.3f)) : Vector3f::Zero();
+  const float astray = 0.3f * tangled_at(direction);  // Only the crown's hair may stand as it likes.
+  return length > 1e-4f ? Vector3f(way / std::max(length, astray)) : Vector3f::Zero();
 }
 
 }  // namespace coif::grow

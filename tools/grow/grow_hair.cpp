@@ -88,8 +88,8 @@ class Looks {
   float width_;
 };
 
-void add_strands(const cook::HairStyle& style, const grow::HeadFrame& head, float turn, const grow::StrandPaths& paths,
-                 std::span<const std::uint32_t> sizes, groom::GroomBuilder& builder) {
+void add_strands(const cook::HairStyle& style, const grow::HeadFrame& head, float turn, std::span<const Root> roots,
+                 const grow::StrandPaths& paths, std::span<const std::uint32_t> sizes, groom::GroomBuilder& builder) {
   const Looks looks(style, head, paths.count());
   std::vector<Vector3f> points, colors;
   std::vector<float> widths;
@@ -99,8 +99,8 @@ void add_strands(const cook::HairStyle& style, const grow::HeadFrame& head, floa
       const float t = float(k) / float(sizes[i] - 1);
       const Vector3f& p = paths.strand(i)[k];
       points.emplace_back(turn * p.x(), p.y(), turn * p.z());
-      colors.push_back(looks.color(i, t));
-      widths.push_back(looks.width(t));
+      colors.push_back(looks.color(i, roots[i].grown_share * t));
+      widths.push_back(roots[i].width * looks.width(t));
     }
     builder.add(points, {widths, colors, {}});
   }
@@ -158,7 +158,7 @@ tl::expected<groom::Groom, ToolError> grow_hair(const cook::HairStyle& style, co
   const grow::Ground place{style, *head, body};
   grow::StrandPaths paths =
       style.grow_gather ? grow_tied(place, roots, stations, threads) : grow_open(place, roots, stations, threads);
-  shape_strands(place, paths, threads);
+  shape_strands(place, roots, paths, threads);
   const std::vector<std::uint32_t> sizes = cut_level(place, paths);
 
   groom::Groom groom;
@@ -166,7 +166,7 @@ tl::expected<groom::Groom, ToolError> grow_hair(const cook::HairStyle& style, co
   groom.format = "grown";
   groom.root_first = true;
   groom::GroomBuilder builder(groom);
-  add_strands(style, *head, turn, paths, sizes, builder);
+  add_strands(style, *head, turn, roots, paths, sizes, builder);
   if (std::string fault = builder.finish(); !fault.empty()) return file_failure(Kind::kBadInput, name, "{}", fault);
   return groom;
 }

@@ -23,7 +23,8 @@ enum class Purpose : std::uint64_t {
   kTail,
   kWander,
   kParting,
-  kColor
+  kColor,
+  kHairline
 };
 
 /// SplitMix64's finisher (Steele, Lea and Flood 2014).

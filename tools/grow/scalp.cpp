@@ -19,13 +19,33 @@ struct Knot {
 };
 
 /// Smooth through the knots, flat at each.
-float between(const std::array<Knot, 4>& knots, float azimuth) {
-  for (std::size_t i = 1; i < knots.size(); ++i) {
+template <std::size_t N>
+float between(const std::array<Knot, N>& knots, float azimuth) {
+  for (std::size_t i = 1; i < N; ++i) {
     if (azimuth > knots[i].azimuth) continue;
     const float share = ramp(knots[i - 1].azimuth, knots[i].azimuth, azimuth);
     return knots[i - 1].value + share * (knots[i].value - knots[i - 1].value);
   }
   return knots.back().value;
+}
+
+/// A curve through knots that never passes beyond two neighbours, flat at both ends. Source: Fritsch and Butland 1984,
+/// "A method for constructing local monotone piecewise cubic interpolants".
+template <std::size_t N>
+float along_curve(const std::array<Knot, N>& knots, float azimuth) {
+  const auto rise = [&](std::size_t i) {
+    return (knots[i + 1].value - knots[i].value) / (knots[i + 1].azimuth - knots[i].azimuth);
+  };
+  const auto slope = [&](std::size_t i) {
+    if (i == 0 || i + 1 == N || rise(i - 1) * rise(i) <= 0) return 0.0f;
+    return 2 * rise(i - 1) * rise(i) / (rise(i - 1) + rise(i));
+  };
+  std::size_t i = 0;
+  while (i + 2 < N && azimuth > knots[i + 1].azimuth) ++i;
+  const float width = knots[i + 1].azimuth - knots[i].azimuth;
+  const float t = std::clamp((azimuth - knots[i].azimuth) / width, 0.0f, 1.0f), u = 1 - t;
+  return u * u * ((1 + 2 * t) * knots[i].value + t * width * slope(i)) +
+         t * t * ((1 + 2 * u) * knots[i + 1].value - u * width * slope(i + 1));
 }
 
 /// Direction `i` of `count` that lie evenly over the sphere, shaken a little: a lattice shows as rows of roots. Source:
@@ -54,10 +74,17 @@ Vector3f skin_in(const Vector3f& direction, const HeadFrame& head, const BodyFie
   return head.center + at * ray;
 }
 
+/// Degrees: no hairline is ruled.
+float raggedness(const cook::HairStyle& style, float azimuth) {
+  const Dice dice(style.grow_seed, Purpose::kHairline);
+  return 0.18f * std::min(float(style.grow_hairline_fade), 10.0f) * dice.smooth(0, azimuth / 5).x();
+}
+
 bool grows_at(const Vector3f& direction, std::size_t i, const cook::HairStyle& style, const Flow& flow,
               const Dice& dice) {
   constexpr float kElsewhere = 0.4f;  // Density of roots relative to places where no other hair lies over them.
-  const float above = elevation_of(direction) - hairline(style, azimuth_of(direction));
+  const float azimuth = azimuth_of(direction);
+  const float above = elevation_of(direction) - hairline(style, azimuth) + raggedness(style, azimuth);
   const auto fade = float(style.grow_hairline_fade);
   if (above < -0.3f * fade) return false;
   const float dense = kElsewhere + (1 - kElsewhere) * flow.leaves_bare(direction);
@@ -72,6 +99,23 @@ std::vector<std::uint32_t> hairy(std::size_t count, const cook::HairStyle& style
     if (grows_at(spread_on_sphere(i, count, roots), i, style, flow, fade)) found.push_back(std::uint32_t(i));
   }
   return found;
+}
+
+/// Hair at the hairline: some of it stays short, and all is finer.
+void thin_out(const cook::HairStyle& style, const HeadFrame& head, std::size_t i, float above, Root& root) {
+  constexpr float kShortest = 0.008f, kLongest = 0.045f;  // metres
+  const Dice dice(style.grow_seed, Purpose::kHairline);
+  const float fewer = root.is_fringe ? 0.4f : 1.0f;
+  const float near =
+      fewer * float(style.grow_hairline_wisps) * (1 - ramp(0, 1.8f * float(style.grow_hairline_fade), above));
+  root.width = 1 - near * (0.3f + 0.4f * dice.unit(i, 1));
+  if (dice.unit(i, 2) >= near) return;
+  const float share = dice.unit(i, 3);
+  const float length = head.scale() * (kShortest + share * share * (kLongest - kShortest));
+  if (length >= root.length) return;
+  root.is_wisp = true;
+  root.grown_share *= length / root.length;
+  root.length = length;
 }
 
 void settle(const cook::HairStyle& style, const HeadFrame& head, std::size_t i, Root& root) {
@@ -89,18 +133,39 @@ void settle(const cook::HairStyle& style, const HeadFrame& head, std::size_t i, 
   root.is_fringe =
       std::abs(azimuth) < float(style.grow_fringe_width) * (1 + 0.06f * dice.signed_unit(i, 2)) && above < ragged;
   // Equal lengths below the hairline, wherever the hair begins.
-  if (root.is_fringe) root.length = float(style.grow_fringe_length) + kUsualRadius * kRadians * std::max(above, 0.0f);
+  if (root.is_fringe) {
+    const float longer = root.length;
+    root.length = float(style.grow_fringe_length) + kUsualRadius * kRadians * std::max(above, 0.0f);
+    root.grown_share = std::min(root.length / longer, 1.0f);
+  }
   root.length *= head.scale() * (1 - float(style.grow_length_random) * dice.unit(i));
+  thin_out(style, head, i, above, root);
 }
 
 }  // namespace
 
 float hairline(const cook::HairStyle& style, float azimuth) {
-  return between({{{0, float(style.grow_hairline_front)},
-                   {55, float(style.grow_hairline_temples)},
-                   {95, float(style.grow_hairline_sides)},
-                   {165, float(style.grow_hairline_nape)}}},
-                 std::abs(azimuth));
+  const auto front = float(style.grow_hairline_front), temples = float(style.grow_hairline_temples),
+             recess = float(style.grow_hairline_recess), sides = float(style.grow_hairline_sides),
+             nape = float(style.grow_hairline_nape);
+  // A head that is bald at the sides has no sideburns.
+  const float burns = sides - float(style.grow_hairline_sideburns) * (1 - ramp(45, 90, sides));
+  const auto towards_nape = [&](float share) { return sides + share * (nape - sides); };
+  const std::array<Knot, 14> knots{{{0, front},
+                                    {20, front + 0.25f * recess},
+                                    {38, 0.45f * front + 0.55f * temples + recess},
+                                    {55, temples},
+                                    {65, temples + 0.6f * (burns - temples)},
+                                    {71, temples + 0.96f * (burns - temples)},
+                                    {76, burns},
+                                    {81, burns + 0.55f * (sides - burns)},
+                                    {86, burns + 0.97f * (sides - burns)},
+                                    {98, sides},
+                                    {108, towards_nape(0.4f)},
+                                    {122, towards_nape(0.76f)},
+                                    {145, towards_nape(0.96f)},
+                                    {165, nape}}};
+  return along_curve(knots, std::abs(azimuth));
 }
 
 std::vector<Root> spread_roots(const cook::HairStyle& style, const HeadFrame& head, const BodyField& body,

@@ -63,8 +63,13 @@ class UntwistedFrames {
 
 class Shaper {
  public:
-  Shaper(const Ground& ground, StrandPaths& paths, const platform::Threads& threads)
-      : ground_(ground), style_(ground.style), paths_(paths), threads_(threads), scale_(ground.head.scale()) {
+  Shaper(const Ground& ground, std::span<const Root> roots, StrandPaths& paths, const platform::Threads& threads)
+      : ground_(ground),
+        style_(ground.style),
+        roots_(roots),
+        paths_(paths),
+        threads_(threads),
+        scale_(ground.head.scale()) {
     for (std::size_t i = 0; i < paths.count(); ++i) {
       float length = 0;
       const auto strand = paths.strand(i);
@@ -75,8 +80,8 @@ class Shaper {
 
   void run() {
     const float size = scale_ * float(style_.grow_clump_size);
-    const ClumpMiddles clumps = find_clumps(paths_, size, style_.grow_seed, {});
-    const ClumpMiddles children = find_clumps(paths_, kOfParent * size, style_.grow_seed + 1, clumps);
+    const ClumpMiddles clumps = find_clumps(paths_, roots_, size, style_.grow_seed, {});
+    const ClumpMiddles children = find_clumps(paths_, roots_, kOfParent * size, style_.grow_seed + 1, clumps);
     gather(children, float(style_.grow_clump_children), 0.7f);
     gather(clumps, float(style_.grow_clump), float(style_.grow_clump_shape));
     parallel_for(paths_.count(), threads_, [&](std::size_t i) {
@@ -89,7 +94,7 @@ class Shaper {
 
  private:
   [[nodiscard]] bool flies_away(std::size_t i) const {
-    return Dice(style_.grow_seed, Purpose::kFlyaway).unit(i) < float(style_.grow_flyaways);
+    return !roots_[i].is_wisp && Dice(style_.grow_seed, Purpose::kFlyaway).unit(i) < float(style_.grow_flyaways);
   }
 
   /// Into each clump; strands differ in how closely they keep to it.
@@ -100,16 +105,17 @@ class Shaper {
     parallel_for(paths_.count(), threads_, [&](std::size_t i) {
       const std::uint32_t middle = middles[i];
       if (middle == i || flies_away(i)) return;
+      const float loose = roots_[i].is_fringe ? 0.6f : 1.0f;  // One sees the forehead between locks.
       const float of_clump = 1 - 0.25f * dice.unit(middle, 7), of_strand = 1 - 0.3f * dice.unit(i, 8) * dice.unit(i, 9);
       draw_together(paths_.strand(i), lengths_[i], before.strand(middle), lengths_[middle],
-                    strength * std::min(of_clump * of_strand * 1.1f, 1.0f), shape);
+                    loose * strength * std::min(of_clump * of_strand * 1.1f, 1.0f), shape);
     });
   }
 
   /// Locks do not hang in parallel: each strays a little, with all of its strands.
   void wander(std::size_t i, std::uint32_t clump, float size) {
     constexpr float kPeriod = 0.11f, kShare = 0.4f;
-    if (flies_away(i)) return;
+    if (flies_away(i) || roots_[i].is_wisp) return;
     const Dice dice(style_.grow_seed, Purpose::kWander);
     const auto strand = paths_.strand(i);
     const float height = kShare * size * float(style_.grow_clump), period = scale_ * kPeriod;
@@ -142,7 +148,7 @@ class Shaper {
     for (std::size_t k = 1; k <= last; ++k) {
       const float t = float(k) / float(last), at = t * lengths_[i];
       const float curled = ramp(0, std::max(start, 0.02f), t) * radius, angle = phase + turns * kTurn * at / pitch;
-      const float waved = ramp(0, 0.5f, t) * (0.4f + 0.6f * t) * wave,
+      const float waved = ramp(0, 0.5f, t) * (0.4f + 0.6f * t) * roots_[i].grown_share * wave,
                   wave_angle = wave_phase + kTurn * at / wave_length;
       strand[k] += curled * (std::cos(angle) * frames.first(k) + std::sin(angle) * frames.second(k));
       // Flat, half as deep as wide, with another orientation for each lock, so that some show their waves to every
@@ -194,6 +200,7 @@ class Shaper {
 
   const Ground& ground_;
   const cook::HairStyle& style_;
+  std::span<const Root> roots_;
   StrandPaths& paths_;
   platform::Threads threads_;
   float scale_;
@@ -202,8 +209,9 @@ class Shaper {
 
 }  // namespace
 
-void shape_strands(const Ground& ground, StrandPaths& paths, const platform::Threads& threads) {
-  Shaper(ground, paths, threads).run();
+void shape_strands(const Ground& ground, std::span<const Root> roots, StrandPaths& paths,
+                   const platform::Threads& threads) {
+  Shaper(ground, roots, paths, threads).run();
 }
 
 std::vector<std::uint32_t> cut_level(const Ground& ground, StrandPaths& paths) {

@@ -28,7 +28,8 @@ class OpenStrand {
     const Dice dice(ground.style.grow_seed, Purpose::kLift);
     lift_ = 1 + 0.25f * dice.signed_unit(number);
     const Vector3f normal = ground.body.normal(root.place);
-    const float angle = float(ground.style.grow_lift) * kRadians * (1 + 0.15f * dice.signed_unit(number, 1));
+    const float wisp = root.is_wisp ? 0.4f : 1.0f;  // Too light to stand off.
+    const float angle = wisp * float(ground.style.grow_lift) * kRadians * (1 + 0.15f * dice.signed_unit(number, 1));
     const Vector3f flat = flow.at(root.place, normal, side_, root.is_fringe);
     const float astray = 0.08f + 0.7f * flow.tangled_at(root.direction);
     tip_.place = root.place;
@@ -113,7 +114,8 @@ float clearance(const Ground& ground, const Root& root, float lift, const Tip& t
   const float below = (ground.head.center.y() - tip.place.y()) / ground.head.radii.y();
   const float on_head = 1 - 0.85f * ramp(0.7f, 1.7f, below);
   // The hair beneath grows with the way: at the root there is only the skin.
-  const float volume = float(style.grow_volume) * ramp(0, 0.05f * scale, tip.grown) +
+  const float flat = 0.5f + 0.5f * ramp(0, 0.25f, root.height);  // Hair of the hairline lies on nothing.
+  const float volume = flat * float(style.grow_volume) * ramp(0, 0.05f * scale, tip.grown) +
                        float(style.grow_layers) * root.height * ramp(0, 0.13f * scale, tip.grown);
   return scale * (kLeastClearance + on_head * lift * volume);
 }

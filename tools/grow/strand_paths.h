@@ -14,7 +14,8 @@
 
 namespace coif::grow {
 
-/// The lowest elevation of hair at an azimuth, degrees.
+/// The lowest elevation of hair at an azimuth, degrees: one smooth line over forehead, temples, sideburns, around the
+/// ears and along the nape.
 [[nodiscard]] float hairline(const cook::HairStyle& style, float azimuth);
 
 /// The beginning of a strand, and its properties.
@@ -23,7 +24,10 @@ struct Root {
   Eigen::Vector3f direction;  ///< HeadFrame::direction().
   float length = 0;           ///< Metres.
   float height = 0;           ///< 0 at the hairline, 1 at the top.
+  float width = 1;            ///< Share of the usual width.
+  float grown_share = 1;      ///< Its length, as a share of what hair is away from the hairline.
   bool is_fringe = false;
+  bool is_wisp = false;  ///< Short hair at the hairline, which belongs to no clump.
 };
 
 /// As many roots as the style wants, evenly over the scalp, thinner towards the hairline. Fewer or none where the
@@ -81,16 +85,17 @@ void advance(const Ground& ground, const Eigen::Vector3f& turn, float length, fl
 /// For each strand the strand in the middle of its clump; a middle has itself.
 using ClumpMiddles = std::vector<std::uint32_t>;
 
-/// Finds clumps `size` metres apart, of strands that begin and fall beside each other; none crosses a parting.
-/// `within`, if not empty, are larger clumps; no clump crosses their borders.
-[[nodiscard]] ClumpMiddles find_clumps(const StrandPaths& paths, float size, std::uint32_t seed,
-                                       const ClumpMiddles& within);
+/// Finds clumps `size` metres apart, of strands that begin and fall beside each other; none crosses a parting. A wisp
+/// is a clump of its own. `within`, if not empty, are larger clumps; no clump crosses their borders.
+[[nodiscard]] ClumpMiddles find_clumps(const StrandPaths& paths, std::span<const Root> roots, float size,
+                                       std::uint32_t seed, const ClumpMiddles& within);
 
 /// Draws strands together into clumps and these into smaller ones, waves and curls them, lets them stray, and moves
 /// parts that end inside the skin out of it. The terms are those of grooming tools: Yuksel, Schaefer and Keyser 2009,
 /// "Hair meshes"; clumps whose strands curl together as in Choe and Ko 2005, "A statistical wisp model and
 /// pseudophysical approaches".
-void shape_strands(const Ground& ground, StrandPaths& paths, const platform::Threads& threads);
+void shape_strands(const Ground& ground, std::span<const Root> roots, StrandPaths& paths,
+                   const platform::Threads& threads);
 
 /// Number of points of each strand that remain below a level cut; all where the style has none. A strand's last point
 /// is moved to the cut.

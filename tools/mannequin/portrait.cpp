@@ -17,13 +17,28 @@ using Eigen::Vector3d;
 constexpr double kNeckCut = 1.4480;    ///< Model Y of the end of a neck without shoulders.
 constexpr double kShirtLine = 1.3200;  ///< Model Y below which the shirt covers all skin.
 
-/// Closest where lids, nostrils and lips are.
+/// `axis` with more coordinates where it is coarser than `fine` between `from` and `to`.
+std::vector<double> refined(const std::vector<double>& axis, double from, double to, double fine) {
+  std::vector<double> out;
+  for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
+    const bool is_there = axis[i + 1] > from && axis[i] < to;
+    const int pieces = is_there ? int(std::ceil((axis[i + 1] - axis[i]) / fine)) : 1;
+    for (int k = 0; k < pieces; ++k) out.push_back(axis[i] + (axis[i + 1] - axis[i]) * k / pieces);
+  }
+  out.push_back(axis.back());
+  return out;
+}
+
+/// Closest where lids, nostrils and lips are, and closer than elsewhere at the ears.
 SurfaceMesh portrait_skin(const PortraitDetail& detail) {
   const double f = detail.spacing;
   const double cut = detail.has_shoulders ? kShirtLine : kNeckCut, widest = detail.has_shoulders ? 0.216 : 0.110;
-  const SamplingGrid grid{graded_axis(-widest, widest, 0.0130 * f, -0.050, 0.050, 0.00125 * f),
-                          graded_axis(cut - 0.015, 1.735, 0.0110 * f, 1.526, 1.616, 0.00130 * f),
-                          graded_axis(-0.150, 0.120, 0.0110 * f, 0.062, 0.104, 0.00150 * f)};
+  SamplingGrid grid{graded_axis(-widest, widest, 0.0130 * f, -0.050, 0.050, 0.00125 * f),
+                    graded_axis(cut - 0.015, 1.735, 0.0110 * f, 1.526, 1.616, 0.00130 * f),
+                    graded_axis(-0.150, 0.120, 0.0110 * f, 0.062, 0.104, 0.00150 * f)};
+  for (const double side : {-1.0, 1.0})
+    grid[0] = refined(grid[0], side * 0.078 - 0.010, side * 0.078 + 0.010, 0.0024 * f * f);
+  grid[2] = refined(grid[2], -0.036, 0.010, 0.0032 * f * f);
   const double edge = detail.has_shoulders ? 0.004 : 0.020;
   const auto distance = [&](const Vector3d& point) { return carve(portrait_distance(point), point.y() - cut, edge); };
   const auto normal = [&](const Vector3d& point) { return unit_gradient(distance, point, 1.5e-4); };
@@ -112,15 +127,15 @@ Lash lash_at(double across, bool is_upper, SeededNoise& noise) {
   const double fan = 0.10 + 0.80 * across + noise.between(-0.10, 0.10);
   lash.outwards = Vector3d(fan, is_upper ? 0.10 : -0.50, 1).normalized();
   lash.up = is_upper ? Vector3d::UnitY() : Vector3d(-Vector3d::UnitY());
-  const double full = is_upper ? 0.0076 + 0.0024 * across : 0.0022;
+  const double full = is_upper ? 0.0066 + 0.0020 * across : 0.0019;
   lash.length = full * (1 - 0.30 * across * across) * noise.between(0.85, 1.08);
   lash.rise = lash.length * (is_upper ? 0.60 : 0.20) * noise.between(0.85, 1.15);
-  lash.width = is_upper ? 0.00046 : 0.00022;
+  lash.width = is_upper ? 0.00042 : 0.00020;
   return lash;
 }
 
 SurfaceMesh portrait_lashes() {
-  constexpr int kUpperLashes = 64, kLowerLashes = 16;
+  constexpr int kUpperLashes = 54, kLowerLashes = 14;
   SurfaceMesh mesh;
   SeededNoise noise(31);
   for (const double side : {1.0, -1.0}) {

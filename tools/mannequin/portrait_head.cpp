@@ -18,24 +18,27 @@ double portrait_skull(const Vector3d& p) {
   const double cranium = ellipsoid(p, {0, 1.6300, -0.0120}, {0.0745, 0.0900, 0.0960});
   const double forehead = ellipsoid(p, {0, 1.6440, 0.0250}, {0.0590, 0.0560, 0.0600});
   const double face = ellipsoid(p, {0, 1.5780, 0.0160}, {0.0605, 0.0800, 0.0660});
-  const double jaw = rod(p, {0.0395, 1.5500, -0.0020}, {0.0040, 1.5065, 0.0610}, 0.0140, 0.0115);
-  const double chin = ellipsoid(p, {0, 1.5050, 0.0690}, {0.0140, 0.0120, 0.0135});
-  const double cheek_bone = ellipsoid(p, {0.0460, 1.5850, 0.0430}, {0.0160, 0.0140, 0.0240});
-  const double cheek = ellipsoid(p, {0.0290, 1.5620, 0.0580}, {0.0220, 0.0230, 0.0190});
+  const double jaw_angle = rod(p, {0.0400, 1.5560, -0.0010}, {0.0290, 1.5260, 0.0330}, 0.0140, 0.0135);
+  const double jaw = rod(p, {0.0290, 1.5260, 0.0330}, {0.0045, 1.5075, 0.0610}, 0.0135, 0.0120);
+  const double chin = ellipsoid(p, {0, 1.5055, 0.0670}, {0.0150, 0.0120, 0.0130});
+  const double cheek_bone = ellipsoid(p, {0.0450, 1.5840, 0.0430}, {0.0170, 0.0150, 0.0240});
+  const double cheek = ellipsoid(p, {0.0310, 1.5640, 0.0580}, {0.0225, 0.0220, 0.0205});
+  const double lower_cheek = ellipsoid(p, {0.0290, 1.5460, 0.0430}, {0.0210, 0.0240, 0.0240});
   double head = join(cranium, forehead, 0.040);
   head = join(head, face, 0.040);
-  head = join(head, jaw, 0.036);
+  head = join(head, std::min(jaw_angle, jaw), 0.036);
+  head = join(head, lower_cheek, 0.034);
   head = join(head, chin, 0.030);
   head = join(head, cheek_bone, 0.026);
   return join(head, cheek, 0.030);
 }
 
 double portrait_brow_and_socket(double head, const Vector3d& p) {
-  const double brow = rod(p, {0.0150, 1.6240, 0.0735}, {0.0450, 1.6275, 0.0590}, 0.0058, 0.0056);
-  const double socket = ellipsoid(p, {0.0330, 1.6060, 0.0945}, {0.0205, 0.0130, 0.0140});
-  head = join(head, brow, 0.024);
-  const double inner_corner = ellipsoid(p, {0.0165, 1.6050, 0.0845}, {0.0055, 0.0060, 0.0095});
-  return carve(carve(head, socket, 0.022), inner_corner, 0.010);
+  const double brow = rod(p, {0.0150, 1.6240, 0.0735}, {0.0450, 1.6275, 0.0590}, 0.0050, 0.0050);
+  const double socket = ellipsoid(p, {0.0335, 1.6060, 0.0945}, {0.0205, 0.0125, 0.0115});
+  head = join(head, brow, 0.030);
+  const double inner_corner = ellipsoid(p, {0.0165, 1.6045, 0.0840}, {0.0050, 0.0050, 0.0085});
+  return carve(carve(head, socket, 0.026), inner_corner, 0.012);
 }
 
 /// Distance of the point from the opening between the lids: negative inside, about metres.
@@ -62,18 +65,16 @@ double portrait_lids(double head, const Vector3d& p) {
 
 double portrait_nose(double head, const Vector3d& p) {
   if (p.z() < 0.04) return head;
-  const double bridge = rod(p, {0, 1.6080, 0.0738}, {0, 1.5755, 0.0942}, 0.0054, 0.0050);
-  const double side = rod(p, {0.0055, 1.6040, 0.0680}, {0.0076, 1.5710, 0.0845}, 0.0062, 0.0058);
-  const double tip = ellipsoid(p, {0, 1.5688, 0.0984}, {0.0066, 0.0062, 0.0072});
-  const double wing = ellipsoid(p, {0.0098, 1.5642, 0.0892}, {0.0044, 0.0048, 0.0070});
-  const double column = rod(p, {0, 1.5650, 0.0965}, {0, 1.5600, 0.0890}, 0.0034, 0.0040);
-  const double nostril = ellipsoid(p, {0.0060, 1.5596, 0.0928}, {0.0030, 0.0022, 0.0046});
-  head = join(head, side, 0.020);
-  head = join(head, bridge, 0.016);
-  head = join(head, tip, 0.011);
-  head = join(head, wing, 0.0050);
-  head = join(head, column, 0.005);
-  return carve(head, nostril, 0.003);
+  const double bridge = rod(p, {0, 1.6080, 0.0742}, {0, 1.5740, 0.0935}, 0.0050, 0.0050);
+  const double side = rod(p, {0.0055, 1.6040, 0.0680}, {0.0074, 1.5700, 0.0845}, 0.0062, 0.0060);
+  const double tip = ellipsoid(p, {0, 1.5670, 0.0965}, {0.0074, 0.0068, 0.0074});
+  const double wing = ellipsoid(p, {0.0098, 1.5640, 0.0880}, {0.0050, 0.0052, 0.0072});
+  const double column = rod(p, {0, 1.5635, 0.0955}, {0, 1.5590, 0.0880}, 0.0040, 0.0042);
+  head = join(head, side, 0.022);
+  head = join(head, bridge, 0.018);
+  head = join(head, tip, 0.013);
+  head = join(head, wing, 0.0075);
+  return join(head, column, 0.007);  // The nostrils are painted: samples would cut such holes to pieces.
 }
 
 double portrait_mouth(double head, const Vector3d& p) {
@@ -84,17 +85,13 @@ double portrait_mouth(double head, const Vector3d& p) {
   head = carve(head, under_lip, 0.014);
   const double groove = rod(p, {0, 1.5580, 0.0942}, {0, 1.5490, 0.0970}, 0.0010, 0.0018);
   head = carve(head, groove, 0.006);
-  const double bow = rod(p, {0.0044, 1.5410, 0.0882}, {0.0235, 1.5380, 0.0752}, 0.0038, 0.0008);
-  const double middle = rod(p, {0, 1.5400, 0.0889}, {0.0044, 1.5405, 0.0884}, 0.0037, 0.0034);
-  const double full = rod(p, {0, 1.5322, 0.0864}, {0.0095, 1.5330, 0.0844}, 0.0052, 0.0045);
-  const double lower = rod(p, {0.0095, 1.5330, 0.0844}, {0.0230, 1.5374, 0.0752}, 0.0045, 0.0008);
+  const double bow = rod(p, {0.0044, 1.5408, 0.0882}, {0.0262, 1.5419, 0.0756}, 0.0038, 0.0010);
+  const double middle = rod(p, {0, 1.5402, 0.0889}, {0.0044, 1.5405, 0.0884}, 0.0037, 0.0034);
+  const double full = rod(p, {0, 1.5320, 0.0864}, {0.0095, 1.5332, 0.0846}, 0.0054, 0.0048);
+  const double lower = rod(p, {0.0095, 1.5332, 0.0846}, {0.0262, 1.5407, 0.0754}, 0.0048, 0.0010);
   const double upper_lip = join(bow, middle, 0.003), lower_lip = join(full, lower, 0.004);
-  head = join(head, upper_lip, 0.0050);
-  head = join(head, lower_lip, 0.0060);
-  // Shallow and broad: the surface's samples would cut a narrow one to pieces. The line itself is painted.
-  const double line = rod(p, {0, 1.5367, 0.0952}, {0.0130, 1.5370, 0.0908}, 0.0006, 0.0006);
-  const double line_end = rod(p, {0.0130, 1.5370, 0.0908}, {0.0240, 1.5378, 0.0800}, 0.0006, 0.0003);
-  return carve(head, join(line, line_end, 0.002), 0.0048);
+  // A shallow groove: the surface's samples would cut a deep one to pieces. The line itself is painted.
+  return join(head, join(upper_lip, lower_lip, 0.0040), 0.0055);
 }
 
 double portrait_ear(double head, const Vector3d& p) {
@@ -104,28 +101,28 @@ double portrait_ear(double head, const Vector3d& p) {
   const Eigen::Matrix3d turn =
       (Eigen::AngleAxisd(-0.42, Vector3d::UnitY()) * Eigen::AngleAxisd(-0.20, Vector3d::UnitX())).toRotationMatrix();
   const Vector3d q = turn.transpose() * (p - center);
-  double plate = ellipsoid(q, {0.0010, 0.0030, -0.0040}, {0.0055, 0.0270, 0.0165});
-  const double lobe = ellipsoid(q, {0.0005, -0.0240, 0.0010}, {0.0042, 0.0085, 0.0075});
-  plate = join(plate, lobe, 0.010);
-  const double bowl = ellipsoid(q, {0.0080, -0.0040, -0.0010}, {0.0075, 0.0130, 0.0085});
-  plate = carve(plate, bowl, 0.004);
-  const double hollow = ellipsoid(q, {0.0078, 0.0150, -0.0045}, {0.0050, 0.0110, 0.0085});
-  plate = carve(plate, hollow, 0.005);
+  double plate = ellipsoid(q, {0.0008, 0.0030, -0.0040}, {0.0060, 0.0260, 0.0155});
+  const double lobe = ellipsoid(q, {0.0008, -0.0225, 0.0015}, {0.0048, 0.0085, 0.0075});
+  plate = join(plate, lobe, 0.012);
+  const double bowl = ellipsoid(q, {0.0085, -0.0040, -0.0005}, {0.0070, 0.0120, 0.0080});
+  plate = carve(plate, bowl, 0.006);
+  const double hollow = ellipsoid(q, {0.0088, 0.0150, -0.0045}, {0.0050, 0.0100, 0.0080});
+  plate = carve(plate, hollow, 0.007);
   constexpr int kPieces = 9;
   double rim = 1;
   Vector3d last;
   for (int i = 0; i <= kPieces; ++i) {
     const double angle = std::numbers::pi * (-0.10 + 1.42 * i / kPieces);
-    const Vector3d at{0.0035, 0.0040 + 0.0265 * std::sin(angle), -0.0035 + 0.0160 * std::cos(angle)};
-    if (i > 0) rim = std::min(rim, rod(q, last, at, 0.0028, 0.0028));
+    const Vector3d at{0.0035, 0.0040 + 0.0250 * std::sin(angle), -0.0035 + 0.0150 * std::cos(angle)};
+    if (i > 0) rim = std::min(rim, rod(q, last, at, 0.0030, 0.0030));
     last = at;
   }
-  const double inner_rim = rod(q, {0.0040, 0.0110, -0.0085}, {0.0040, -0.0130, -0.0075}, 0.0020, 0.0022);
+  const double inner_rim = rod(q, {0.0040, 0.0110, -0.0085}, {0.0040, -0.0130, -0.0075}, 0.0024, 0.0026);
   const double tragus = ellipsoid(q, {0.0030, -0.0045, 0.0100}, {0.0035, 0.0055, 0.0035});
-  plate = join(plate, rim, 0.004);
-  plate = join(plate, inner_rim, 0.005);
-  plate = join(plate, tragus, 0.004);
-  return join(head, plate, 0.006);
+  plate = join(plate, rim, 0.006);
+  plate = join(plate, inner_rim, 0.006);
+  plate = join(plate, tragus, 0.006);
+  return join(head, plate, 0.009);
 }
 
 double portrait_body(const Vector3d& p) {
@@ -165,8 +162,8 @@ LidEdges lid_edges(double x) {
   const double t = std::clamp(edges.across, -1.0, 1.0);
   const double corner = kEyeLine - 0.0006 + 0.0012 * t;  // the outer one is higher
   const double arch = 1.0 - t * t;
-  edges.upper = corner + (0.0066 + 0.0007 * t) * std::pow(arch, 0.72);
-  edges.lower = corner - (0.0047 + 0.0008 * t) * std::pow(arch, 0.85);
+  edges.upper = corner + (0.0071 + 0.0005 * t) * std::pow(arch, 0.70);
+  edges.lower = corner - (0.0045 + 0.0005 * t) * std::pow(arch, 0.85);
   return edges;
 }
 

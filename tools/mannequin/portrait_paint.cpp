@@ -17,9 +17,9 @@ using Eigen::Vector3d;
 
 const Vector3d kSkin{0.545, 0.335, 0.245};
 const Vector3d kBlush{0.560, 0.235, 0.180};
-const Vector3d kLips{0.440, 0.185, 0.155};
-const Vector3d kBrow{0.090, 0.050, 0.031};
-const Vector3d kRoots{0.050, 0.029, 0.020};
+const Vector3d kLips{0.470, 0.190, 0.165};
+const Vector3d kBrow{0.100, 0.057, 0.036};
+const Vector3d kRoots{0.120, 0.072, 0.050};
 const Vector3d kLashes{0.020, 0.012, 0.010};
 
 Vector3d blended(const Vector3d& a, const Vector3d& b, double share) {
@@ -55,7 +55,7 @@ double brow_cover(double x, double y) {
   const double u = std::clamp(t, 0.0, 1.0);
   const double middle = kBrowLine + 0.0002 + 0.0048 * std::sin(0.5 * std::numbers::pi * std::min(u / 0.68, 1.0)) -
                         0.0062 * smooth_step(0.55, 1.05, u);
-  const double half = 0.0037 * (1 - 0.82 * smooth_step(0.45, 1.0, u));
+  const double half = 0.0038 * (1 - 0.82 * smooth_step(0.45, 1.0, u));
   const double v = (y - middle) / half;
   // Hairs rise at the inner end and lie along the brow towards the tail.
   const double lean = 0.35 + 2.6 * u;
@@ -67,8 +67,17 @@ double brow_cover(double x, double y) {
 
 /// How much of the scalp's skin the hairs' roots cover, from the hairline on.
 double root_cover(const Vector3d& point) {
-  constexpr std::array<std::pair<double, double>, 7> kHairline{
-      {{0, 31}, {35, 29}, {58, 21}, {85, 5}, {100, -2}, {135, -24}, {180, -43}}};  // degrees around: degrees up
+  constexpr std::array<std::pair<double, double>, 11> kHairline{{{0, 34},
+                                                                 {20, 35},
+                                                                 {38, 33},
+                                                                 {55, 22},
+                                                                 {71, -12},
+                                                                 {78, -12},
+                                                                 {86, -1},
+                                                                 {98, -2},
+                                                                 {122, -32},
+                                                                 {145, -40},
+                                                                 {180, -42}}};  // degrees around: degrees up
   const Vector3d q = (point - Vector3d(0, 1.630, -0.012)).cwiseQuotient(Vector3d(0.0745, 0.090, 0.096));
   constexpr double kDegree = std::numbers::pi / 180;
   const double up = std::asin(std::clamp(q.y() / std::max(q.norm(), 1e-6), -1.0, 1.0)) / kDegree;
@@ -82,8 +91,8 @@ double root_cover(const Vector3d& point) {
       break;
     }
   }
-  const double ragged = 3 * value_noise(around * 0.9, 3) + 2 * value_noise(around * 2.3, 11);
-  return smooth_step(-4, 9, up - line + ragged);
+  const double ragged = 1.6 * value_noise(around * 1.7, 0.12 * up) + 1.0 * value_noise(around * 4.1, 11 + 0.2 * up);
+  return smooth_step(-3, 13, up - line + ragged);
 }
 
 struct LipCover {
@@ -92,12 +101,12 @@ struct LipCover {
 };
 
 LipCover lip_cover(double x, double y) {
-  constexpr double kCorner = 0.0250;
+  constexpr double kCorner = 0.0272;
   const double t = std::min(x / kCorner, 1.0);
   const double fall = std::sqrt(std::max(1 - t * t, 0.0));
   const double bow = 0.0074 - 0.0014 * bump(x, 0, 0, 0, 0.0032, 1);
   const double upper = bow * std::pow(1 - std::pow(t, 1.6), 0.9), lower = 0.0098 * std::pow(fall, 1.15);
-  const double above = y - kMouthLine - 0.0010 * t * t;
+  const double above = y - kMouthLine - 0.0044 * t * t;  // The corners smile.
   const double v = above > 0 ? above / std::max(upper, 1e-4) : -above / std::max(lower, 1e-4);
   return {smooth_step(1.12, 0.86, v) * smooth_step(1.0, 0.93, t), std::max(1 - v, 0.0)};
 }
@@ -108,23 +117,24 @@ Vector3d skin_color(const Vector3d& point) {
   const double x = std::abs(point.x()), y = point.y();
   const double front = smooth_step(0.030, 0.050, point.z());
   Vector3d color = kSkin * (1 + 0.03 * value_noise(point.x() * 90, y * 90 + 7 * point.z()));
-  double red = 0.55 * bump(x, y, 0.0390, 1.5680, 0.0190, 0.0150) + 0.40 * bump(x, y, 0, 1.5660, 0.0130, 0.0090) +
+  double red = 0.55 * bump(x, y, 0.0390, 1.5700, 0.0200, 0.0150) + 0.40 * bump(x, y, 0, 1.5660, 0.0130, 0.0090) +
                0.20 * bump(x, y, 0, 1.5020, 0.0150, 0.0110) + 0.30 * bump(x, y, 0.0330, 1.6150, 0.0170, 0.0060);
   red *= front;
   red += 0.55 * smooth_step(0.070, 0.084, x) * smooth_step(1.50, 1.55, y);  // ears
   color = blended(color, kBlush, red);
-  if (std::abs(x) < 0.0790) color = blended(color, kRoots, 0.90 * root_cover(point));
+  if (std::abs(x) < 0.0790) color = blended(color, kRoots, 0.80 * root_cover(point));
   if (front <= 0) return color;
   const LidEdges lids = lid_edges(x);
   const double near_eye = smooth_step(1.25, 1.0, std::abs(lids.across));
-  const double shade = bump(x, y, 0.0320, lids.upper + 0.0030, 0.0170, 0.0034) * 0.30;
+  const double shade = bump(x, y, 0.0320, lids.upper + 0.0030, 0.0170, 0.0034) * 0.16;
   color = blended(color, {0.300, 0.150, 0.110}, shade * front);
   color = blended(color, {0.480, 0.200, 0.170},
                   0.8 * bump(x, y, kOpeningMiddle - kOpeningHalf, kEyeLine, 0.0028, 0.0030) * front);
   const LipCover lips = lip_cover(x, y);
   const Vector3d lip =
-      kLips * (1.0 - 0.72 * smooth_step(0.84, 0.98, lips.depth)) * (1 + 0.05 * value_noise(point.x() * 1400, y * 150));
+      kLips * (1.0 - 0.55 * smooth_step(0.86, 0.98, lips.depth)) * (1 + 0.05 * value_noise(point.x() * 1400, y * 150));
   color = blended(color, lip, 0.92 * lips.share * front);
+  color = blended(color, {0.150, 0.065, 0.050}, 0.85 * bump(x, y, 0.0060, 1.5580, 0.0030, 0.0014) * front);  // nostrils
   color = blended(color, kBrow, 0.95 * brow_cover(x, y) * front);
   // Lash lines: broad above and towards the outer corner.
   const double width = 0.0004 + 0.0013 * smooth_step(-1.0, 0.7, lids.across);

@@ -63,19 +63,19 @@ float turning_of(const importer::SourceMesh& mesh, std::size_t vertex, std::span
   return all > 0 ? sum / all : 0;
 }
 
-/// Reduces the head's whole turn to `share` of it.
-void turn_back(const Eigen::Quaternionf& turn, float share, SolidVertex& vertex) {
-  const Eigen::Quaternionf back = turn.conjugate() * Eigen::Quaternionf::Identity().slerp(share, turn);
-  vertex.position = back * vertex.position;
-  vertex.normal = back * vertex.normal;
-}
-
 }  // namespace
+
+std::vector<float> turning_shares(const importer::SourceModel& model, const importer::SourceMesh& mesh,
+                                  const std::string& head_bone) {
+  const std::vector<float> of_nodes = turning_of_nodes(model, head_bone);
+  std::vector<float> shares;
+  for (std::size_t i = 0; i < mesh.positions.size() && !of_nodes.empty(); ++i)
+    shares.push_back(turning_of(mesh, i, of_nodes));
+  return shares;
+}
 
 SolidMesh body_mesh(const importer::SourceModel& model, const importer::SourceMesh& mesh,
                     const Eigen::Vector3f& head_joint, const BodyTurn& pose) {
-  const std::vector<float> turning = turning_of_nodes(model, pose.head_bone);
-  const Eigen::Quaternionf turn = Eigen::Quaternionf(pose.turn.w, pose.turn.x, pose.turn.y, pose.turn.z).normalized();
   const std::vector<Eigen::Vector3f> normals = mesh.normals.empty() ? smooth_normals(mesh) : mesh.normals;
   SolidMesh solid;
   solid.vertices.reserve(mesh.positions.size());
@@ -84,8 +84,8 @@ SolidMesh body_mesh(const importer::SourceModel& model, const importer::SourceMe
     vertex.position = mesh.positions[i] - head_joint;
     vertex.normal = normals[i];
     if (!mesh.uvs.empty()) vertex.uv = mesh.uvs[i];
-    if (!turning.empty()) turn_back(turn, turning_of(mesh, i, turning), vertex);
   }
+  turn_back(turning_shares(model, mesh, pose.head_bone), pose.turn, solid.vertices);
   solid.triangles = mesh.triangles;
   if (mesh.material < model.materials.size()) {
     const importer::SourceMaterial& material = model.materials[mesh.material];

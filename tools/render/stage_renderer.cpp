@@ -106,6 +106,21 @@ tl::expected<GLuint, ToolError> build_body(const HairShadow* shadow) {
 
 }  // namespace
 
+void turn_back(std::span<const float> shares, const Quat& turn, std::span<SolidVertex> vertices) {
+  const Eigen::Quaternionf whole = Eigen::Quaternionf(turn.w, turn.x, turn.y, turn.z).normalized();
+  Eigen::Matrix3f back = Eigen::Matrix3f::Identity();
+  float share = 1;  // the one that `back` is for: neighbours mostly have the same
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    if (shares[i] != share) {
+      share = shares[i];
+      back = (whole.conjugate() * Eigen::Quaternionf::Identity().slerp(share, whole)).toRotationMatrix();
+    }
+    if (share == 1) continue;
+    vertices[i].position = back * vertices[i].position;
+    vertices[i].normal = back * vertices[i].normal;
+  }
+}
+
 tl::expected<StageRenderer, ToolError> StageRenderer::create(std::span<const SolidMesh> meshes,
                                                              const HairShadow* shadow, const BodyLook& look) {
   const char* const backdrop_fragment = kBackdropFragment;
@@ -131,6 +146,12 @@ tl::expected<StageRenderer, ToolError> StageRenderer::create(std::span<const Sol
     body.is_ghost = mesh.is_ghost;
   }
   return stage;
+}
+
+void StageRenderer::move(std::size_t mesh, std::span<const SolidVertex> vertices) const {
+  glBindBuffer(GL_ARRAY_BUFFER, bodies_[mesh].buffers[0]);
+  glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(vertices.size_bytes()), vertices.data());
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
 std::uint32_t StageRenderer::texture_of(const SolidMesh& mesh) {

@@ -89,6 +89,15 @@ struct BodyTurn {
 [[nodiscard]] SolidMesh body_mesh(const importer::SourceModel& model, const importer::SourceMesh& mesh,
                                   const Eigen::Vector3f& head_joint, const BodyTurn& pose = {});
 
+/// For each vertex of a body its share of the head's turn, 0..1: 1 on the head bone or below, half on the neck above.
+/// Empty where nothing follows that bone, and all turns.
+[[nodiscard]] std::vector<float> turning_shares(const importer::SourceModel& model, const importer::SourceMesh& mesh,
+                                                const std::string& head_bone);
+
+/// Reduces the head's whole turn to each vertex' share of it, for vertices that are drawn under the head's pose. Empty
+/// `shares` change nothing.
+void turn_back(std::span<const float> shares, const Quat& turn, std::span<SolidVertex> vertices);
+
 /// For each material of a source its base texture, null where none is known.
 using BodyTextures = std::vector<std::shared_ptr<const SolidTexture>>;
 
@@ -116,6 +125,9 @@ class StageRenderer {
 
   /// Frees them before that.
   void destroy();
+
+  /// Replaces the vertices of mesh `mesh` by as many others.
+  void move(std::size_t mesh, std::span<const SolidVertex> vertices) const;
 
   /// Clears depth and fills the picture.
   void draw_backdrop(const Backdrop& backdrop = {}) const;

@@ -27,7 +27,8 @@ std::filesystem::path installed_page() {
   return program.empty() ? program : program.parent_path() / COIF_VIEW_PAGE_FROM_PROGRAM;
 }
 
-constexpr std::string_view kPlace = "@MOTION@";  // tools/view/page/script/page.html has it once
+// tools/view/page/script/page.html has each once.
+constexpr std::string_view kPlace = "@MOTION@", kBodyPlace = "@BODY@";
 
 /// Text for a script element, which "</script" would end.
 std::string script_text(const nlohmann::ordered_json& json) {
@@ -88,6 +89,15 @@ tl::expected<std::string, ToolError> with_motion(std::string_view page, std::str
     json["keys"] = base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
   }
   return std::string(page.substr(0, at)) + script_text(json) + std::string(page.substr(at + kPlace.size()));
+}
+
+tl::expected<std::string, ToolError> with_body(std::string_view page, std::string_view body) {
+  const std::size_t at = page.find(kBodyPlace);
+  if (at == page.npos) {
+    return failure(ToolError::Kind::kBadInput,
+                   "not the page of coif view that knows bodies; tools/view/built/view.html is");
+  }
+  return std::string(page.substr(0, at)).append(body).append(page.substr(at + kBodyPlace.size()));
 }
 
 }  // namespace coif::view

@@ -29,4 +29,8 @@ namespace coif::view {
 [[nodiscard]] tl::expected<std::string, ToolError> with_motion(std::string_view page, std::string_view name,
                                                                std::span<const motion::ClipKey> keys = {});
 
+/// The page of coif view, as for with_motion(), with this body beneath the hair: body_json(). kBadInput for a page
+/// without a place for it.
+[[nodiscard]] tl::expected<std::string, ToolError> with_body(std::string_view page, std::string_view body);
+
 }  // namespace coif::view

@@ -18,9 +18,12 @@ struct HairStyle {
   // hairline: the lowest elevation of roots
   double grow_hairline_front = 0;
   double grow_hairline_temples = 0;
+  double grow_hairline_recess = 0;     ///< Degrees above the smooth line from the front to the temples.
+  double grow_hairline_sideburns = 0;  ///< Degrees below the line over the ears.
   double grow_hairline_sides = 0;
   double grow_hairline_nape = 0;
-  double grow_hairline_fade = 0;  ///< Degrees over which roots become as dense as elsewhere.
+  double grow_hairline_fade = 0;   ///< Degrees over which roots become as dense as elsewhere.
+  double grow_hairline_wisps = 0;  ///< Share; how many roots at the hairline have short, fine hair.
   // length
   double grow_length_top = 0;
   double grow_length_front = 0;
@@ -84,6 +87,7 @@ struct BuiltInStyle {
 [[nodiscard]] std::span<const BuiltInStyle> built_in_styles();
 
 /// The choices of "grow.style": "none" and the styles' names.
-inline constexpr const char* kStyleWords = "none|bob|fringe_bob|locks|long|wavy|curly|afro|short|spiky|slick|ponytail";
+inline constexpr const char* kStyleWords =
+    "none|bob|fringe_bob|locks|long|wavy|curly|coily|afro|short|spiky|slick|ponytail";
 
 }  // namespace coif::cook

@@ -2,6 +2,7 @@
 // fail return null or a sentence that is valid until the next call.
 
 #include "motion/head_path.h"
+#include "view/body/page_body.h"
 #include "view/page/hair_views.h"
 #include "view/page/view_session.h"
 
@@ -19,6 +20,7 @@ struct Page {
   EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = 0;
   std::vector<std::byte> incoming;
   std::vector<coif::motion::ClipKey> clip;                      ///< Keys of whatever is opened.
+  std::shared_ptr<coif::view::PageBody> body;                   ///< Beneath the hair of whatever is opened.
   std::vector<std::unique_ptr<coif::view::ViewSession>> views;  ///< First the page's own, then tiles of a sheet.
   coif::view::ViewSession* session = nullptr;                   ///< The one that all functions are about.
   std::string said;
@@ -80,11 +82,36 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_clip() {
   return page().clip.empty() ? say("the page's clip is damaged; make the page again") : nullptr;
 }
 
+/// Takes the written body_bytes() as what is beneath the hair of all assets that are opened from now on; no bytes:
+/// nothing is.
+EMSCRIPTEN_KEEPALIVE const char* coif_view_body() {
+  page().body.reset();
+  const std::vector<std::byte> bytes = std::exchange(page().incoming, {});
+  if (bytes.empty()) return nullptr;
+  auto body = coif::view::page_body(bytes);
+  if (!body) return say("the page's body is damaged; make the page again");
+  page().body = std::make_shared<coif::view::PageBody>(std::move(*body));
+  return nullptr;
+}
+
+/// Takes the written RGBA pixels as the body's image of this number.
+EMSCRIPTEN_KEEPALIVE void coif_view_body_image(std::uint32_t number, std::uint32_t width, std::uint32_t height) {
+  const std::vector<std::byte> bytes = std::exchange(page().incoming, {});
+  if (!page().body || bytes.size() != std::size_t{4} * width * height) return;
+  const auto* const first = reinterpret_cast<const std::uint8_t*>(bytes.data());
+  const auto texture = std::make_shared<coif::render::SolidTexture>(
+      coif::render::SolidTexture{width, height, {first, first + bytes.size()}});
+  for (coif::view::PageBodyMesh& mesh : page().body->meshes) {
+    if (mesh.image == number) mesh.mesh.texture = texture;
+  }
+}
+
 /// Opens the written file. If it is refused, the one that is shown stays.
 EMSCRIPTEN_KEEPALIVE const char* coif_view_open() {
   auto session = coif::view::ViewSession::open(std::exchange(page().incoming, {}));
   if (!session) return say(session.error().message);
   (*session)->set_clip(page().clip);
+  (*session)->set_body(page().body);
   return show(std::move(*session));
 }
 
@@ -94,6 +121,7 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_replace() {
   auto session = coif::view::ViewSession::open(std::exchange(page().incoming, {}));
   if (!session) return say(session.error().message);
   (*session)->set_clip(page().clip);
+  (*session)->set_body(page().body);
   const coif::view::ViewSettings own = (*session)->settings();
   if (page().session) {
     if (auto gone_on = (*session)->go_on(*page().session); !gone_on) return say(gone_on.error().message);

@@ -24,8 +24,9 @@ tl::unexpected<ToolError> refused(const char* what, const char* why) {
 
 }  // namespace
 
-tl::expected<std::unique_ptr<ViewScene>, ToolError> ViewScene::create(const Asset& asset) {
-  std::unique_ptr<ViewScene> scene(new ViewScene(asset));
+tl::expected<std::unique_ptr<ViewScene>, ToolError> ViewScene::create(const Asset& asset,
+                                                                      std::shared_ptr<const PageBody> body) {
+  std::unique_ptr<ViewScene> scene(new ViewScene(asset, std::move(body)));
   if (auto made = scene->make(); !made) return tl::unexpected(made.error());
   return scene;
 }
@@ -65,12 +66,38 @@ tl::expected<void, ToolError> ViewScene::choose_shadow(const ShadowTechnique* te
     }
   }
   if (stage_) stage_->destroy();
-  auto stage = render::StageRenderer::create(render::mannequin_meshes(asset_.colliders()),
-                                             technique != nullptr ? &shadow_ : nullptr);
+  auto stage = render::StageRenderer::create(stage_meshes(), technique != nullptr ? &shadow_ : nullptr);
   if (!stage) return tl::unexpected(stage.error());
   stage_ = std::move(*stage);
   technique_ = technique;
+  body_turn_ = {};
   return {};
+}
+
+std::vector<render::SolidMesh> ViewScene::stage_meshes() const {
+  if (!body_) return render::mannequin_meshes(asset_.colliders());
+  const Eigen::Map<const Eigen::Vector3f> head_joint(asset_.skeleton().head_joint);
+  std::vector<render::SolidMesh> meshes;
+  for (const PageBodyMesh& body : body_->meshes) {
+    for (render::SolidVertex& vertex : meshes.emplace_back(body.mesh).vertices) vertex.position -= head_joint;
+  }
+  return meshes;
+}
+
+void ViewScene::turn_body(const Quat& turn) {
+  const bool is_new =
+      turn.x != body_turn_.x || turn.y != body_turn_.y || turn.z != body_turn_.z || turn.w != body_turn_.w;
+  if (!body_ || !is_new) return;
+  const Eigen::Map<const Eigen::Vector3f> head_joint(asset_.skeleton().head_joint);
+  for (std::size_t m = 0; m < body_->meshes.size(); ++m) {
+    const PageBodyMesh& body = body_->meshes[m];
+    if (body.turning.empty()) continue;
+    turned_ = body.mesh.vertices;
+    for (render::SolidVertex& vertex : turned_) vertex.position -= head_joint;
+    render::turn_back(body.turning, turn, turned_);
+    stage_->move(m, turned_);
+  }
+  body_turn_ = turn;
 }
 
 const render::CrowdView& ViewScene::view(const ViewSettings& settings, double aspect, std::uint32_t heads) {
@@ -104,6 +131,7 @@ tl::expected<void, ToolError> ViewScene::draw(const ViewSettings& settings, cons
                                               std::uint32_t height) {
   const bool shows_hair = hair_view_of(settings.view) == HairView::kHair;
   if (auto chosen = choose_shadow(shows_hair ? shadows_of(settings) : nullptr); !chosen) return chosen;
+  if (!heads.empty()) turn_body(heads.front().head.rotation);
   const std::uint32_t finer = finer_of(settings);
   const TransparencyMode& mode = transparency_of(settings);
   const bool needs_samples = finer == 1 || render::covers_samples(mode);

@@ -4,6 +4,7 @@
 #include "render/camera.h"
 #include "render/debug_overlay.h"
 #include "render/stage_renderer.h"
+#include "view/body/page_body.h"
 #include "view/page/developed_target.h"
 #include "view/page/layer_count.h"
 #include "view/page/triangle_view.h"
@@ -47,9 +48,10 @@ class ViewPainter {
 /// One asset in one WebGL context: all GPU objects of the page.
 class ViewScene {
  public:
-  /// The asset must outlive this object. kUnsupported where the browser refuses something, kBadInput for an asset
-  /// without a mesh.
-  static tl::expected<std::unique_ptr<ViewScene>, ToolError> create(const Asset& asset);
+  /// The asset must outlive this object. `body`: what is beneath the hair; null: the asset's colliders. kUnsupported
+  /// where the browser refuses something, kBadInput for an asset without a mesh.
+  static tl::expected<std::unique_ptr<ViewScene>, ToolError> create(const Asset& asset,
+                                                                    std::shared_ptr<const PageBody> body);
   ~ViewScene();
   ViewScene(const ViewScene&) = delete;
   ViewScene& operator=(const ViewScene&) = delete;
@@ -64,10 +66,14 @@ class ViewScene {
   [[nodiscard]] const std::vector<Eigen::Vector3d>& points() const { return points_; }
 
  private:
-  explicit ViewScene(const Asset& asset) : asset_(asset), points_(render::framed_points(asset)), painter_(asset) {}
+  ViewScene(const Asset& asset, std::shared_ptr<const PageBody> body)
+      : asset_(asset), body_(std::move(body)), points_(render::framed_points(asset)), painter_(asset) {}
   tl::expected<void, ToolError> make();
   /// Makes the shadow of this technique, and a stage whose shader looks it up.
   tl::expected<void, ToolError> choose_shadow(const ShadowTechnique* technique);
+  [[nodiscard]] std::vector<render::SolidMesh> stage_meshes() const;
+  /// Lets a standing body follow the head's turn.
+  void turn_body(const Quat& turn);
   Status cast(const ShadowCrowd& crowd, std::span<const HairInstance> heads, const render::CrowdView& view,
               const Light& light);
   tl::expected<void, ToolError> draw_lines(const ViewSettings& settings, const render::Camera& camera,
@@ -81,6 +87,9 @@ class ViewScene {
   };
 
   const Asset& asset_;
+  std::shared_ptr<const PageBody> body_;
+  std::vector<render::SolidVertex> turned_;  ///< Scratch of turn_body().
+  Quat body_turn_;                           ///< What the stage's body follows.
   std::vector<Eigen::Vector3d> points_;
   std::vector<std::byte> scratch_;
   HairRenderer renderer_;

@@ -91,7 +91,7 @@ tl::expected<void, ToolError> ViewSession::seek(double seconds) {
 tl::expected<void, ToolError> ViewSession::start_drawing() {
   scene_.reset();
   shown_.samples = -1;  // Invalid, so that the next frame is drawn.
-  auto scene = ViewScene::create(asset_);
+  auto scene = ViewScene::create(asset_, shared_->body);
   if (!scene) return tl::unexpected(scene.error());
   scene_ = std::move(*scene);
   return {};

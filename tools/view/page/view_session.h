@@ -63,6 +63,8 @@ class ViewSession {
 
   /// Sets one more motion after motion_words(false), which repeats; keys as for path_of(), or none.
   void set_clip(std::vector<motion::ClipKey> keys) { clip_ = std::move(keys); }
+  /// Sets what is beneath the hair in place of the asset's colliders; null: nothing. Before start_drawing().
+  void set_body(std::shared_ptr<const PageBody> body) { shared_->body = std::move(body); }
   /// Another view of the same asset, with its own settings, heads and time. All views share the GPU objects and are
   /// drawn one after the other. Its heads are made when it is first drawn.
   [[nodiscard]] std::unique_ptr<ViewSession> another() const;
@@ -99,6 +101,7 @@ class ViewSession {
   struct Shared {
     LoadedAsset loaded;
     AssetMotion motion;  ///< The motion of the asset as it was opened.
+    std::shared_ptr<const PageBody> body;
     std::unique_ptr<ViewScene> scene;
   };
 

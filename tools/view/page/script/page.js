@@ -1,5 +1,6 @@
 // The page: opens its asset, draws while something moves, and has functions for other scripts.
 
+import { takeBody } from './body.js';
 import { Controls } from './controls.js';
 import { Hands } from './hands.js';
 import { followAddress } from './hash.js';
@@ -201,6 +202,7 @@ class Page {
   }
 
   async openFile(file) {
+    this.wasm.body(new Uint8Array());  // it is another hair's
     if (this.live?.takes(file)) return this.live.drop(file);
     const bytes = new Uint8Array(await file.arrayBuffer());
     try {
@@ -265,6 +267,7 @@ async function begin() {
   wasm.start();
   wire(page);
   page.motion = takeMotion(wasm, at('motion').textContent);
+  await takeBody(wasm, at('body').textContent);
   if ('live' in document.documentElement.dataset) {
     page.live = new Live(page, at('title'));
     await page.live.begin();

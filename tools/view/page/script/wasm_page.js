@@ -38,6 +38,15 @@ export class WasmPage {
   /** Sets a clip's keys (clip_bytes() in C++) for assets that are opened from now on. */
   clip(bytes) { this.open(bytes, 'coif_view_clip'); }
 
+  /** Sets the body (body_bytes() in C++) beneath the hair of assets that are opened from now on; no bytes: none. */
+  body(bytes) { this.open(bytes, 'coif_view_body'); }
+  /** Sets its image of this number: RGBA, rows top to bottom. */
+  bodyImage(number, width, height, pixels) {
+    const room = this.module.ccall('coif_view_room', 'number', ['number'], [pixels.length]);
+    this.module.HEAPU8.set(pixels, room);
+    this.module.ccall('coif_view_body_image', null, ['number', 'number', 'number'], [number, width, height]);
+  }
+
   lose() { this.module.ccall('coif_view_lose', null, [], []); }
   restore() { this.check('coif_view_restore'); }
   restart() { this.check('coif_view_restart'); }
