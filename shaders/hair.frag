@@ -10,15 +10,28 @@ vec2 shift_mask_at(vec2 uv) { return vec2(0.5, 1.0); }
 
 const float kNearestLight = 1e-4;  // square metres: a point light in a strand is bright, not infinite
 
+#ifndef COIF_MANY_FIBERS
+vec3 shaded_place(Strand strand) { return position; }
+vec3 reach_without_map(Strand strand, float openness) { return vec3(1.0); }
+vec3 sky_reflected(Strand strand, float openness) { return openness * strand.color; }
+vec3 passing(Strand strand, float share) { return vec3(share); }
+#endif
+
 #ifdef COIF_SHADOW
 vec4 shadow_place;
 vec2 shadow_slope;
-
-// The share of a light that neither hair nor heads keep from this point.
-float light_reaching(int i) {
-  return i == int(shadow_map.w) ? hair_light(shadow_place, shadow_slope, shadow_depth, shadow_map) : 1.0;
-}
 #endif
+
+// What arrives of a light: by the shadow map, if it is the light's, or else by how open the place is.
+vec3 light_reaching(Strand strand, int i) {
+#ifdef COIF_SHADOW
+  if (i == int(shadow_map.w)) {
+    vec2 shares = hair_light_shares(shadow_place, shadow_slope, shadow_depth, shadow_map);
+    return shares.x * passing(strand, shares.y);
+  }
+#endif
+  return reach_without_map(strand, openness);
+}
 
 #ifdef COIF_STRAND_TERMS
 const float kDarkRoot = 0.4;  // share of its length from which on a strand has its whole colour
@@ -48,13 +61,6 @@ Strand strand_of(vec3 color, vec2 shift_mask) {
   return Strand(t, n, normalize(-position), color, shift_mask.x - 0.5, shift_mask.y);
 }
 
-#ifndef COIF_MANY_FIBERS
-vec3 shaded_place(Strand strand) { return position; }
-float reach_without_map(float openness) { return 1.0; }
-vec3 sky_reflected(Strand strand, float openness) { return openness * strand.color; }
-vec3 passing(Strand strand, float share) { return vec3(share); }
-#endif
-
 Reflected sum_lights(Strand strand, out vec3 glow) {
   Reflected sum = Reflected(vec3(0.0), vec3(0.0), vec3(0.0));
   glow = vec3(0.0);
@@ -70,11 +76,7 @@ Reflected sum_lights(Strand strand, out vec3 glow) {
       float cone = (-dot(towards, light_spot[i].xyz) - light_spot[i].w) * light_color[i].w;
       color *= pow2(clamp(cone, 0.0, 1.0));
     }
-#ifdef COIF_SHADOW
-    color *= i == int(shadow_map.w) ? passing(strand, light_reaching(i)) : vec3(reach_without_map(openness));
-#else
-    color *= reach_without_map(openness);
-#endif
+    color *= light_reaching(strand, i);
     add_light(sum, strand, towards, color);
 #ifdef COIF_STRAND_TERMS
     glow += strands.x * through_hair(strand, towards) * color;

@@ -52,12 +52,18 @@ float hair_solid_pass(vec3 p, vec2 slope, vec4 depth, vec4 map) {
 
 //// hair_shadow_plain.glsl after hair_shadow_solid.glsl
 // The share of a light that reaches a point, by a depth map (HairShadow with kPlainShadow).
-float hair_light(vec4 place, vec2 slope, vec4 depth, vec4 map) {
-  if (place.w <= 0.0) return 1.0;  // behind the light
+
+// What solid things let pass, and soft hair, of which this map has none.
+vec2 hair_light_shares(vec4 place, vec2 slope, vec4 depth, vec4 map) {
+  if (place.w <= 0.0) return vec2(1.0);  // behind the light
   vec3 p = place.xyz / place.w;
-  if (min(p.x, p.y) < 0.0 || max(p.x, p.y) > 1.0) return 1.0;
+  if (min(p.x, p.y) < 0.0 || max(p.x, p.y) > 1.0) return vec2(1.0);
   p.z = min(p.z, 1.0);  // behind the map's far end the last thing that it has still casts its shadow
-  return hair_solid_pass(p, slope, depth, map);
+  return vec2(hair_solid_pass(p, slope, depth, map), 1.0);
+}
+
+float hair_light(vec4 place, vec2 slope, vec4 depth, vec4 map) {
+  return hair_light_shares(place, slope, depth, map).x;
 }
 
 //// hair_shadow_layered.glsl after hair_shadow_solid.glsl
@@ -81,12 +87,18 @@ float hair_pass(vec3 p, vec2 slope, vec4 depth, vec4 map) {
   return mix(below, above, share.y);
 }
 
-float hair_light(vec4 place, vec2 slope, vec4 depth, vec4 map) {
-  if (place.w <= 0.0) return 1.0;  // behind the light
+// What solid things let pass, and soft hair.
+vec2 hair_light_shares(vec4 place, vec2 slope, vec4 depth, vec4 map) {
+  if (place.w <= 0.0) return vec2(1.0);  // behind the light
   vec3 p = place.xyz / place.w;
-  if (min(p.x, p.y) < 0.0 || max(p.x, p.y) > 1.0) return 1.0;
+  if (min(p.x, p.y) < 0.0 || max(p.x, p.y) > 1.0) return vec2(1.0);
   p.z = min(p.z, 1.0);  // behind the map's far end the last thing that it has still casts its shadow
-  return hair_solid_pass(p, slope, depth, map) * hair_pass(p, slope, depth, map);
+  return vec2(hair_solid_pass(p, slope, depth, map), hair_pass(p, slope, depth, map));
+}
+
+float hair_light(vec4 place, vec2 slope, vec4 depth, vec4 map) {
+  vec2 shares = hair_light_shares(place, slope, depth, map);
+  return shares.x * shares.y;
 }
 
 //// hair_shadow_deep.glsl after hair_shadow_layered.glsl

@@ -15,10 +15,10 @@
 //       The share of light from everywhere alike that is seen. `openness`: of the directions, those that nothing hides.
 //   vec3 shaded_place(Strand strand)
 //       Where shadows are looked up for the point `position`.
-//   float reach_without_map(float openness)
-//       What arrives of a light that no shadow map says.
 //   vec3 passing(Strand strand, float share)
 //       What arrives of light of which hair on its way leaves that share.
+//   vec3 reach_without_map(Strand strand, float openness)
+//       What arrives of a light that no shadow map says.
 //
 // All vectors are in view space. shaders/SHADING.md has all models side by side.
 
@@ -238,22 +238,24 @@ vec3 volume_color(Strand strand) { return clamp(strand.color, 0.002, 0.95); }
 // What lies just outside of a fibre shades it as the closed form says; a shadow is of what is farther away.
 vec3 shaded_place(Strand strand) { return position + kOwnDepth * strand.normal; }
 
-// Half of the directions lie behind the surface. What few of the others reach, a light hardly reaches either.
-float volume_openness(float openness) { return min(2.0 * openness, 1.0); }
-float reach_without_map(float openness) { return pow2(volume_openness(openness)); }
+// Some half of the directions lie behind the surface.
+float volume_openness(float openness) { return min(1.75 * openness, 1.0); }
 
 // Light that hair has passed goes on forwards, the more of it the lighter the hair is.
 vec3 passing(Strand strand, float share) {
   return pow(vec3(max(share, 1e-4)), 1.0 - sqrt(volume_color(strand)));
 }
 
+vec3 reach_without_map(Strand strand, float openness) { return passing(strand, volume_openness(openness)); }
+
 vec3 sky_reflected(Strand strand, float openness) {
   vec3 color = volume_color(strand);
   float along = dot(strand.tangent, strand.view);
   float leaving = facing(dot(strand.normal, strand.view)) * inversesqrt(max(1.0 - along * along, 0.04));
   float grazing = pow(max(1.0 - leaving, 0.0), 1.5);
-  vec3 dark = vec3(1.0) - color;
-  return volume_openness(openness) * (color + dark * (0.013 * dark + 0.95 * grazing * sqrt(color)));
+  vec3 dark = vec3(1.0) - color, root = sqrt(color);
+  vec3 open = pow(vec3(max(volume_openness(openness), 1e-4)), 1.4 - 1.1 * root);
+  return open * (color + dark * (0.013 * dark + (0.11 + 0.7 * grazing) * root));
 }
 
 void add_light(inout Reflected sum, Strand strand, vec3 towards, vec3 color) {

@@ -78,4 +78,17 @@ TEST(CookFingerprint, OfACapOnAHead) {
   expect_as_before("cap", model);
 }
 
+TEST(SoftBody, HasNormalsForHairWithGaps) {
+  for (const bool has_gaps : {false, true}) {
+    const auto cooked = cook(tails(has_gaps), default_recipe(), {.threads = 2, .recipe_directory = {}});
+    ASSERT_TRUE(cooked) << cooked.error().message;
+    AlignedBytes file(cooked->asset);
+    Asset asset;
+    ASSERT_TRUE(asset.open(file.bytes()));
+    EXPECT_EQ(asset.material()->shading, ShadingModel::kVolume);
+    EXPECT_EQ((asset.material()->flags & kMaterialVolumeNormals) != 0, has_gaps)
+        << "locks that are modelled whole keep their own";
+  }
+}
+
 }  // namespace coif::cook::cook_fingerprint_test

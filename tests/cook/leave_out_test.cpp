@@ -232,10 +232,19 @@ MaterialRecord packed(const std::string& material_keys) {
   return pack_material(BaseColor{}, BakedTextures{}, HairMesh{}, recipe ? *recipe : default_recipe());
 }
 
-TEST(PackMaterial, ShadesAsPublishedUnlessTold) {
+TEST(PackMaterial, ShadesAsAVolumeUnlessTold) {
   const MaterialRecord m = packed("");
-  EXPECT_EQ(m.shading, ShadingModel::kThesis);
+  EXPECT_EQ(m.shading, ShadingModel::kVolume);
   EXPECT_EQ(m.light_cut, 0);
+}
+
+TEST(PackMaterial, HighlightsAsPublishedMeanTheThesisModel) {
+  EXPECT_EQ(packed(R"("primary_exponent": 90)").shading, ShadingModel::kThesis);
+  EXPECT_EQ(packed(R"("secondary_color": [1, 1, 1])").shading, ShadingModel::kThesis);
+  EXPECT_EQ(packed(R"("primary_exponent": 90, "shading": "volume")").shading, ShadingModel::kVolume);
+  const auto preset = parse_recipe(R"({"look": {"preset": "curly"}, "material": {"primary_exponent": 90}})", "r.json");
+  ASSERT_TRUE(preset) << preset.error().message;
+  EXPECT_EQ(preset->shading, "volume") << "a preset names the model, too";
 }
 
 TEST(PackMaterial, TakesTheModelByItsName) {
@@ -265,7 +274,7 @@ TEST(PackMaterial, RecipesRangesFitTheFormats) {
 }
 
 TEST(PackMaterial, BoundedLightsAreCutByTheModelsBound) {
-  for (const std::string name : {"thesis", "kajiya-kay", "marschner"}) {
+  for (const std::string name : {"thesis", "kajiya-kay", "marschner", "volume"}) {
     const MaterialRecord m = packed("\"energy\": \"bounded\", \"shading\": \"" + name + '"');
     EXPECT_LE((1 - m.light_cut) * furnace_bound(m), 1 + 1e-6) << name;
     EXPECT_EQ(m.light_cut > 0, name != "marschner") << name;
@@ -273,9 +282,11 @@ TEST(PackMaterial, BoundedLightsAreCutByTheModelsBound) {
 }
 
 TEST(PackMaterial, BoundedLightsOfDarkHairAreNotCutFurther) {
-  EXPECT_EQ(packed(R"("energy": "bounded", "base_color": [0.1, 0.1, 0.1, 1])").light_cut, 0);
-  EXPECT_LT(packed(R"("energy": "bounded", "base_color": [0.5, 0.5, 0.5, 1])").light_cut,
-            packed(R"("energy": "bounded")").light_cut);
+  const auto cut = [](const std::string& keys) {
+    return packed(R"("energy": "bounded", "shading": "thesis")" + keys).light_cut;
+  };
+  EXPECT_EQ(cut(R"(, "base_color": [0.1, 0.1, 0.1, 1])"), 0);
+  EXPECT_LT(cut(R"(, "base_color": [0.5, 0.5, 0.5, 1])"), cut(""));
 }
 
 }  // namespace coif::cook::leave_out_test

@@ -144,7 +144,7 @@ Array3d volume_sky(const ShadedPoint& point, const Vector3d& view, const Materia
   const double in_v = std::hypot(point.normal.dot(view), 0.03);
   const double leaving = in_v / std::sqrt(std::max(1 - std::pow(point.tangent.dot(view), 2), 0.04));
   const double grazing = std::pow(std::max(1 - leaving, 0.0), 1.5);
-  return base + dark * (0.013 * dark + 0.95 * grazing * base.sqrt());
+  return base + dark * (0.013 * dark + (0.11 + 0.7 * grazing) * base.sqrt());
 }
 
 /// Unit, and how much of its colour arrives.

@@ -19,6 +19,9 @@ constexpr float kLeastCell = 0.002f;  ///< Metres.
 constexpr int kBlurs = 3;             ///< Box blurs one after the other: nearly a Gaussian.
 constexpr int kReach = 2;             ///< Cells that each takes in on either side.
 
+/// Share of its surface from which on hair is modelled as locks without gaps, whose own normals are right.
+constexpr double kSolid = 0.97;
+
 /// Lines that enter a solid ahead of the point, from either side, do not pass the point first.
 bool is_inside(std::span<const ColliderRecord> solids, const Vector3f& point) {
   return std::ranges::any_of(solids, [&](const ColliderRecord& solid) {
@@ -149,6 +152,23 @@ void set_normal(VertexRecord& vertex, Vector3f normal) {
 
 }  // namespace
 
+/// The share of its surface at which hair hides what is behind it. A few points of each triangle, with the textures'
+/// finest texels.
+double hidden_share(const visibility::HairSurface& hair, std::span<const Vector3f> positions) {
+  constexpr float kPlaces[][2] = {{1.0f / 3, 1.0f / 3}, {0.6f, 0.2f}, {0.2f, 0.6f}, {0.2f, 0.2f}};
+  double hidden = 0, all = 0;
+  for (const auto& triangle : hair.triangles) {
+    const auto& [a, b, c] = triangle.vertex;
+    const double area = double((positions[b] - positions[a]).cross(positions[c] - positions[a]).norm());
+    for (const auto& [s, t] : kPlaces) {
+      const Eigen::Vector2f place = (1 - s - t) * hair.uvs[a] + s * hair.uvs[b] + t * hair.uvs[c];
+      hidden += area * double(hair.alpha.at(place, {}));
+      all += area;
+    }
+  }
+  return all > 0 ? hidden / all : 1;
+}
+
 void bake_normals(AssetContents& contents, Findings& findings) {
   if (contents.vertices.empty() || contents.material.empty()) return;
   if (contents.material.front().shading != ShadingModel::kVolume) return;
@@ -156,7 +176,9 @@ void bake_normals(AssetContents& contents, Findings& findings) {
   const Asset& asset = opened.asset();
   if (!asset.is_open()) return;
   const std::vector<Vector3f> positions = visibility::posed_positions(asset, {});
-  const SoftBody body(visibility::HairSurface(asset, 0), positions);
+  const visibility::HairSurface hair(asset, 0);
+  if (hidden_share(hair, positions) > kSolid) return;
+  const SoftBody body(hair, positions);
   std::size_t count = 0;
   for (std::size_t v = 0; v < positions.size(); ++v) {
     const Vector3f outwards = body.outwards(positions[v]);

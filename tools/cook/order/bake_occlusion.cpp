@@ -163,7 +163,7 @@ struct Gathered {
 
 /// Where light is gathered for vertices at `places`.
 std::vector<Vector3f> lit_places(const Asset& asset, std::vector<Vector3f> places) {
-  const bool is_volume = asset.material() != nullptr && (asset.material()->flags & kMaterialVolumeNormals) != 0;
+  const bool is_volume = asset.material() != nullptr && asset.material()->shading == ShadingModel::kVolume;
   for (std::size_t v = 0; is_volume && v < places.size(); ++v) {
     const std::int16_t* const n = asset.vertices()[v].normal;
     places[v] += kOwnDepth * Vector3f(n[0], n[1], n[2]).normalized();

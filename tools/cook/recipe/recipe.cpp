@@ -1,5 +1,6 @@
 #include "cook/recipe/recipe.h"
 
+#include "base/hair_runtime.h"
 #include "base/json.h"
 #include "base/text.h"
 #include "base/words.h"
@@ -95,6 +96,19 @@ tl::expected<void, std::string> begin_from_style(const json& chosen, Recipe& rec
   return {};
 }
 
+/// A document that gives numbers of highlights as published, and names no model, means the thesis's.
+bool means_published(std::initializer_list<const json*> documents) {
+  bool gives_highlights = false;
+  for (const json* const document : documents) {
+    const json material = member(*document, "material");
+    if (material.is_object() && material.contains("shading")) return false;
+    for (const auto& [key, value] : material.items()) {
+      gives_highlights = gives_highlights || key.starts_with("primary_") || key.starts_with("secondary_");
+    }
+  }
+  return gives_highlights;
+}
+
 /// `says_all`: with RecipeKey::also, keys that the asset does not depend on, and keys of later versions at their
 /// defaults.
 std::string commented(const Recipe& recipe, bool says_all) {
@@ -135,7 +149,7 @@ Recipe default_recipe() {
 
 Recipe draft_of(Recipe recipe) {
   // A volume without occlusion is lit as if its inside lay open, and fine strands need texels.
-  const bool is_volume = recipe.shading == "volume";
+  const bool is_volume = recipe.shading == name_of(ShadingModel::kVolume);
   const std::uint32_t draft_texels = is_volume ? 1024 : 512;
   recipe.order_method = OrderMethod::kHead;
   recipe.lod_levels = 1;
@@ -161,6 +175,7 @@ tl::expected<Recipe, ToolError> parse_recipe(const std::string& text, const std:
   for (const json* const layer : {&*preset, &*document}) {
     if (auto outcome = read_document(*layer, recipe); !outcome) return bad_recipe(name, outcome.error());
   }
+  if (means_published({&*preset, &*document})) recipe.shading = name_of(ShadingModel::kThesis);
   if (!beginning.preset.empty()) recipe.look_preset = beginning.preset;
   if (!beginning.style.empty()) recipe.grow_style = beginning.style;
   if (recipe.head_center.has_value() != recipe.head_radii.has_value()) {

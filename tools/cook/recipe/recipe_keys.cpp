@@ -265,9 +265,9 @@ const RecipeKey kCookKeys[] = {
    "sharpness of the secondary highlight"},
   {"material", "secondary_shift", &R::secondary_shift, "0.5", -10, 10, nullptr, "",
    "how far the normal moves the secondary highlight"},
-  {"material", "shading", &R::shading, "\"thesis\"", 0, 0, kShadingWords.data(), "",
-   "how strands reflect light: the thesis's Algorithm 3; Kajiya-Kay's, with the primary highlight alone; light through one fibre"
-   " (marschner) or many (volume, nearest to path tracing), with highlights by the base colour and the next numbers"},
+  {"material", "shading", &R::shading, "\"volume\"", 0, 0, kShadingWords.data(), "",
+   "how strands reflect light: through many fibres (volume, nearest to path tracing) or one (marschner), with highlights by the"
+   " base colour and the next numbers; the thesis's, the default where a recipe gives its highlights; Kajiya-Kay's, with one of them"},
   {"material", "tilt", &R::tilt, "3", -20, 20, nullptr, "degrees",
    "marschner, volume: how far a strand's scales lean towards the tip; parts its two highlights"},
   {"material", "roughness", &R::roughness, "null", 1.2, 57, nullptr, "degrees",
