@@ -22,6 +22,15 @@ vec4 shadow_place;
 vec2 shadow_slope;
 #endif
 
+// The light from everywhere that a white matte surface with the normal n sends out.
+vec3 light_from_everywhere(vec3 n) {
+  if (sky[0].w == 0.0) return ambient.rgb;
+  vec3 light = sky[0].rgb + n.y * sky[1].rgb + n.z * sky[2].rgb + n.x * sky[3].rgb + n.x * n.y * sky[4].rgb +
+               n.y * n.z * sky[5].rgb + (3.0 * n.z * n.z - 1.0) * sky[6].rgb + n.x * n.z * sky[7].rgb +
+               (n.x * n.x - n.y * n.y) * sky[8].rgb;
+  return ambient.rgb + max(light, vec3(0.0));
+}
+
 // What arrives of a light: by the shadow map, if it is the light's, or else by how open the place is.
 vec3 light_reaching(Strand strand, int i) {
 #ifdef COIF_SHADOW
@@ -102,5 +111,5 @@ void main() {
   Reflected sum = sum_lights(strand, glow);
   vec3 light = component.y * sum.diffuse + component.z * sum.primary + component.w * sum.secondary;
   light = light * tint(strand) + component.y * glow * base.rgb;
-  write_fragment(component.x * ambient.rgb * sky_reflected(strand, openness) + light, coverage);
+  write_fragment(component.x * light_from_everywhere(strand.normal) * sky_reflected(strand, openness) + light, coverage);
 }

@@ -17,6 +17,7 @@ layout(std140) uniform DrawBlock {
   vec4 light_position[8];  // w 0: unit vector towards the light; w 1: position, metres
   vec4 light_color[8];     // rgb, linear; w: 1 / (inner - outer cosine) of its cone
   vec4 light_spot[8];      // xyz: unit vector along the cone; w: outer cosine, -2 where there is no cone
+  vec4 sky[9];             // rgb: times 1, y, z, x, xy, yz, 3zz - 1, xz, xx - yy of a normal; first w: 1 if there is a sky
 #ifdef COIF_SHADOW
   mat4 shadow_from_view;
   vec4 shadow_depth;

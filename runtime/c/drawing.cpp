@@ -1,6 +1,8 @@
 // The parts of drawing that any renderer needs, in C.
 #include "drawing_types.h"
 
+#include <algorithm>
+
 namespace {
 
 using coif::c::code;
@@ -12,6 +14,7 @@ using coif::c::vector_of;
 using coif::c::view_of;
 
 static_assert(COIF_VIEW_CELLS == coif::kViewCells && COIF_MAX_LIGHTS == coif::kMaxLights);
+static_assert(COIF_SKY_HARMONICS == int(coif::SkyLight::kHarmonics));
 static_assert(COIF_FOUR_BONES == int(coif::Skinning::kFourBones) && COIF_SPOT == int(coif::Light::Kind::kSpot));
 static_assert(COIF_STRAND_DIRECTION == int(coif::Component::kDirection));
 
@@ -43,6 +46,7 @@ COIF_SAME(coif_draw_block, base_color, coif::DrawBlock, base_color);
 COIF_SAME(coif_draw_block, fiber, coif::DrawBlock, fiber);
 COIF_SAME(coif_draw_block, strands, coif::DrawBlock, strands);
 COIF_SAME(coif_draw_block, light_position, coif::DrawBlock, light_position);
+COIF_SAME(coif_draw_block, sky, coif::DrawBlock, sky);
 COIF_SAME(coif_draw_block, light_color, coif::DrawBlock, light_color);
 COIF_SAME(coif_draw_block, light_spot, coif::DrawBlock, light_spot);
 static_assert(offsetof(coif_draw_block, shadow_from_view) == offsetof(coif::DrawBlock, shadow));
@@ -157,6 +161,11 @@ coif_status coif_fill_draw_block(const coif_draw_view* from, const coif_material
   std::memcpy(view.clip_from_world, from->clip_from_world, sizeof view.clip_from_world);
   view.eye = vector_of(from->eye);
   view.lights = {lights, from->light_count};
+  coif::SkyLight sky;
+  if (from->sky != nullptr) {
+    std::transform(from->sky, from->sky + COIF_SKY_HARMONICS, sky.harmonics, vector_of);
+    view.sky = &sky;
+  }
   view.component = static_cast<coif::Component>(from->component < 255 ? from->component : 255);
   view.framebuffer_is_srgb = from->framebuffer_is_srgb != 0;
   coif::DrawBlock filled;

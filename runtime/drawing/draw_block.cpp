@@ -67,6 +67,23 @@ bool fill_light(const Light& light, const Vec3& eye, std::size_t i, DrawBlock& b
   return fill_cone(light, block.light_spot[i], color[3]);
 }
 
+/// A harmonic's own factor, times what a matte surface keeps of its degree: 1, 2/3, 1/4.
+constexpr float kSkyFactors[SkyLight::kHarmonics] = {0.282095f,        0.488603f / 1.5f, 0.488603f / 1.5f,
+                                                     0.488603f / 1.5f, 1.092548f / 4,    1.092548f / 4,
+                                                     0.315392f / 4,    1.092548f / 4,    0.546274f / 4};
+
+bool fill_sky(const SkyLight& sky, DrawBlock& block) {
+  for (std::uint32_t i = 0; i < SkyLight::kHarmonics; ++i) {
+    const Vec3& harmonic = sky.harmonics[i];
+    if (!is_finite(harmonic)) return false;
+    block.sky[i][0] = kSkyFactors[i] * harmonic.x;
+    block.sky[i][1] = kSkyFactors[i] * harmonic.y;
+    block.sky[i][2] = kSkyFactors[i] * harmonic.z;
+  }
+  block.sky[0][3] = 1.0f;
+  return true;
+}
+
 void fill_rgb_and(const float (&rgb)[3], float last, float (&out)[4]) {
   for (int i = 0; i < 3; ++i) out[i] = rgb[i];
   out[3] = last;
@@ -117,6 +134,7 @@ Status fill_draw_block(const DrawView& view, const MaterialRecord& material, std
   for (std::size_t i = 0; i < view.lights.size(); ++i) {
     if (!fill_light(view.lights[i], view.eye, i, block)) return Status::kBadArgument;
   }
+  if (view.sky != nullptr && !fill_sky(*view.sky, block)) return Status::kBadArgument;
   return Status::kOk;
 }
 

@@ -16,6 +16,7 @@ DrawView view_of(const DrawDesc& desc) {
   for (int i = 0; i < 16; ++i) view.clip_from_world[i] = desc.clip_from_world[i];
   view.eye = desc.eye;
   view.lights = desc.lights;
+  view.sky = desc.sky;
   view.component = desc.component;
   view.framebuffer_is_srgb = desc.framebuffer_is_srgb;
   return view;

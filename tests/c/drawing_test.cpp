@@ -119,9 +119,18 @@ TEST_F(CDrawing, FillsTheSameBlock) {
   }
   view_.lights = lights;
   view_.light_count = 3;
+  coif_vec3 harmonics[COIF_SKY_HARMONICS];
+  SkyLight sky;
+  for (int i = 0; i < COIF_SKY_HARMONICS; ++i) {
+    harmonics[i] = {0.1f * float(i), 0.2f, -0.3f};
+    sky.harmonics[i] = {0.1f * float(i), 0.2f, -0.3f};
+  }
+  view_.sky = harmonics;
+  DrawView same_of = same_view(same);
+  same_of.sky = &sky;
   coif_draw_block block{};
   DrawBlock expected;
-  ASSERT_EQ(fill_draw_block(same_view(same), same_hair_.material, 18, expected), Status::kOk);
+  ASSERT_EQ(fill_draw_block(same_of, same_hair_.material, 18, expected), Status::kOk);
   ASSERT_EQ(coif_fill_draw_block(&view_, &hair_.material, 18, &block), COIF_OK);
   EXPECT_EQ(std::memcmp(&block, &expected, sizeof block), 0);
 }
@@ -147,6 +156,11 @@ TEST_F(CDrawing, RefusesABlockOfNonsense) {
   view.lights = &light;
   EXPECT_TRUE(refused(view, hair_.material));
   light.from = {0, 1, 0};
+  coif_vec3 harmonics[COIF_SKY_HARMONICS]{};
+  harmonics[8].z = kNan;
+  view.sky = harmonics;
+  EXPECT_TRUE(refused(view, hair_.material));
+  harmonics[8].z = 0;
   EXPECT_FALSE(refused(view, hair_.material));
   block.fiber[0] = 7;
   untouched = block;

@@ -32,6 +32,14 @@ struct Light {
   float outer_cosine = 0.866f;  ///< kSpot: cosine from which on there is no light; -1..1, below inner_cosine.
 };
 
+/// Light from everywhere, from each direction another: spherical harmonics of its radiance (linear; world axes) up to
+/// degree two, in the order 1, y, z, x, xy, yz, 3zz - 1, xz, xx - yy, orthonormal, with positive factors: as three.js's
+/// LightProbe has them. What a sky needs to light matte things (Ramamoorthi and Hanrahan 2001), and hair nearly so.
+struct SkyLight {
+  static constexpr std::uint32_t kHarmonics = 9;
+  Vec3 harmonics[kHarmonics];
+};
+
 /// The part of the shading that is drawn. The parts of Algorithm 3 are as in the six pictures of the thesis's Gallery
 /// 1. With ShadingModel::kMarschner and kVolume the primary highlight is R and the secondary one TRT; TT is a part of
 /// the diffuse light. kDirection draws the strands' direction without light, to check an asset: green at the root to
@@ -163,16 +171,19 @@ struct alignas(16) DrawBlock {
   float light_position[kMaxLights][4];
   float light_color[kMaxLights][4];
   float light_spot[kMaxLights][4];
+  /// By which powers of a normal are multiplied for the radiance of a white matte surface; [0][3]: 1 if there is a sky.
+  float sky[SkyLight::kHarmonics][4];
   /// From view space; map[3]: the index of its light. For motion vectors previous_clip_from_view.
   ShadowUniforms shadow;
 };
-static_assert(sizeof(DrawBlock) == 672);
+static_assert(sizeof(DrawBlock) == 816);
 
 /// The view and the lights of a crowd.
 struct DrawView {
   float clip_from_world[16] = {};  ///< Column-major, OpenGL clip space; must not mirror.
   Vec3 eye;                        ///< World, metres.
   std::span<const Light> lights;   ///< At most kMaxLights.
+  const SkyLight* sky = nullptr;   ///< Besides the material's own light from everywhere; null: none.
   Component component = Component::kAll;
   bool framebuffer_is_srgb = false;  ///< The target encodes sRGB itself; otherwise the shader does.
 };

@@ -30,6 +30,7 @@ struct DrawDesc {
   float clip_from_world[16] = {};  ///< Column-major, OpenGL clip space; must not mirror (front faces stay front).
   Vec3 eye;                        ///< World, metres.
   std::span<const Light> lights;   ///< At most kMaxLights.
+  const SkyLight* sky = nullptr;   ///< Besides the material's own light from everywhere; null: none.
   Component component = Component::kAll;
   /// Replaces the asset's material when not null; must stay valid during the call.
   const MaterialRecord* material = nullptr;

@@ -1,7 +1,7 @@
 // Ways to draw hair with three: the passes of each, and their materials, after the table in shaders/README.md, "Passes".
 
 import {
-  BackSide, DoubleSide, FrontSide, MeshBasicMaterial, MeshDepthMaterial, MeshDistanceMaterial, MeshToonMaterial, RGBADepthPacking,
+  BackSide, DoubleSide, FrontSide, MeshBasicMaterial, MeshDepthMaterial, MeshDistanceMaterial, MeshStandardMaterial, RGBADepthPacking,
 } from 'three';
 
 import { keepHair, shadeHair } from './shader_code.mjs';
@@ -94,7 +94,7 @@ const state = (each) => ({
 /** The material of a pass. `hair`: a CoifHair's textures, uniforms and record. */
 export function passMaterial(hair, each) {
   if (!each.writesColor) return finish(new MeshBasicMaterial(state(each)), hair, each, (shader) => keepHair(shader, each));
-  return finish(new MeshToonMaterial(state(each)), hair, each, (shader, model, maps) => shadeHair(shader, each, model, maps));
+  return finish(new MeshStandardMaterial(state(each)), hair, each, (shader, model, maps) => shadeHair(shader, each, model, maps));
 }
 
 /** The material that draws hair into three's shadow maps: texels that are more solid than transparent. */

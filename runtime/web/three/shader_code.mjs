@@ -76,7 +76,6 @@ ${pieces[pass.keep].replace(/^in vec3 rest_place;.*$/m, '')}
 
 /** Light on a strand. Some names of the pieces are also three's, so defines rename them within the pieces. */
 const shading = (model, maps) => /* glsl */ `
-varying vec3 vViewPosition;
 varying vec3 hair_tangent;
 varying float hair_openness;
 uniform vec4 primary, secondary, shift, component, fiber;
@@ -135,6 +134,9 @@ const strandMain = (maps) => /* glsl */ `
 
 const SUM_MAIN = /* glsl */ `
 #include <lights_fragment_end>
+#if defined(USE_ENVMAP) && defined(ENVMAP_TYPE_CUBE_UV)
+  reflectedLight.indirectDiffuse += component.x * iblIrradiance * RECIPROCAL_PI * sky_reflected(hair_strand, hair_openness);
+#endif
   reflectedLight.directDiffuse += (component.y * hair_sum.diffuse + component.z * hair_sum.primary + component.w * hair_sum.secondary) *
                                   tint(hair_strand);
 `;
@@ -144,12 +146,12 @@ const replaced = (code, table) => Object.entries(table).reduce((text, [what, by]
   return text.replace(what, by);
 }, code);
 
-/** For MeshToonMaterial, whose lighting is replaced. `maps`: normals or strands come from textures. */
+/** For MeshStandardMaterial, whose lighting is replaced; it alone has three's scene.environment. `maps`: normals or strands come from textures. */
 export function shadeHair(shader, pass, model, maps) {
   shader.vertexShader = replaced(shader.vertexShader, VERTEX_MAIN);
   shader.fragmentShader = replaced(shader.fragmentShader, {
-    '#include <lights_toon_pars_fragment>': keeping(pass) + shading(model, maps),
-    '#include <lights_toon_fragment>': strandMain(maps),
+    '#include <lights_physical_pars_fragment>': keeping(pass) + shading(model, maps),
+    '#include <lights_physical_fragment>': strandMain(maps),
     '#include <lights_fragment_end>': SUM_MAIN,
   });
 }

@@ -184,6 +184,31 @@ test('a material may change', async () => {
   assert.ok(red[0] / red[1] > 1.5 * (own[0] / own[1]), `redder: ${red} than ${own}`);
 });
 
+test("hair is lit by a light probe and by the scene's environment", async () => {
+  const [dark, probed, surrounded] = await onStage(() => {
+    const { made } = window;
+    const three = made.three;
+    made.wear();
+    made.scene.children.filter((child) => child.isLight).forEach((light) => light.removeFromParent());
+    const nothing = made.look().mean;
+    const probe = new three.LightProbe();
+    probe.sh.coefficients[0].set(1, 1, 1);
+    made.scene.add(probe);
+    const lit = made.look().mean;
+    probe.removeFromParent();
+    const room = new three.Scene();
+    room.background = new three.Color(0.3, 0.3, 0.3);
+    made.scene.environment = new three.PMREMGenerator(made.renderer).fromScene(room).texture;
+    const around = made.look().mean;
+    made.clear();
+    return [nothing, lit, around];
+  });
+  assert.ok(dark[0] < 2, `nothing lights it: ${dark}`);
+  assert.ok(probed[0] > dark[0] + 20, `a probe does: ${probed}`);
+  // Radiance 1 over the factor of the first harmonic, 0.282 in all, and 0.3 all around.
+  assert.ok(Math.abs(surrounded[0] / probed[0] - 1) < 0.1, `as the room does: ${surrounded}, ${probed}`);
+});
+
 test('nothing grows from frame to frame, and dispose() gives everything back', async () => {
   const { grown, objects, free, memory } = await onStage(() => {
     const { made } = window;

@@ -11,6 +11,7 @@ extern "C" {
 #endif
 
 #define COIF_MAX_LIGHTS 8
+#define COIF_SKY_HARMONICS 9
 
 typedef struct coif_index_range {
   uint32_t first, count;
@@ -93,6 +94,7 @@ typedef struct coif_draw_view {
   coif_vec3 eye;             /* World, metres. */
   const coif_light* lights;
   uint32_t light_count;         /* At most COIF_MAX_LIGHTS. */
+  const coif_vec3* sky;         /* COIF_SKY_HARMONICS, as coif::SkyLight has them, or null: no sky. */
   uint32_t component;           /* coif_component */
   uint32_t framebuffer_is_srgb; /* 1: the target encodes sRGB itself, or is linear. 0: the shader encodes. */
 } coif_draw_view;
@@ -103,6 +105,7 @@ typedef struct coif_draw_block {
   float clip_from_view[16];
   float base_color[4], ambient[4], primary[4], secondary[4], shift[4], component[4], fiber[4], strands[4];
   float light_position[COIF_MAX_LIGHTS][4], light_color[COIF_MAX_LIGHTS][4], light_spot[COIF_MAX_LIGHTS][4];
+  float sky[COIF_SKY_HARMONICS][4];
   float shadow_from_view[16], shadow_depth[4], shadow_map[4]; /* For the host's own shaders that look up a shadow. */
 } coif_draw_block;
 
