@@ -18,6 +18,7 @@ namespace {
 
 /// The last that was defined; each knows the one before.
 constinit const Job* last_job = nullptr;
+constinit bool has_answered = false;
 
 constexpr rlim_t kDescriptorsOfReader = 32;  // model, side files, dynamic loader
 
@@ -134,9 +135,12 @@ std::stop_token JobCall::stop() const { return line_.stop(); }
 
 void JobCall::wait_for_end() const { wait_until_closed(kLineDescriptor); }
 
+bool answers_jobs() { return has_answered; }
+
 Job::Job(const char* name, Function function) : name_(name), function_(function), next_(last_job) { last_job = this; }
 
 void run_named_job(int argc, const char* const* argv) {
+  has_answered = true;
   if (argc != 3 || std::strcmp(argv[1], kJobWord) != 0) return;
   const Job* job = last_job;
   while (job != nullptr && std::strcmp(job->name_, argv[2]) != 0) job = job->next_;

@@ -59,7 +59,7 @@ class Job {
 };
 
 /// Does nothing unless this process was started for a job; then it runs that and ends the process. Every program that
-/// uses jobs calls it first in main().
+/// uses jobs calls it first in main(); in a program that does not, no job runs.
 void run_named_job(int argc, const char* const* argv);
 
 // The sandbox of a job that reads bytes from strangers: a fence around files (Landlock) and a filter of system calls

@@ -66,6 +66,7 @@ class Actions {
 }  // namespace
 
 Spawned spawn(const Job& job, bool is_silent) {
+  if (!answers_jobs()) return {{}, -1, ENOTSUP};
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) return {{}, -1, errno};
   Spawned child{Descriptor(ends[0]), -1, 0};

@@ -42,7 +42,12 @@ struct Spawned {
   int error = 0;  ///< errno of the failed system call; 0: the process runs.
 };
 
-/// Runs the program again for that job, with its standard streams closed (a reader) or inherited.
+/// Whether this program has called run_named_job(). One that had not would begin anew in its child, which would ask for
+/// the job in turn, without end.
+[[nodiscard]] bool answers_jobs();
+
+/// Runs the program again for that job, with its standard streams closed (a reader) or inherited. ENOTSUP unless
+/// answers_jobs().
 [[nodiscard]] Spawned spawn(const Job& job, bool is_silent);
 
 }  // namespace coif::platform
