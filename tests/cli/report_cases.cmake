@@ -177,7 +177,7 @@ coif_cli_case(report_cards_of_other_strands EXIT 3 SAMPLE TEXT other.obj ${lines
 coif_cli_case(report_cards_not_square EXIT 1 SAMPLE TEXT other.obj ${lines}
   STDERR "--size: pictures of cards are as wide as high" ARGS ${cards} --source other.obj --size 64x48)
 coif_cli_case(report_cards_too_large EXIT 1 SAMPLE TEXT other.obj ${lines}
-  STDERR "bob.coif: .*in pictures of 16 to 1024 pixels each way" ARGS ${cards} --source other.obj --size 2000x2000)
+  STDERR "bob.coif: .*in pictures of 16 to 512 pixels each way" ARGS ${cards} --source other.obj --size 2000x2000)
 coif_cli_case(report_cards_of_one_triangle EXIT 1 STDERR "coif report: error: --budgets"
   ARGS report a.coif cards --source a.tfx --budgets 1)
 coif_cli_case(report_source_for_cost EXIT 1

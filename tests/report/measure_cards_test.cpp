@@ -3,6 +3,7 @@
 #include "cards/made_up_groom.h"
 #include "cards/make_cards.h"
 #include "lab/rig.h"
+#include "report/cards/asset_surface.h"
 #include "report/cards_asset.h"
 #include "report/made_up_report.h"
 
@@ -40,8 +41,10 @@ class CardsReports : public testing::Test {
     const auto cards = cards::make_cards(*groom_, cards::shape_of(*groom_, kWidth),
                                          {kTriangles, settings.texels, settings.rounds, kWidth}, 2);
     if (!cards) throw std::runtime_error(cards.error().message);
-    asset_ = std::make_unique<lab::OpenedAsset>(
-        asset_of_surface(cards::surface_of(*cards), {1, Eigen::Matrix3f::Identity(), {0, 0.1f, 0}}));
+    cards::CardSurface surface = cards::surface_of(*cards);
+    draw_as_cooked(surface);
+    asset_ =
+        std::make_unique<lab::OpenedAsset>(asset_of_surface(surface, {1, Eigen::Matrix3f::Identity(), {0, 0.1f, 0}}));
     settings.sheets = settings.ablation = true;
     auto report = measure(settings);
     if (!report) throw std::runtime_error(report.error().message);

@@ -14,21 +14,33 @@ namespace {
 constexpr std::size_t kStations = Ribbon::kStations;
 constexpr float kShortest = 1e-9f;    // metres
 constexpr float kUsualStray = 0.04f;  // Share of a card's strands that may lie beside it.
+constexpr int kTurns = 24;            // How often neighbours share how they spread across: over some five stations.
+constexpr float kMovesOver = 0.06f;   // Share of the way to the strands' mean, from station to station.
 
 Eigen::Vector3f any_right_angle(const Eigen::Vector3f& v) {
   const Eigen::Vector3f axis = std::abs(v.x()) < 0.7f ? Eigen::Vector3f::UnitX() : Eigen::Vector3f::UnitY();
   return v.cross(axis).normalized();
 }
 
+/// From station to station the middle line goes on as far as strands do. Where one ends, the mean of the others lies
+/// elsewhere, perhaps behind: the line moves over to it slowly, or wide edges would cross, and never back.
 void set_middle(const StrandsAt& strands, Ribbon& ribbon) {
   for (std::size_t k = 0; k < kStations; ++k) {
-    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    Eigen::Vector3f mean = Eigen::Vector3f::Zero(), step = Eigen::Vector3f::Zero();
     float weights = 0;
-    strands.for_each(k, [&](const Eigen::Vector3f& point, float weight) {
-      sum += weight * point;
-      weights += weight;
-    });
-    ribbon.middle[k] = sum / weights;
+    strands.for_each_step(k == 0 ? 0 : k - 1, k,
+                          [&](const Eigen::Vector3f& before, const Eigen::Vector3f& point, float weight) {
+                            mean += weight * point;
+                            step += weight * (point - before);
+                            weights += weight;
+                          });
+    mean /= weights;
+    if (k > 0 && step.norm() > weights * kShortest) {
+      const Eigen::Vector3f reached = ribbon.middle[k - 1] + step / weights, way = step.normalized();
+      const Eigen::Vector3f off = mean - reached;
+      mean = reached + kMovesOver * (off - way.dot(off) * way);
+    }
+    ribbon.middle[k] = mean;
   }
   for (std::size_t k = 0; k < kStations; ++k) {
     const Eigen::Vector3f way = ribbon.middle[std::min(k + 1, kStations - 1)] - ribbon.middle[k == 0 ? 0 : k - 1];
@@ -69,7 +81,7 @@ void set_across(const StrandsAt& strands, Ribbon& ribbon) {
   }
   // A card turns slowly: each station has a share of its neighbours' direction, which also replaces its own where
   // strands run together.
-  for (int pass = 0; pass < 3; ++pass) {
+  for (int pass = 0; pass < kTurns; ++pass) {
     const auto before = spread;
     for (std::size_t k = 0; k < kStations; ++k) {
       const Spread &a = before[k == 0 ? 0 : k - 1], &b = before[std::min(k + 1, kStations - 1)];

@@ -35,18 +35,27 @@ class StrandsAt {
   /// Calls take(point, weight) for each strand that is there at a station. Weights fall towards each strand's tip, so
   /// that a mean does not leap where a strand ends.
   void for_each(std::size_t station, const auto& take) const {
+    for_each_step(station, station,
+                  [&](const Eigen::Vector3f&, const Eigen::Vector3f& point, float weight) { take(point, weight); });
+  }
+
+  /// The same with each strand's point at an earlier station: take(before, point, weight).
+  void for_each_step(std::size_t before, std::size_t station, const auto& take) const {
     constexpr float kFade = 0.12f, kLeast = 1e-3f;  // share of the ribbon; weight
-    const float at = arc_ * float(station) / float(Ribbon::kStations - 1);
+    const float at = arc_at(station);
     for (const std::uint32_t i : members_) {
       if (!(arc_ > 0)) {
-        take(strands_.strand(i)[station], 1.0f);
+        take(strands_.strand(i)[before], strands_.strand(i)[station], 1.0f);
       } else if (at <= strands_.lengths[i] * 1.0001f) {
-        take(strands_.at_arc(i, at), std::clamp((strands_.lengths[i] - at) / (kFade * arc_), kLeast, 1.0f));
+        take(strands_.at_arc(i, arc_at(before)), strands_.at_arc(i, at),
+             std::clamp((strands_.lengths[i] - at) / (kFade * arc_), kLeast, 1.0f));
       }
     }
   }
 
  private:
+  [[nodiscard]] float arc_at(std::size_t station) const { return arc_ * float(station) / float(Ribbon::kStations - 1); }
+
   const EvenStrands& strands_;
   std::span<const std::uint32_t> members_;
   float arc_;
