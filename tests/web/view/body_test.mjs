@@ -5,7 +5,7 @@ import { strict as assert } from 'node:assert';
 import { execFileSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, statSync } from 'node:fs';
 import { join } from 'node:path';
-import { launch, openPage, take } from './browser.mjs';
+import { onPage, take } from './browser.mjs';
 import { psnr, readPng } from './png.mjs';
 
 const { COIF, ASSET, BODY, PAGE, WORK } = process.env;
@@ -25,15 +25,7 @@ function rendered(...options) {
 /** Runs `act` on a page of the sample on the body; the browser must not complain. */
 async function withBody(act) {
   coif('view', ASSET, '-o', 'page.html', '--page', PAGE, '--body', BODY);
-  const browser = await launch();
-  try {
-    const { page, complaints } = await openPage(browser, inWork('page.html'));
-    await act(page);
-    assert.deepEqual(complaints, [], 'the browser complains');
-    assert.equal(await page.textContent('#problem'), '');
-  } finally {
-    await browser.close();
-  }
+  await onPage(inWork('page.html'), act);
 }
 
 const cases = {

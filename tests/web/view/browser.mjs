@@ -1,5 +1,6 @@
 // Chromium without a window, with a software renderer, and a page of `coif view` in it.
 
+import { strict as assert } from 'node:assert';
 import { existsSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
@@ -29,6 +30,19 @@ export async function openPage(browser, file, viewport = { width: 640, height: 4
   await page.goto(pathToFileURL(file).href);
   await page.evaluate(async () => { await window.coif; });
   return { page, complaints };
+}
+
+/** Runs `act` on a page of `coif view`; neither the browser nor the page may complain. */
+export async function onPage(file, act, viewport = undefined) {
+  const browser = await launch();
+  try {
+    const { page, complaints } = await openPage(browser, file, viewport);
+    await act(page);
+    assert.deepEqual(complaints, [], 'the browser complains');
+    assert.equal(await page.textContent('#problem'), '');
+  } finally {
+    await browser.close();
+  }
 }
 
 /** Pixels of a picture with these settings ({name: value or word}), at the camera of `coif render`. */

@@ -5,7 +5,7 @@ import { strict as assert } from 'node:assert';
 import { execFileSync, spawn } from 'node:child_process';
 import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { launch, openPage, take } from './browser.mjs';
+import { launch, onPage, take } from './browser.mjs';
 import { psnr, readPng } from './png.mjs';
 
 const { COIF, ASSET, SOURCE, PAGE, WORK } = process.env;
@@ -25,15 +25,7 @@ function rendered(view, ...options) {
 /** Runs `act` on a page that shows the sample, made with these options; the browser must not complain. */
 async function withPage(act, ...options) {
   coif('view', ASSET, '-o', 'page.html', '--page', PAGE, ...options);
-  const browser = await launch();
-  try {
-    const { page, complaints } = await openPage(browser, inWork('page.html'));
-    await act(page);
-    assert.deepEqual(complaints, [], 'the browser complains');
-    assert.equal(await page.textContent('#problem'), '');
-  } finally {
-    await browser.close();
-  }
+  await onPage(inWork('page.html'), act);
 }
 
 const colour = (pixels, i) => (pixels[4 * i] << 16) | (pixels[4 * i + 1] << 8) | pixels[4 * i + 2];

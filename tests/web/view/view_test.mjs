@@ -5,7 +5,7 @@ import { strict as assert } from 'node:assert';
 import { execFileSync, spawnSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { launch, openPage, take } from './browser.mjs';
+import { launch, onPage, openPage, take } from './browser.mjs';
 import { psnr, readPng } from './png.mjs';
 
 const { COIF, ASSET, SOURCE, PAGE, WORK } = process.env;
@@ -28,17 +28,7 @@ function makePage(asset = ASSET) {
 }
 
 /** Runs `act` on a page that shows the sample; the browser must not complain. */
-async function withPage(act, viewport) {
-  const browser = await launch();
-  try {
-    const { page, complaints } = await openPage(browser, makePage(), viewport);
-    await act(page);
-    assert.deepEqual(complaints, [], 'the browser complains');
-    assert.equal(await page.textContent('#problem'), '');
-  } finally {
-    await browser.close();
-  }
-}
+const withPage = (act, viewport) => onPage(makePage(), act, viewport);
 
 const countDifferent = (a, b) => a.reduce((sum, value, i) => sum + (value !== b[i] ? 1 : 0), 0);
 
