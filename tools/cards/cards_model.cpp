@@ -74,16 +74,8 @@ void add_images(std::span<const Cards> levels, importer::SourceModel& model) {
   model.images.push_back({"strands", strands.png()});
 }
 
-/// The side of a card that looks away from the middle of the hair is its front.
-bool faces_inwards(const Ribbon& ribbon, const Eigen::Vector3f& middle) {
-  float outwards = 0;
-  for (std::size_t k = 0; k < Ribbon::kStations; ++k) {
-    outwards += ribbon.along[k].cross(ribbon.across[k]).dot(ribbon.middle[k] - middle);
-  }
-  return outwards < 0;
-}
-
-/// Triangles of strips whose front is on the other side are reversed.
+/// The side of a card that looks away from the middle of the hair is its front. Triangles of strips whose front is on
+/// the other side are reversed.
 importer::SourceLevel level_of(const Cards& cards, const Eigen::Vector3f& middle) {
   CardSurface surface = surface_of(cards);
   importer::SourceLevel level;

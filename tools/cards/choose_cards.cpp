@@ -34,13 +34,10 @@ OffStrip strands_off(const StrandsAt& strands, std::size_t station, const Eigen:
 /// that are seen, and make the outline.
 void move_outwards(const StrandsAt& there, const Eigen::Vector3f& middle_of_hair, const Ribbon& ribbon,
                    CardStrip& strip) {
-  const auto normal_at = [&](std::size_t k) { return ribbon.along[k].cross(ribbon.across[k]).eval(); };
-  float outwards = 0;
-  for (std::size_t k = 0; k < Ribbon::kStations; ++k) {
-    outwards += normal_at(k).dot(ribbon.middle[k] - middle_of_hair);
-  }
+  const float side = faces_inwards(ribbon, middle_of_hair) ? -1.0f : 1.0f;
   for (std::size_t e = 0; e < strip.edges.size(); ++e) {
-    const Eigen::Vector3f normal = (outwards < 0 ? -1.0f : 1.0f) * normal_at(strip.stations[e]);
+    const std::size_t k = strip.stations[e];
+    const Eigen::Vector3f normal = side * ribbon.along[k].cross(ribbon.across[k]);
     const Eigen::Vector3f middle = middle_of(strip.edges[e]);
     std::vector<float> before;
     there.for_each(strip.stations[e],

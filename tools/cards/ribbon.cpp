@@ -141,6 +141,14 @@ Ribbon card_ribbon_of(const EvenStrands& strands, std::span<const std::uint32_t>
   return ribbon;
 }
 
+bool faces_inwards(const Ribbon& ribbon, const Eigen::Vector3f& middle) {
+  float outwards = 0;
+  for (std::size_t k = 0; k < kStations; ++k) {
+    outwards += ribbon.along[k].cross(ribbon.across[k]).dot(ribbon.middle[k] - middle);
+  }
+  return outwards < 0;
+}
+
 float length_of(const Ribbon& ribbon) {
   float length = 0;
   for (std::size_t k = 1; k < kStations; ++k) length += (ribbon.middle[k] - ribbon.middle[k - 1]).norm();

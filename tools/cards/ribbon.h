@@ -22,8 +22,6 @@ struct Ribbon {
   std::array<float, kStations> half_depth;  ///< The same perpendicular to the card.
   /// Metres along strands from the first station to the last. 0: stations are at even shares of each strand's length.
   float arc = 0;
-
-  [[nodiscard]] float arc_at(std::size_t station) const { return arc * float(station) / float(kStations - 1); }
 };
 
 /// The part of a ribbon's strands that reach a station.
@@ -35,26 +33,33 @@ class StrandsAt {
   /// Calls take(point, weight) for each strand that is there at a station. Weights fall towards each strand's tip, so
   /// that a mean does not leap where a strand ends.
   void for_each(std::size_t station, const auto& take) const {
-    for_each_step(station, station,
-                  [&](const Eigen::Vector3f&, const Eigen::Vector3f& point, float weight) { take(point, weight); });
+    for_each_there(station, [&](std::uint32_t i, float weight) { take(point_at(i, station), weight); });
   }
 
   /// The same with each strand's point at an earlier station: take(before, point, weight).
   void for_each_step(std::size_t before, std::size_t station, const auto& take) const {
-    constexpr float kFade = 0.12f, kLeast = 1e-3f;  // share of the ribbon; weight
-    const float at = arc_at(station);
-    for (const std::uint32_t i : members_) {
-      if (!(arc_ > 0)) {
-        take(strands_.strand(i)[before], strands_.strand(i)[station], 1.0f);
-      } else if (at <= strands_.lengths[i] * 1.0001f) {
-        take(strands_.at_arc(i, arc_at(before)), strands_.at_arc(i, at),
-             std::clamp((strands_.lengths[i] - at) / (kFade * arc_), kLeast, 1.0f));
-      }
-    }
+    for_each_there(station,
+                   [&](std::uint32_t i, float weight) { take(point_at(i, before), point_at(i, station), weight); });
   }
 
  private:
   [[nodiscard]] float arc_at(std::size_t station) const { return arc_ * float(station) / float(Ribbon::kStations - 1); }
+
+  [[nodiscard]] Eigen::Vector3f point_at(std::uint32_t i, std::size_t station) const {
+    return arc_ > 0 ? strands_.at_arc(i, arc_at(station)) : strands_.strand(i)[station];
+  }
+
+  void for_each_there(std::size_t station, const auto& take) const {
+    constexpr float kFade = 0.12f, kLeast = 1e-3f;  // share of the ribbon; weight
+    const float at = arc_at(station);
+    for (const std::uint32_t i : members_) {
+      if (!(arc_ > 0)) {
+        take(i, 1.0f);
+      } else if (at <= strands_.lengths[i] * 1.0001f) {
+        take(i, std::clamp((strands_.lengths[i] - at) / (kFade * arc_), kLeast, 1.0f));
+      }
+    }
+  }
 
   const EvenStrands& strands_;
   std::span<const std::uint32_t> members_;
@@ -71,6 +76,9 @@ class StrandsAt {
 /// or behind a card is beside it for an eye at its side. Its stations are at even distances along the longest strand:
 /// strands of one lock wave together at the same distance from their roots, not at the same share of their lengths.
 [[nodiscard]] Ribbon card_ribbon_of(const EvenStrands& strands, std::span<const std::uint32_t> members);
+
+/// Whether the side that along x across points to looks towards `middle`, that of the hair.
+[[nodiscard]] bool faces_inwards(const Ribbon& ribbon, const Eigen::Vector3f& middle);
 
 /// Length of its middle line, metres.
 [[nodiscard]] float length_of(const Ribbon& ribbon);

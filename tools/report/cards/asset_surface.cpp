@@ -4,6 +4,7 @@
 #include "base/geometry.h"
 #include "cards/make_cards.h"
 #include "cook/recipe/hair_recipe.h"
+#include "cook/recipe/recipe.h"
 #include "cook/size/evidence.h"
 #include "cook/texture/alpha.h"
 #include "cook/texture/transparency.h"
@@ -16,9 +17,8 @@
 namespace coif::report {
 namespace {
 
-constexpr double kSameBox = 0.5;        // share of both boxes that cards and their strands have in common, at least
-constexpr double kClearly = 1.05;       // Factor over the file's own unit and axis: only then others are chosen.
-constexpr float kUsualDiscard = 0.02f;  // the default of material.discard_threshold
+constexpr double kSameBox = 0.5;   // share of both boxes that cards and their strands have in common, at least
+constexpr double kClearly = 1.05;  // Factor over the file's own unit and axis: only then others are chosen.
 constexpr float kFlatness =
     0.02f;  // Share of its diagonal that a box has at least in each direction, so that flat ones have a volume.
 
@@ -172,7 +172,7 @@ cards::CardSurface surface_of_asset(const Asset& asset, std::uint32_t lod, const
 void draw_as_cooked(cards::CardSurface& surface) {
   using namespace cook;
   const Image image = image_of(surface), used = used_texels_of(surface);
-  surface.discard_below = kUsualDiscard;
+  surface.discard_below = float(cook::default_recipe().discard_threshold);
   surface.opaque_from =
       float(choose_opaque_threshold(alpha_histogram(image, used, 1), double(surface.discard_below)).value);
   std::vector<Image> mips = make_mips(image, kMaxImageSide, TexelMeaning::kSrgbColorAlpha);
