@@ -219,6 +219,9 @@ const float kShiftShare = 0.2;  // of the texture's shift: how much fibres lean 
 const float kOwnDepth = 0.006;  // metres: some three times as far as light gets into hair unhindered
 const float kApart = 0.45;  // radians: how far the fibres that hand light on run apart
 const float kLeastOnce = 0.25, kLeastOften = 0.7;  // fibres that are seen along themselves hide each other all the same
+const float kMostShift = 0.36;  // of the cook's textures, in which all numbers up to this are equally frequent
+// Such numbers' deviation is 1 / sqrt(3), so that 1.73 is all; and less of the ratio where light comes from all around.
+const float kDepthsApart = 1.4, kOftenApart = 0.55, kSkyApart = 0.6;
 const float kRound = 0.06;        // a light behind the surface still reaches the round outline of locks
 
 vec3 tint(Strand strand) { return vec3(1.0); }
@@ -248,6 +251,19 @@ vec3 passing(Strand strand, float share) {
 
 vec3 reach_without_map(Strand strand, float openness) { return passing(strand, volume_openness(openness)); }
 
+float mean_of(vec3 color) { return dot(color, vec3(1.0 / 3.0)); }
+
+// Light that hair has handed on comes from all around, the more of it the lighter the hair is, and levels fibres out.
+float uneven(vec3 base) { return 1.0 - sqrt(mean_of(base)); }
+
+// A fibre's own share of the mean light of its place. Some of the fibres that are seen lie deeper than others: where
+// light falls off `ratio` times as fast as sight, they differ by ratio / sqrt(1 + 2 ratio) of the mean (deviation). The
+// texture's shift tells them apart: linearly, so that its averages keep the mean.
+float own_share(Strand strand, float ratio) {
+  float apart = min(kDepthsApart * ratio * inversesqrt(1.0 + 2.0 * ratio), 1.0);
+  return 1.0 + apart * clamp(strand.shift / kMostShift, -1.0, 1.0);
+}
+
 vec3 sky_reflected(Strand strand, float openness) {
   vec3 color = volume_color(strand);
   float along = dot(strand.tangent, strand.view);
@@ -255,7 +271,8 @@ vec3 sky_reflected(Strand strand, float openness) {
   float grazing = pow(max(1.0 - leaving, 0.0), 1.5);
   vec3 dark = vec3(1.0) - color, root = sqrt(color);
   vec3 open = pow(vec3(max(volume_openness(openness), 1e-4)), 1.4 - 1.1 * root);
-  return open * (color + dark * (0.013 * dark + (0.11 + 0.7 * grazing) * root));
+  return own_share(strand, kSkyApart * uneven(color)) * open *
+         (color + dark * (0.013 * dark + (0.11 + 0.7 * grazing) * root));
 }
 
 void add_light(inout Reflected sum, Strand strand, vec3 towards, vec3 color) {
@@ -277,18 +294,19 @@ void add_light(inout Reflected sum, Strand strand, vec3 towards, vec3 color) {
   // what faces the light, over what hides it from there and from the eye
   float lit = cos_l * in_v / in_l;
   float once = kPi / max(cos_v + lit, kLeastOnce), often = kPi / (max(cos_v, kLeastOften) + lit);
-  vec3 light = color * once;
+  vec3 light = color * once * own_share(strand, lit / max(cos_v, kLeastOnce));
+  vec3 soft = color * often * own_share(strand, kOftenApart * uneven(base) * lit / max(cos_v, kLeastOften));
 
   sum.primary += light * (gaussian(s + 2.0 * tilt, width) * mirrored / (2.0 * kPi));
   float tt = gaussian(s - tilt, 0.5 * width) * enters * gaussian(kPi - phi, 0.73 + 0.47 * off);
   float trt = gaussian(s - 4.0 * tilt, 2.0 * width) * enters * 0.87 * mirrored * gaussian(phi, 0.506);
   sum.secondary += light * strand.mask * trt * exp(-3.6 * loss);
 
-  float mean = dot(base, vec3(1.0 / 3.0));
+  float mean = mean_of(base);
   float steep = 0.5 + 2.3 * pow(mean, 0.75);
   float wander = sqrt(pow2(width * 1.3 * (1.0 + pow(mean, 0.7))) + pow2(kApart * (cos_l + cos_v)));
   float cone = mix(gaussian(s + 0.05 + 0.4 * mean, wander), 0.45 * cos_l * cos_v, 0.14);
   float more = 3.6 * (1.0 + steep * min(in_l / cos_l, 1.0)) * (1.0 + steep * min(in_v / cos_v, 1.0)) / pow2(1.0 + steep) *
                cone / kPi;
-  sum.diffuse += light * tt * exp(-1.86 * loss) + color * often * more * base;
+  sum.diffuse += light * tt * exp(-1.86 * loss) + soft * more * base;
 }

@@ -104,6 +104,26 @@ TEST(CardsModel, HasLevelsOfDetailThatShareTheTexels) {
   EXPECT_LT(model->coarser[1].mesh.triangles.size(), model->coarser[0].mesh.triangles.size());
 }
 
+TEST(CardsModel, TexelsWithoutStrandsHaveTheNumberOfTheNearest) {
+  const groom::Groom groom = test::groom_of(test::strands_of_a_head(300));
+  const CardsBudget budget{.triangles = 400, .texels = std::size_t{1} << 17, .rounds = 0, .caps = 0};
+  const auto cards = make_cards(groom, shape_of(groom, 0), budget, 2);
+  ASSERT_TRUE(cards) << cards.error().message;
+  std::size_t free = 0;
+  for (const CardTexture& texture : cards->textures) {
+    for (std::size_t row = 0; row < texture.opacity.size(); row += texture.width) {
+      const auto at = texture.strand.begin() + std::ptrdiff_t(row), end = at + texture.width;
+      std::size_t nearest = texture.width;
+      for (std::size_t x = 0; x < texture.width; ++x) nearest = texture.opacity[row + x] > 0 ? x : nearest;
+      if (nearest == texture.width) continue;
+      for (std::size_t x = nearest + 1; x < texture.width; ++x, ++free)
+        EXPECT_EQ(*(at + std::ptrdiff_t(x)), *(at + std::ptrdiff_t(nearest)));
+      EXPECT_TRUE(std::all_of(at, end, [](float number) { return number >= 0 && number <= 1; }));
+    }
+  }
+  EXPECT_GT(free, 100u) << "or nothing was looked at";
+}
+
 TEST(CardsModel, LevelsEndWhereThereIsNothingLeftOfThem) {
   const groom::Groom groom = test::groom_of(test::strands_of_a_head(100));
   const CardsBudget budget{

@@ -6,6 +6,7 @@ usage: cook_strands.py CASE PROGRAM FOLDER
 import json
 import math
 import random
+import re
 import shutil
 import struct
 import subprocess
@@ -120,7 +121,18 @@ def bad_files_are_refused_and_leave_what_was_there(bench):
     assert done.returncode == 4 and "do not fit into 4096 texels; allow more texels, or fewer triangles" in done.stderr, done.stderr
 
 
-CASES = {f.__name__: f for f in (every_format_gives_the_same_hair, the_budget_is_kept_and_cooks_repeat, bad_files_are_refused_and_leave_what_was_there)}
+def maps_of_strands_are_as_wide_as_colours(bench):
+    bench.write("a.tfx", tfx(strands()))
+    bench.write("r.json", RECIPE)
+    done = bench.coif("cook", "a.tfx", "-o", "out.coif", "--recipe", "r.json")
+    assert done.returncode == 0, done.stderr
+    sizes = dict(re.findall(r"(base_color|shift_mask|strand_axis) +(\d+x\d+)", bench.coif("info", "out.coif").stdout))
+    width, height = map(int, sizes["base_color"].split("x"))
+    # Strands run down the rows: a quarter of these says as much.
+    assert sizes["shift_mask"] == sizes["strand_axis"] == f"{width}x{height // 4}", sizes
+
+
+CASES = {f.__name__: f for f in (every_format_gives_the_same_hair, maps_of_strands_are_as_wide_as_colours, the_budget_is_kept_and_cooks_repeat, bad_files_are_refused_and_leave_what_was_there)}
 
 
 def main(case, program, folder):

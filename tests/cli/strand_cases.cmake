@@ -1,5 +1,5 @@
 # Strands instead of strips.
-foreach(case every_format_gives_the_same_hair the_budget_is_kept_and_cooks_repeat bad_files_are_refused_and_leave_what_was_there)
+foreach(case every_format_gives_the_same_hair maps_of_strands_are_as_wide_as_colours the_budget_is_kept_and_cooks_repeat bad_files_are_refused_and_leave_what_was_there)
   add_test(NAME cli.cook_strands.${case}
     COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/cook_strands.py ${case} $<TARGET_FILE:coif_cli>
             ${CMAKE_CURRENT_BINARY_DIR}/cook_strands_${case})

@@ -174,6 +174,8 @@ TEST(StrandAxes, TheFormOfAWholeLockIsNotTakenForStrands) {
   EXPECT_GT(pair_at(axes, 4, axes.height / 2).x(), 0.7) << "cosine of twice the angle: along U";
 }
 
+MapForm form_of(const Recipe& recipe) { return {two_channel_format(recipe), texture_limit(recipe)}; }
+
 HairMesh whole_image() { return hair_from(strip_over({0.02f, 0.02f}, {0.98f, 0.98f})); }
 
 TEST(BakeRelief, StoresBothMapsWithMipsAndNothingThatSaysNothing) {
@@ -182,7 +184,7 @@ TEST(BakeRelief, StoresBothMapsWithMipsAndNothingThatSaysNothing) {
   for (const ShiftMaskFormat format : {ShiftMaskFormat::kEac, ShiftMaskFormat::kRg8}) {
     Recipe recipe = default_recipe();
     recipe.shift_mask_format = format;
-    const StoredTextures stored = bake_relief(&normals, nullptr, whole_image(), recipe, 2, findings);
+    const StoredTextures stored = bake_relief(&normals, nullptr, whole_image(), form_of(recipe), 2, findings);
     ASSERT_EQ(stored.records.size(), 2u);
     EXPECT_EQ(stored.records[0].role, TextureRole::kNormal);
     EXPECT_EQ(stored.records[0].width, kSide);
@@ -194,14 +196,14 @@ TEST(BakeRelief, StoresBothMapsWithMipsAndNothingThatSaysNothing) {
   }
   EXPECT_TRUE(findings.left_out.empty());
   const Image flat{kSide, kSide, 2, std::vector<std::uint8_t>(2 * kSide * kSide, two_sided_byte(0))};
-  EXPECT_TRUE(bake_relief(&flat, nullptr, whole_image(), default_recipe(), 1, findings).records.empty());
+  EXPECT_TRUE(bake_relief(&flat, nullptr, whole_image(), form_of(default_recipe()), 1, findings).records.empty());
   EXPECT_EQ(findings.left_out.size(), 2u);
 }
 
 TEST(BakeRelief, KeepsOnlyTheResolutionThatSaysSomething) {
   Findings findings;
   const Image wide = read(map_of([](double x, double) { return 2 * std::sin(2 * kPi * x / kSide); }, GreenAxis::kUp));
-  const StoredTextures stored = bake_relief(&wide, nullptr, whole_image(), default_recipe(), 1, findings);
+  const StoredTextures stored = bake_relief(&wide, nullptr, whole_image(), form_of(default_recipe()), 1, findings);
   ASSERT_FALSE(stored.records.empty());
   EXPECT_EQ(stored.records[0].height, 1u) << "nothing changes along V";
   EXPECT_LT(stored.records[0].width, kSide);
@@ -218,7 +220,7 @@ Image one_strand(std::uint8_t number) {
 TEST(KnownStrands, RunAsTheyAreKnownToWithoutAMapOfNormals) {
   const Image strands = one_strand(7);
   Findings findings;
-  const StoredTextures stored = bake_relief(nullptr, &strands, whole_image(), default_recipe(), 1, findings);
+  const StoredTextures stored = bake_relief(nullptr, &strands, whole_image(), form_of(default_recipe()), 1, findings);
   ASSERT_EQ(stored.records.size(), 1u);
   EXPECT_EQ(stored.records[0].role, TextureRole::kStrandAxis);
 }

@@ -104,6 +104,12 @@ ReflectedLight marschner(const ShadedPoint& point, const Vector3d& view, const V
           lit * kPi * trt * mask_of(point)};
 }
 
+/// A fibre's own share of the mean light of its place, by its number in the texture.
+double share_of_depth(const ShadedPoint& point, double ratio) {
+  const double apart = std::min(1.4 * ratio / std::sqrt(1 + 2 * ratio), 1.0);
+  return 1 + apart * std::clamp(shift_of(point) / 0.36, -1.0, 1.0);
+}
+
 /// In angles, where the shader has sines and cosines; the constants are those of shaders/SHADING.md.
 ReflectedLight volume(const ShadedPoint& point, const Vector3d& view, const Vector3d& light, const MaterialRecord& m) {
   const Array3d base = base_color(point, m).max(0.002).min(0.95);
@@ -135,7 +141,10 @@ ReflectedLight volume(const ShadedPoint& point, const Vector3d& view, const Vect
     return (1 + steep * std::min(in / std::cos(theta), 1.0)) / (1 + steep);
   };
   const double more = 3.6 * leaves(in_l, theta_l) * leaves(in_v, theta_v) * cone / kPi;
-  return {once * tt + often * more * base, Array3d::Constant(once * r), once * trt * mask_of(point)};
+  const double sharp = once * share_of_depth(point, lit / std::max(std::cos(theta_v), 0.25));
+  const double soft =
+      often * share_of_depth(point, 0.55 * (1 - std::sqrt(mean)) * lit / std::max(std::cos(theta_v), 0.7));
+  return {sharp * tt + soft * more * base, Array3d::Constant(sharp * r), sharp * trt * mask_of(point)};
 }
 
 /// Light from everywhere, as kVolume shows it.
@@ -144,7 +153,8 @@ Array3d volume_sky(const ShadedPoint& point, const Vector3d& view, const Materia
   const double in_v = std::hypot(point.normal.dot(view), 0.03);
   const double leaving = in_v / std::sqrt(std::max(1 - std::pow(point.tangent.dot(view), 2), 0.04));
   const double grazing = std::pow(std::max(1 - leaving, 0.0), 1.5);
-  return base + dark * (0.013 * dark + (0.11 + 0.7 * grazing) * base.sqrt());
+  return share_of_depth(point, 0.6 * (1 - std::sqrt(base.mean()))) *
+         (base + dark * (0.013 * dark + (0.11 + 0.7 * grazing) * base.sqrt()));
 }
 
 /// Unit, and how much of its colour arrives.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace coif::cards {
 namespace {
@@ -193,6 +194,24 @@ void fill_from_beside(const CardTexture& texture, const Texel& otherwise, std::v
   }
 }
 
+/// Gives texels without strands the number of the nearest strand in their row, so that mips mix numbers of strands
+/// only.
+void spread_numbers(CardTexture& texture) {
+  for (std::uint32_t y = 0; y < texture.height; ++y) {
+    const std::size_t row = std::size_t(y) * texture.width;
+    std::optional<std::size_t> before;
+    for (std::size_t x = 0; x < texture.width; ++x) {
+      if (texture.opacity[row + x] == 0) continue;
+      for (std::size_t k = before ? (*before + x) / 2 + 1 : 0; k < x; ++k)
+        texture.strand[row + k] = texture.strand[row + x];
+      before = x;
+      for (std::size_t k = x + 1; k < texture.width && texture.opacity[row + k] == 0; ++k) {
+        texture.strand[row + k] = texture.strand[row + x];
+      }
+    }
+  }
+}
+
 /// Mean colour of all covered texels.
 Eigen::Vector3f mean_color_of(const CardTexture& texture) {
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
@@ -267,6 +286,7 @@ CardTexture draw_on_card(const groom::Groom& groom, std::span<const std::uint8_t
   }
   samples.develop(texture);
   fill_from_beside(texture, Eigen::Vector2f::UnitY().eval(), texture.along);
+  spread_numbers(texture);
   if (!texture.color.empty()) fill_from_beside(texture, mean_color_of(texture), texture.color);
   return texture;
 }

@@ -19,8 +19,9 @@ struct CardTexture {
   std::vector<float> depth;
   /// Mean direction of strands on the card (across, along), not unit; without strands that of the neighbours.
   std::vector<Eigen::Vector2f> along;
-  std::vector<float>
-      strand;  ///< A number of the strand in front, 0..1, the same wherever it is seen; 0.5 where nothing is.
+  /// A number of the strand in front, 0..1, the same wherever it is seen; without strands that of the nearest in the
+  /// row, 0.5 where there is none.
+  std::vector<float> strand;
   /// Colour of strands, sRGB; without strands that of the neighbours. Empty where the groom has none.
   std::vector<Eigen::Vector3f> color;
 };

@@ -31,9 +31,13 @@ void report_spared(const Image& whole, const DetailedImage& kept, Findings& find
        bytes_with_mips(TexelFormat::kSrgb8Alpha8, whole) - bytes_with_mips(TexelFormat::kSrgb8Alpha8, image)});
 }
 
+std::uint32_t size_limit(const BaseColor& color, const DrawnRecipe& recipe) {
+  return color.max_size.value_or(texture_limit(recipe));
+}
+
 BaseMips bake_base(const BaseColor& color, const HairMesh& hair, const DrawnRecipe& recipe, Transparency& transparency,
                    Findings& findings) {
-  const std::uint32_t max_size = color.max_size.value_or(texture_limit(recipe));
+  const std::uint32_t max_size = size_limit(color, recipe);
   Image image = *color.image;
   Image used = used_texels(hair, image.width, image.height);
   transparency = choose_transparency(color, &image, used, recipe, findings);
@@ -71,20 +75,31 @@ bool is_constant(const Image& image) {
   return true;
 }
 
+/// Mips in which strands differ as much as they do close by.
+std::vector<Image> mips_of_strands(Image image, const HairMesh& hair, std::uint32_t max_size) {
+  std::vector<Image> mips = make_mips(std::move(image), max_size, TexelMeaning::kNumbers);
+  keep_spread(mips, used_texels(hair, mips[0].width, mips[0].height));
+  return mips;
+}
+
 ShiftMask bake_shift_mask(const BaseColor& color, const RecipeImage& shift, const RecipeImage& mask,
-                          bool strands_along_u, const DrawnRecipe& recipe) {
+                          const HairStrips& hair, const DrawnRecipe& recipe) {
   const std::optional<Image>& strands = color.strand_ids ? color.strand_ids : color.strands;
+  const std::uint32_t max_size = size_limit(color, recipe);
   if (strands && !shift.image && !mask.image) {
-    return {make_mips(shift_mask_of(*strands, recipe.texture_seed), texture_limit(recipe), TexelMeaning::kNumbers),
-            false};
+    Image numbers = shift_mask_of(*strands, recipe.texture_seed);
+    if (color.max_size) numbers = quarter_rows(numbers, TexelMeaning::kNumbers);
+    return {mips_of_strands(std::move(numbers), hair.mesh, max_size), false};
   }
+  const bool strands_along_u = hair.strands.along_u;
   const auto pointer = [](const RecipeImage& image) { return image.image ? &*image.image : nullptr; };
   Image whole = combine_shift_mask(pointer(shift), pointer(mask), recipe.texture_seed, strands_along_u);
   const bool constant = is_constant(whole);
   if (color.atlas && !constant) {
     whole = draw_atlas(*color.atlas, std::vector<const Image*>(color.atlas->tiles.size(), &whole));
   }
-  return {make_mips(std::move(whole), texture_limit(recipe), TexelMeaning::kNumbers), constant};
+  if (!shift.image && !mask.image) return {mips_of_strands(std::move(whole), hair.mesh, max_size), constant};
+  return {make_mips(std::move(whole), max_size, TexelMeaning::kNumbers), constant};
 }
 
 /// If the texture is constant, the material stores the number: otherwise every pixel would read the texture for it.
@@ -118,8 +133,7 @@ tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, con
   ShiftMask shift_mask;
   parallel_for(2, settings.threads, [&](std::size_t i) {
     if (i == 0 && textured) base = bake_base(color, hair.mesh, recipe, baked.transparency, findings);
-    if (i == 1 && !color.is_of_vertex_colors)
-      shift_mask = bake_shift_mask(color, *shift, *mask, hair.strands.along_u, recipe);
+    if (i == 1 && !color.is_of_vertex_colors) shift_mask = bake_shift_mask(color, *shift, *mask, hair, recipe);
   });
   const TexelFormat format = two_channel_format(recipe);
   if (textured) baked.stored.append(TextureRole::kBaseColor, TexelFormat::kSrgb8Alpha8, base.color, settings.threads);
@@ -133,7 +147,10 @@ tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, con
   const Image *const normals = color.normals ? &*color.normals : nullptr, *const strands =
                                                                               color.strands ? &*color.strands : nullptr;
   if (normals != nullptr || strands != nullptr) {
-    baked.relief = bake_relief(normals, strands, hair.mesh, recipe, settings.threads, findings);
+    std::optional<Image> rows_spared;
+    if (strands != nullptr && color.max_size) rows_spared = quarter_rows(*strands, TexelMeaning::kNumbers);
+    baked.relief = bake_relief(normals, rows_spared ? &*rows_spared : strands, hair.mesh,
+                               {format, size_limit(color, recipe)}, settings.threads, findings);
   }
   baked.used = std::move(base.used);
   return baked;

@@ -137,6 +137,10 @@ Image reduce(Image image, std::uint32_t max_size, TexelMeaning meaning) {
   return image;
 }
 
+Image quarter_rows(const Image& image, TexelMeaning meaning) {
+  return shrink(image, image.width, std::max(1u, image.height / 4), meaning);
+}
+
 std::vector<Image> make_mips(Image image, std::uint32_t max_size, TexelMeaning meaning) {
   std::vector<Image> mips;
   mips.push_back(reduce(std::move(image), max_size, meaning));

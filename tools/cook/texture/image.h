@@ -54,6 +54,14 @@ enum class TexelMeaning {
 /// The image, halved until no side is longer than `max_size`.
 [[nodiscard]] Image reduce(Image image, std::uint32_t max_size, TexelMeaning meaning);
 
+/// The image with a quarter of its rows: of textures whose strands run down the rows, which change across them.
+[[nodiscard]] Image quarter_rows(const Image& image, TexelMeaning meaning);
+
+/// Gives each channel of all smaller mips the standard deviation that it has in the largest, where `used` is not 0 (one
+/// channel, the size of the largest); the mean stays. Averaged numbers of strands would differ the less the farther
+/// away the hair is, but the few strands that are in front within a pixel do not.
+void keep_spread(std::span<Image> mips, Image used);
+
 /// The image and all its halvings down to one texel. An image larger than `max_size` is reduced first.
 [[nodiscard]] std::vector<Image> make_mips(Image image, std::uint32_t max_size, TexelMeaning meaning);
 

@@ -41,20 +41,19 @@ TexelFormat two_channel_format(const DrawnRecipe& recipe) {
   return recipe.shift_mask_format == ShiftMaskFormat::kEac ? TexelFormat::kRg11Eac : TexelFormat::kRg8;
 }
 
-StoredTextures bake_relief(const Image* normals, const Image* strands, const HairMesh& hair, const DrawnRecipe& recipe,
+StoredTextures bake_relief(const Image* normals, const Image* strands, const HairMesh& hair, const MapForm& form,
                            const platform::Threads& threads, Findings& findings) {
   StoredTextures stored;
-  const TexelFormat format = two_channel_format(recipe);
   const auto keep = [&](TextureRole role, const char* name, Image image) {
-    image = reduce(std::move(image), texture_limit(recipe), TexelMeaning::kNumbers);
+    image = reduce(std::move(image), form.max_size, TexelMeaning::kNumbers);
     const Image used = used_texels(hair, image.width, image.height);
     if (rms_of(image, used) < kLeastRms) {
-      return findings.leave_out({name, "it says nothing where the hair shows it", bytes_with_mips(format, image)});
+      return findings.leave_out({name, "it says nothing where the hair shows it", bytes_with_mips(form.format, image)});
     }
     DetailedImage detailed = reduce_to_detail(std::move(image), used, TexelMeaning::kNumbers);
-    const std::vector<Image> mips = make_mips(std::move(detailed.image), texture_limit(recipe), TexelMeaning::kNumbers);
+    const std::vector<Image> mips = make_mips(std::move(detailed.image), form.max_size, TexelMeaning::kNumbers);
     findings.note(fmt::format("{}: {} x {} texels", name, mips[0].width, mips[0].height));
-    stored.append(role, format, mips, threads);
+    stored.append(role, form.format, mips, threads);
   };
   if (normals != nullptr) keep(TextureRole::kNormal, "map of normals", *normals);
   const char* const axes = "map of how strands run";

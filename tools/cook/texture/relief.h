@@ -66,11 +66,17 @@ struct DrawnRecipe;
 /// The recipe's format for textures with two channels.
 [[nodiscard]] TexelFormat two_channel_format(const DrawnRecipe& recipe);
 
+/// How maps of two channels are stored.
+struct MapForm {
+  TexelFormat format = TexelFormat::kRg8;
+  std::uint32_t max_size = 0;  ///< Texels each way; larger images are reduced.
+};
+
 /// Maps of how normals and strands lie on the surface (TextureRole::kNormal, kStrandAxis), each at the lowest
 /// resolution that loses nothing: from the hair's normals (two channels), and from known strands
 /// (SourceMaterial::strand_texture), else also from the normals. Null: none. A map without information where the hair
 /// shows it is left out.
-StoredTextures bake_relief(const Image* normals, const Image* strands, const HairMesh& hair, const DrawnRecipe& recipe,
+StoredTextures bake_relief(const Image* normals, const Image* strands, const HairMesh& hair, const MapForm& form,
                            const platform::Threads& threads, Findings& findings);
 
 }  // namespace coif::cook
