@@ -79,7 +79,7 @@ cards::CardSurface striped_square() {
 
 TEST(SurfaceAsCooked, CoversAsMuchFromAfarAsCloseUp) {
   cards::CardSurface surface = striped_square();
-  draw_as_cooked(surface);
+  cards::draw_as_cooked(surface);
   ASSERT_EQ(surface.smaller_opacity.size(), 8u);
   EXPECT_GT(surface.opaque_from, 0.4f);
   EXPECT_GT(surface.discard_below, 0);

@@ -42,7 +42,7 @@ class CardsReports : public testing::Test {
                                          {kTriangles, settings.texels, settings.rounds, kWidth}, 2);
     if (!cards) throw std::runtime_error(cards.error().message);
     cards::CardSurface surface = cards::surface_of(*cards);
-    draw_as_cooked(surface);
+    cards::draw_as_cooked(surface);
     asset_ =
         std::make_unique<lab::OpenedAsset>(asset_of_surface(surface, {1, Eigen::Matrix3f::Identity(), {0, 0.1f, 0}}));
     settings.sheets = settings.ablation = true;

@@ -114,7 +114,9 @@ class PlanSearch {
     auto cards = texture_cards(groom_, shape_, std::move(chosen), texels(), threads_);
     if (!cards) return kNone;
     fit_opacity(target_, std::min(kJudgedRounds, budget_.rounds), *cards, threads_);
-    const double price = judge_.judge(surface_of(*cards), threads_).price();
+    CardSurface surface = surface_of(*cards);
+    draw_as_cooked(surface);
+    const double price = judge_.judge(surface, threads_).price();
     if (price < least_) {
       least_ = price;
       best_ = plan;

@@ -53,9 +53,9 @@ struct PlanBudget {
 };
 
 /// The plan whose cards have the lowest price(): cards of several numbers of quads are made by each construction, with
-/// fewer texels and fewer rounds of fitting than in the end, and looked at. The search goes on towards fewer or more
-/// quads as long as the price falls. Of cards in many more layers than others nothing is expected. Repeats for equal
-/// input, with any `threads`.
+/// fewer texels and fewer rounds of fitting than in the end, and looked at with mips and thresholds, as they are drawn.
+/// The search goes on towards fewer or more quads as long as the price falls. Of cards in many more layers than others
+/// nothing is expected. Repeats for equal input, with any `threads`.
 [[nodiscard]] CardsPlan choose_plan(const groom::Groom& groom, const GroomShape& shape,
                                     std::span<const Construction> constructions, const PlanBudget& budget,
                                     const platform::Threads& threads);

@@ -78,6 +78,10 @@ struct Cards {
 /// For drawing: strip by strip, two vertices at each of its stations.
 [[nodiscard]] CardSurface surface_of(const Cards& cards);
 
+/// Gives a surface mips and thresholds of opacity as a cook does (cook/texture): mips that cover as much as the
+/// largest.
+void draw_as_cooked(CardSurface& surface);
+
 /// A model of strips with one texture in place of the strands, like an artist's model: the rest of a cook starts from
 /// it. Coarser levels of detail are in SourceModel::coarser. Repeats for equal input, with any `threads`. kOverBudget
 /// where the budget is too small for the fewest cards that hold the hair.

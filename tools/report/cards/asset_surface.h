@@ -37,8 +37,4 @@ struct CookedPlace {
 /// with the material's thresholds, as it is drawn.
 [[nodiscard]] cards::CardSurface surface_of_asset(const Asset& asset, std::uint32_t lod, const CookedPlace& place);
 
-/// Gives a surface mips and thresholds of opacity as a cook does (cook/texture): mips that cover as much as the
-/// largest.
-void draw_as_cooked(cards::CardSurface& surface);
-
 }  // namespace coif::report

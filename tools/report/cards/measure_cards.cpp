@@ -99,7 +99,7 @@ class CardsMeasurement {
 
   [[nodiscard]] static cards::CardSurface drawn_surface_of(const cards::Cards& cards) {
     cards::CardSurface surface = cards::surface_of(cards);
-    draw_as_cooked(surface);
+    cards::draw_as_cooked(surface);
     return surface;
   }
 
