@@ -85,11 +85,11 @@ std::vector<Image> mips_of_strands(Image image, const HairMesh& hair, std::uint3
 ShiftMask bake_shift_mask(const BaseColor& color, const RecipeImage& shift, const RecipeImage& mask,
                           const HairStrips& hair, const DrawnRecipe& recipe) {
   const std::optional<Image>& strands = color.strand_ids ? color.strand_ids : color.strands;
-  const std::uint32_t max_size = size_limit(color, recipe);
-  if (strands && !shift.image && !mask.image) {
+  const bool is_generated = !shift.image && !mask.image;
+  if (strands && is_generated) {
     Image numbers = shift_mask_of(*strands, recipe.texture_seed);
     if (color.max_size) numbers = quarter_rows(numbers, TexelMeaning::kNumbers);
-    return {mips_of_strands(std::move(numbers), hair.mesh, max_size), false};
+    return {mips_of_strands(std::move(numbers), hair.mesh, size_limit(color, recipe)), false};
   }
   const bool strands_along_u = hair.strands.along_u;
   const auto pointer = [](const RecipeImage& image) { return image.image ? &*image.image : nullptr; };
@@ -98,8 +98,9 @@ ShiftMask bake_shift_mask(const BaseColor& color, const RecipeImage& shift, cons
   if (color.atlas && !constant) {
     whole = draw_atlas(*color.atlas, std::vector<const Image*>(color.atlas->tiles.size(), &whole));
   }
-  if (!shift.image && !mask.image) return {mips_of_strands(std::move(whole), hair.mesh, max_size), constant};
-  return {make_mips(std::move(whole), max_size, TexelMeaning::kNumbers), constant};
+  const std::uint32_t limit = texture_limit(recipe);
+  if (is_generated) return {mips_of_strands(std::move(whole), hair.mesh, limit), constant};
+  return {make_mips(std::move(whole), limit, TexelMeaning::kNumbers), constant};
 }
 
 /// If the texture is constant, the material stores the number: otherwise every pixel would read the texture for it.
