@@ -191,6 +191,7 @@ TEST(BakeTextures, InAnAtlasShiftAndMaskFollowEachSurfacesOwnCoordinates) {
   HairMesh hair = before;
   Recipe recipe = default_recipe();
   recipe.shift_mask_format = ShiftMaskFormat::kRg8;
+  recipe.shading = "thesis";
   const auto color = find_base_color(model, hair, recipe, {}, unheard());
   ASSERT_TRUE(color && color->atlas);
   const Image stored = stored_mips(baked(*color, hair, recipe), TextureRole::kShiftMask, 2)[0];
@@ -202,6 +203,20 @@ TEST(BakeTextures, InAnAtlasShiftAndMaskFollowEachSurfacesOwnCoordinates) {
       EXPECT_EQ(stored.texels[2 * (std::size_t(tile.y + i) * stored.width + tile.x)], own.texels[2 * from]);
     }
   }
+}
+
+TEST(BakeTextures, GeneratedShiftsAreCalmerWhereTheyTellFibresApartInAllLight) {
+  Recipe recipe = default_recipe();
+  recipe.shift_mask_format = ShiftMaskFormat::kRg8;
+  const auto farthest = [&](const char* shading) {
+    recipe.shading = shading;
+    const Image stored = stored_mips(baked({}, left_half(), recipe), TextureRole::kShiftMask, 2)[0];
+    int most = 0;
+    for (std::size_t i = 0; i < stored.texels.size(); i += 2) most = std::max(most, std::abs(stored.texels[i] - 128));
+    return most;
+  };
+  EXPECT_GT(farthest("thesis"), 60);
+  EXPECT_NEAR(farthest("volume"), 0.3 * farthest("thesis"), 2);
 }
 
 TEST(BakeTextures, WhatIsUsedOfAWideImageIsKnownTexelByTexel) {
