@@ -43,13 +43,12 @@ const cases = {
 
   async turns_with_the_head() {
     await withBody(async (page) => {
-      await page.evaluate(async () => {
+      await page.evaluate(async (settings) => {
         const view = await window.coif;
-        view.set('motion', 'turn');
-        view.set('plays', 1);
-        for (let i = 0; i < 24; ++i) view.draw(48, 40, 1 / 60);
+        for (const [name, value] of Object.entries({ ...settings, motion: 'turn', plays: 1 })) view.set(name, value);
+        for (let i = 0; i < 8; ++i) view.draw(48, 40, 1 / 20);
         view.set('plays', 0);
-      });
+      }, SETTINGS);
       const turned = await take(page, SIZE, SETTINGS);
       const db = psnr(turned, rendered('--body', BODY));
       console.log(`turned, beside the picture at rest: ${db.toFixed(1)} dB`);
