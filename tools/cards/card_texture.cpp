@@ -198,17 +198,17 @@ void fill_from_beside(const CardTexture& texture, const Texel& otherwise, std::v
 /// only.
 void spread_numbers(CardTexture& texture) {
   for (std::uint32_t y = 0; y < texture.height; ++y) {
-    const std::size_t row = std::size_t(y) * texture.width;
+    float* const row = &texture.strand[std::size_t(y) * texture.width];
+    const float* const opacity = &texture.opacity[std::size_t(y) * texture.width];
     std::optional<std::size_t> before;
     for (std::size_t x = 0; x < texture.width; ++x) {
-      if (texture.opacity[row + x] == 0) continue;
-      for (std::size_t k = before ? (*before + x) / 2 + 1 : 0; k < x; ++k)
-        texture.strand[row + k] = texture.strand[row + x];
+      if (opacity[x] == 0) continue;
+      const std::size_t nearer = before ? (*before + x) / 2 + 1 : 0;
+      if (before) std::fill(row + *before, row + nearer, row[*before]);
+      std::fill(row + nearer, row + x, row[x]);
       before = x;
-      for (std::size_t k = x + 1; k < texture.width && texture.opacity[row + k] == 0; ++k) {
-        texture.strand[row + k] = texture.strand[row + x];
-      }
     }
+    if (before) std::fill(row + *before, row + texture.width, row[*before]);
   }
 }
 
