@@ -10,6 +10,8 @@ namespace coif::cards {
 namespace {
 
 constexpr float kStraysBesideStrip = 0.04f;  // Share of a wisp's strands that may lie beside its strip.
+constexpr float kLeastForward = 0.1f;        // Share of the middle's way that each side of a strip goes.
+constexpr int kForwardRounds = 3;            // An edge has two quads.
 constexpr float kBehindStrip = 0.65f;        // Share of them that lie behind it, seen from outside.
 
 Eigen::Vector3f middle_of(const std::array<Eigen::Vector3f, 2>& edge) { return 0.5f * (edge[0] + edge[1]); }
@@ -47,6 +49,41 @@ void move_outwards(const StrandsAt& there, const Eigen::Vector3f& middle_of_hair
   }
 }
 
+using Edges = std::vector<std::array<Eigen::Vector3f, 2>>;
+
+/// The unit direction in which a strip goes on at an edge: half way between those of its two quads.
+Eigen::Vector3f way_at(const Edges& edges, std::size_t e) {
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  if (e > 0) sum += (middle_of(edges[e]) - middle_of(edges[e - 1])).normalized();
+  if (e + 1 < edges.size()) sum += (middle_of(edges[e + 1]) - middle_of(edges[e])).normalized();
+  return sum.normalized();
+}
+
+void set_half(std::array<Eigen::Vector3f, 2>& edge, const Eigen::Vector3f& half) {
+  const Eigen::Vector3f middle = middle_of(edge);
+  edge = {middle - half, middle + half};
+}
+
+/// Keeps a strip from running back behind its edges, which turns triangles over: each edge lies across the way, and
+/// where a wide strip turns sharply, the inner ends of its edges are moved apart along the way.
+void keep_sides_forward(Edges& edges) {
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const Eigen::Vector3f way = way_at(edges, e), half = 0.5f * (edges[e][1] - edges[e][0]);
+    const Eigen::Vector3f across = half - way.dot(half) * way;
+    if (across.norm() > 0) set_half(edges[e], half.norm() * across.normalized());
+  }
+  for (int round = 0; round < kForwardRounds; ++round) {
+    for (std::size_t e = 0; e + 1 < edges.size(); ++e) {
+      const Eigen::Vector3f step = middle_of(edges[e + 1]) - middle_of(edges[e]);
+      for (const auto& [own, other] : {std::pair(e, e + 1), std::pair(e + 1, e)}) {
+        const Eigen::Vector3f way = way_at(edges, own), half = 0.5f * (edges[other][1] - edges[other][0]);
+        const float ahead = half.dot(way), most = std::max((1 - kLeastForward) * step.dot(way), 0.0f);
+        if (std::abs(ahead) > most) set_half(edges[other], half - (ahead - std::copysign(most, ahead)) * way);
+      }
+    }
+  }
+}
+
 /// Makes each edge as wide as its two quads need.
 void lay_strip(const EvenStrands& strands, const Eigen::Vector3f& middle_of_hair, Wisp& wisp, CardStrip& strip) {
   strip.edges = edges_of(wisp.ribbon, strip);
@@ -73,6 +110,7 @@ void lay_strip(const EvenStrands& strands, const Eigen::Vector3f& middle_of_hair
     const float wide = half[e] + 0.5f * strands.width;
     strip.edges[e] = {middle - wide * across, middle + wide * across};
   }
+  keep_sides_forward(strip.edges);
 }
 
 }  // namespace
