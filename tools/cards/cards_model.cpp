@@ -62,10 +62,11 @@ std::array<std::uint8_t, 4> strand_texel(const CardTexture& texture, float deepe
 void add_images(std::span<const Cards> levels, importer::SourceModel& model) {
   AtlasPicture colors(levels.front().plan), strands(levels.front().plan);
   for (const Cards& cards : levels) {
-    for (std::size_t i = 0; i < cards.wisps.size(); ++i) {
+    for (std::size_t i = 0; i < cards.textures.size(); ++i) {
       const AtlasPlace& place = cards.plan.places[i];
       const CardTexture& texture = cards.textures[i];
-      const float deepest = std::max(std::ranges::max(cards.wisps[i].ribbon.half_depth), 1e-9f);
+      const Ribbon& ribbon = cards.wisps[cards.strips[cards.shares.drawn_from[i]].wisp].ribbon;
+      const float deepest = std::max(std::ranges::max(ribbon.half_depth), 1e-9f);
       colors.paint(place, [&](std::size_t k) { return color_texel(texture, k); });
       strands.paint(place, [&](std::size_t k) { return strand_texel(texture, deepest, k); });
     }
@@ -85,7 +86,7 @@ importer::SourceLevel level_of(const Cards& cards, const Eigen::Vector3f& middle
   mesh.triangles = std::move(surface.triangles);
   std::size_t vertex = 0, index = 0;
   for (std::uint32_t i = 0; i < cards.strips.size(); ++i) {
-    const bool is_turned = faces_inwards(cards.wisps[i].ribbon, middle);
+    const bool is_turned = faces_inwards(cards.wisps[cards.strips[i].wisp].ribbon, middle);
     for (const std::uint8_t station : cards.strips[i].stations) {
       level.place.insert(level.place.end(), 2, float(station) / float(Ribbon::kStations - 1));
     }

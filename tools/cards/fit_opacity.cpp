@@ -16,8 +16,56 @@ namespace {
 constexpr double kLeastFall = 0.02;      // Share of the error that makes another round worthwhile.
 constexpr float kLittleSeen = 0.3f;      // samples: texels that are seen less than this change less
 constexpr float kOnwards = 0.5f;         // Share of a texel's last change that is repeated.
-constexpr std::size_t kSpreadAlong = 4;  // texels
-constexpr float kEdge = 0.12f;           // Share of a card's width and length.
+constexpr std::size_t kSpreadAlong = 4;  // texels, at least
+// Finer textures than these have texels that are smaller than the pictures' samples: those that many cards share.
+constexpr std::uint32_t kSeenAcross = 30, kSeenAlong = 120;
+constexpr float kEdge = 0.12f;  // Share of a card's width and length.
+
+/// Texels of a texture before and behind each in a row, and in a column.
+struct Reach {
+  std::size_t across = 0, along = 0;
+};
+
+/// What one sample of a picture sees at once of a texture that is finer than pictures.
+Reach seen_at_once(const AtlasPlace& place) { return {place.width / kSeenAcross, place.height / kSeenAlong}; }
+
+/// Where what is asked of a texel is done: along the card, where its strands lie.
+Reach spread_of(const AtlasPlace& place) {
+  const Reach seen = seen_at_once(place);
+  return {seen.across, kSpreadAlong * std::max<std::size_t>(seen.along, 1)};
+}
+
+/// Replaces each value of a line of `count` by the sum from `reach` before it to as many behind it.
+void sum_line(std::span<float> values, std::size_t step, std::size_t count, std::size_t reach) {
+  std::vector<double> before(count + 1, 0);
+  for (std::size_t i = 0; i < count; ++i) before[i + 1] = before[i] + double(values[i * step]);
+  for (std::size_t i = 0; i < count; ++i)
+    values[i * step] = float(before[std::min(i + reach + 1, count)] - before[i - std::min(i, reach)]);
+}
+
+/// Sums over the texels around each of a texture's, row by row.
+std::vector<float> sums_around(std::vector<float> values, std::size_t width, const Reach& reach) {
+  const std::size_t height = values.size() / width;
+  for (std::size_t y = 0; reach.across > 0 && y < height; ++y)
+    sum_line(std::span(values).subspan(y * width), 1, width, reach.across);
+  for (std::size_t x = 0; reach.along > 0 && x < width; ++x)
+    sum_line(std::span(values).subspan(x), width, height, reach.along);
+  return values;
+}
+
+/// The opacity that samples of a picture see: of textures that are finer than these, means.
+void blur_fine_textures(const AtlasPlan& plan, std::span<const CardTexture> textures, CardSurface& surface) {
+  for (std::size_t i = 0; i < textures.size(); ++i) {
+    const AtlasPlace& place = plan.places[i];
+    const Reach reach = seen_at_once(place);
+    if (reach.across == 0 && reach.along == 0) continue;
+    const std::vector<float> sums = sums_around(textures[i].opacity, place.width, reach),
+                             counts = sums_around(std::vector<float>(sums.size(), 1), place.width, reach);
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+      surface.opacity[(place.y + k / place.width) * surface.width + place.x + k % place.width] = sums[k] / counts[k];
+    }
+  }
+}
 
 /// The change that views request for every texel of the atlas.
 class AtlasChange {
@@ -40,7 +88,8 @@ class AtlasChange {
 
   /// Returns the requested changes of a card's texels, row by row, and clears them.
   [[nodiscard]] std::vector<float> take(const AtlasPlace& place) {
-    const std::vector<float> asked = spread(taken(place, asked_), place), seen = spread(taken(place, seen_), place);
+    const std::vector<float> asked = sums_around(taken(place, asked_), place.width, spread_of(place)),
+                             seen = sums_around(taken(place, seen_), place.width, spread_of(place));
     std::vector<float> change(asked.size());
     for (std::size_t i = 0; i < change.size(); ++i) change[i] = asked[i] / (seen[i] + kLittleSeen);
     return change;
@@ -63,19 +112,6 @@ class AtlasChange {
     return out;
   }
 
-  /// Sums over the texels before and behind each, along the card.
-  static std::vector<float> spread(const std::vector<float>& values, const AtlasPlace& place) {
-    const std::size_t count = place.height, step = place.width;
-    std::vector<float> sums(values.size(), 0);
-    for (std::size_t y = 0; y < count; ++y) {
-      const std::size_t first = y - std::min(y, kSpreadAlong), last = std::min(y + kSpreadAlong, count - 1);
-      for (std::size_t k = first; k <= last; ++k) {
-        for (std::size_t x = 0; x < step; ++x) sums[y * step + x] += values[k * step + x];
-      }
-    }
-    return sums;
-  }
-
   std::uint32_t width_;
   std::vector<float> asked_, seen_;  ///< The gaps between cards receive what their edges request beyond them.
 };
@@ -91,13 +127,17 @@ class OpacityRounds {
         views_(threads.count) {
     for (const CardStrip& strip : cards.strips) {
       first_triangle_.push_back(first_triangle_.back() + std::uint32_t(strip.triangles()));
-      last_change_.emplace_back();
     }
+    last_change_.resize(cards.textures.size());
+    cards_showing_.resize(cards.textures.size());
+    for (std::size_t card = 0; card < cards.strips.size(); ++card)
+      cards_showing_[cards.shares.texture_of[card]].push_back(card);
   }
 
   /// Looks from a round's directions; returns the coverage error of cards, as a share of the strands' coverage.
   double look(int round) {
-    const CardSurface surface = surface_of(cards_);
+    CardSurface surface = surface_of(cards_);
+    blur_fine_textures(cards_.plan, cards_.textures, surface);
     constexpr std::size_t kViews = FitTarget::kViews;
     double error = 0, covered = 0;
     // As many views at once as there are threads. Texels add them up one after the other, so the number of threads
@@ -106,8 +146,10 @@ class OpacityRounds {
       const std::size_t count = std::min(views_.size(), kViews - first);
       parallel_for(count, threads_,
                    [&](std::size_t i) { look_along(FitTarget::view_of(round, first + i), surface, views_[i]); });
-      parallel_for(cards_.strips.size(), threads_, [&](std::size_t card) {
-        for (std::size_t i = 0; i < count; ++i) change_.add(views_[i], card);
+      parallel_for(cards_.textures.size(), threads_, [&](std::size_t texture) {
+        for (const std::size_t card : cards_showing_[texture]) {
+          for (std::size_t i = 0; i < count; ++i) change_.add(views_[i], card);
+        }
       });
       for (std::size_t i = 0; i < count; ++i) {
         error += views_[i].error();
@@ -117,10 +159,21 @@ class OpacityRounds {
     return covered > 0 ? error / covered : 0;
   }
 
+  /// Takes back half of the changes since these opacities, and changes half as much from now on.
+  void step_back(const std::vector<std::vector<float>>& before) {
+    step_ *= 0.5f;
+    parallel_for(cards_.textures.size(), threads_, [&](std::size_t texture) {
+      static_cast<void>(change_.take(cards_.plan.places[texture]));
+      std::vector<float>& opacity = cards_.textures[texture].opacity;
+      for (std::size_t i = 0; i < opacity.size(); ++i) opacity[i] = 0.5f * (opacity[i] + before[texture][i]);
+      last_change_[texture].clear();
+    });
+  }
+
   /// Applies the changes of the last look.
   void change() {
-    parallel_for(cards_.strips.size(), threads_, [&](std::size_t card) {
-      change_card(change_.take(cards_.plan.places[card]), last_change_[card], cards_.textures[card]);
+    parallel_for(cards_.textures.size(), threads_, [&](std::size_t texture) {
+      change_texture(change_.take(cards_.plan.places[texture]), last_change_[texture], cards_.textures[texture]);
     });
   }
 
@@ -131,12 +184,13 @@ class OpacityRounds {
   }
 
   /// A part of the last change is made again.
-  static void change_card(const std::vector<float>& change, std::vector<float>& last, CardTexture& texture) {
+  void change_texture(const std::vector<float>& change, std::vector<float>& last, CardTexture& texture) const {
     last.resize(change.size(), 0);
     for (std::uint32_t y = 0; y < texture.height; ++y) {
       for (std::uint32_t x = 0; x < texture.width; ++x) {
         const std::size_t i = std::size_t(y) * texture.width + x;
-        const float wanted = kOnwards * last[i] + (change[i] > 0 ? rise(texture, x, y) * change[i] : change[i]);
+        const float asked = change[i] > 0 ? rise(texture, x, y) * change[i] : change[i];
+        const float wanted = kOnwards * last[i] + step_ * asked;
         const float opacity = std::clamp(texture.opacity[i] + wanted, 0.0f, 1.0f);
         last[i] = opacity - texture.opacity[i];
         texture.opacity[i] = opacity;
@@ -155,8 +209,10 @@ class OpacityRounds {
   platform::Threads threads_;
   std::vector<std::uint32_t> first_triangle_{0};
   AtlasChange change_;
-  std::vector<std::vector<float>> last_change_;  ///< For each card, its texels' last change.
+  std::vector<std::vector<std::size_t>> cards_showing_;  ///< Each texture.
+  std::vector<std::vector<float>> last_change_;          ///< For each texture, its texels' last change.
   std::vector<FitView> views_;
+  float step_ = 1;  ///< Share of what is asked that is done.
 };
 
 std::vector<std::vector<float>> opacities_of(const Cards& cards) {
@@ -171,18 +227,21 @@ OpacityFit fit_opacity(FitTarget& target, int rounds, Cards& cards, const platfo
   OpacityFit fit;
   if (rounds <= 0) return fit;
   OpacityRounds fitting(target, cards, threads);
-  std::vector<std::vector<float>> best;
-  for (int round = 0; round <= rounds; ++round) {
-    const double error = fitting.look(round), before = fit.errors.empty() ? error : fit.errors.back();
-    fit.errors.push_back(error);
-    if (round > 0 && error > before) {
-      for (std::size_t i = 0; i < best.size(); ++i) cards.textures[i].opacity = std::move(best[i]);
-      break;
-    }
-    if (round == rounds || (round > 0 && error > (1 - kLeastFall) * before)) break;
-    best = opacities_of(cards);
+  std::vector<std::vector<float>> best = opacities_of(cards);
+  fit.errors.push_back(fitting.look(0));
+  bool goes_on = true;
+  for (int round = 1; round <= rounds && goes_on; ++round) {
     fitting.change();
+    const double error = fitting.look(round);
+    if (error > fit.errors.back()) {
+      fitting.step_back(best);
+      continue;
+    }
+    goes_on = error <= (1 - kLeastFall) * fit.errors.back();
+    fit.errors.push_back(error);
+    best = opacities_of(cards);
   }
+  for (std::size_t i = 0; i < best.size(); ++i) cards.textures[i].opacity = std::move(best[i]);
   return fit;
 }
 

@@ -48,8 +48,8 @@ class FitTarget {
 
 /// The error of cards relative to their strands, round by round.
 struct OpacityFit {
-  /// Mean difference of coverage, over pixels that strands cover, before each round and after the last; seen from
-  /// directions that the two rounds before it did not have.
+  /// Mean difference of coverage, over pixels that strands cover, before the first round and after each that made it
+  /// smaller; seen from directions that the two rounds before it did not have.
   std::vector<double> errors;
 };
 
@@ -58,8 +58,9 @@ struct OpacityFit {
 /// than strands do. Each round draws cards from 32 directions, a third of 96 in turn, and returns each pixel's
 /// difference from the strands to the texels that it sees, weighted by their effect (simultaneous algebraic
 /// reconstruction: Andersen and Kak 1984), spread along the card, where strands lie. A part of each round's change is
-/// repeated in the next (Polyak 1964, the heavy ball), which halves the number of rounds. Ends when a round gains too
-/// little, or after `rounds`. Repeats for equal input, with any `threads`.
+/// repeated in the next (Polyak 1964, the heavy ball), which halves the number of rounds. Half of a round that makes
+/// it worse is taken back, and later ones change less. Textures that are finer than pictures are seen and changed by
+/// their means. Ends when a round gains too little, or after `rounds`. Repeats for equal input, with any `threads`.
 OpacityFit fit_opacity(FitTarget& target, int rounds, Cards& cards, const platform::Threads& threads);
 
 }  // namespace coif::cards

@@ -35,6 +35,7 @@ Model cards_of(const groom::Groom& groom, const cook::Recipe& recipe, const Hair
                            .levels = recipe.lod_levels,
                            .level_ratio = recipe.lod_ratio,
                            .side = recipe.texture_max_size.value_or(0),
+                           .wisps = recipe.cards_wisps,
                            .plan = plan_of(recipe)};
   auto model = model_of_cards(groom, budget, settings.threads);
   if (model) model->roots = settings.import.roots;

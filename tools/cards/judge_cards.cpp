@@ -54,8 +54,8 @@ CardSurface bare_surface_of(const ChosenCards& chosen) {
   cards.wisps = chosen.wisps;
   cards.strips = chosen.strips;
   cards.plan.width = cards.plan.height = 4;
-  cards.plan.places.resize(cards.wisps.size());
-  cards.textures.resize(cards.wisps.size());
+  cards.shares = own_textures(cards.strips.size());
+  cards.plan.places.resize(cards.strips.size());
   return surface_of(cards);
 }
 

@@ -15,7 +15,8 @@ namespace coif::cards {
 namespace {
 
 constexpr std::size_t kFewestTexels = 4096;  // 64 x 64
-constexpr float kWidestStrand = 0.03f;       // radii of the head: 2.7 mm; wider strands would look like ribbons
+constexpr std::size_t kFewestOfLevel = 1;
+constexpr float kWidestStrand = 0.03f;  // radii of the head: 2.7 mm; wider strands would look like ribbons
 
 std::size_t triangles_of(std::span<const CardStrip> strips) {
   std::size_t sum = 0;
@@ -26,6 +27,7 @@ std::size_t triangles_of(std::span<const CardStrip> strips) {
 /// The triangles of a level, before it has textures.
 struct ChosenLevel {
   ChosenCards cards;
+  TextureShares shares{};  ///< How the cards above the scalp share them.
   ScalpCards scalp{};
   CardsPlan plan{};
 };
@@ -43,35 +45,65 @@ ChosenLevel choose_level(const groom::Groom& groom, const GroomShape& shape, con
                            : choose_plan(groom, shape, kConstructions,
                                          {left, budget.texels, budget.rounds, float(ratio)}, threads);
   level.cards = construct_cards(groom, shape.strands, level.plan, left, threads);
+  level.shares = own_textures(level.cards.strips.size());
   return level;
 }
 
-/// Sizes of its cards, followed by those of the scalp, each times `scale`.
+/// Lets the cards of each level share textures.
+void share_textures(const groom::Groom& groom, const GroomShape& shape, const CardsBudget& budget,
+                    std::span<ChosenLevel> levels, const platform::Threads& threads) {
+  const float width = shape.strands.width;
+  const std::size_t wisps =
+      budget.wisps ? *budget.wisps : wisps_for(sizes_of(levels.front().cards), budget.texels, width);
+  if (wisps == 0) return;
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    const auto count = std::max(std::size_t(double(wisps) * std::pow(budget.level_ratio, double(k))), kFewestOfLevel);
+    levels[k].shares = share_textures(groom, shape.is_reversed, levels[k].cards, width, count, threads);
+  }
+}
+
+/// Sizes of the cards that its textures show, followed by those of the scalp, each times `scale`.
 std::vector<CardSize> sizes_of(const ChosenLevel& level, float scalp_share, float scale) {
-  std::vector<CardSize> sizes = sizes_of(level.cards);
+  const std::vector<CardSize> of_cards = sizes_of(level.cards);
+  std::vector<CardSize> sizes;
+  for (const std::uint32_t strip : level.shares.drawn_from) sizes.push_back(of_cards[strip]);
   const std::vector<CardSize> on_scalp = scalp_card_sizes(level.scalp, sizes, scalp_share);
   sizes.insert(sizes.end(), on_scalp.begin(), on_scalp.end());
   for (CardSize& size : sizes) size = {scale * size.width, scale * size.length};
   return sizes;
 }
 
-/// Draws cards at their places in the atlas, those of the scalp after the others.
-Cards draw_level(const groom::Groom& groom, const GroomShape& shape, ChosenLevel level, AtlasPlan plan,
-                 const platform::Threads& threads) {
-  Cards cards{std::move(level.cards.wisps), std::move(level.cards.strips), std::move(plan), {}, level.plan};
-  const std::size_t above_scalp = cards.wisps.size();
-  cards.wisps.insert(cards.wisps.end(), level.scalp.wisps.begin(), level.scalp.wisps.end());
-  for (CardStrip strip : level.scalp.strips) {
-    strip.wisp += std::uint32_t(above_scalp);
+/// Puts the cards of the scalp after the others.
+void append_scalp(const ScalpCards& scalp, Cards& cards) {
+  const auto above_scalp = std::uint32_t(cards.wisps.size());
+  cards.wisps.insert(cards.wisps.end(), scalp.wisps.begin(), scalp.wisps.end());
+  for (CardStrip strip : scalp.strips) {
+    strip.wisp += above_scalp;
+    cards.shares.texture_of.push_back(std::uint32_t(cards.shares.drawn_from.size()));
+    cards.shares.drawn_from.push_back(std::uint32_t(cards.strips.size()));
     cards.strips.push_back(std::move(strip));
   }
-  cards.textures.resize(cards.wisps.size());
-  parallel_for(cards.wisps.size(), threads, [&](std::size_t i) {
+}
+
+/// Draws textures at their places in the atlas, those of the scalp after the others.
+Cards draw_level(const groom::Groom& groom, const GroomShape& shape, ChosenLevel level, AtlasPlan plan,
+                 const platform::Threads& threads) {
+  Cards cards{std::move(level.cards.wisps),
+              std::move(level.cards.strips),
+              std::move(level.shares),
+              std::move(plan),
+              {},
+              level.plan};
+  const std::size_t above_scalp = cards.shares.drawn_from.size();
+  append_scalp(level.scalp, cards);
+  cards.textures.resize(cards.shares.drawn_from.size());
+  parallel_for(cards.textures.size(), threads, [&](std::size_t i) {
     const AtlasPlace& place = cards.plan.places[i];
     const float width = shape.strands.width;
+    const CardStrip& strip = cards.strips[cards.shares.drawn_from[i]];
     cards.textures[i] =
         i < above_scalp
-            ? draw_on_card(groom, shape.is_reversed, cards.wisps[i], cards.strips[i], width, place.width, place.height)
+            ? draw_on_card(groom, shape.is_reversed, cards.wisps[strip.wisp], strip, width, place.width, place.height)
             : draw_scalp_card(level.scalp, i - above_scalp, width, place.width, place.height);
   });
   return cards;
@@ -183,6 +215,7 @@ GroomShape shape_of(const groom::Groom& groom, float strand_width) {
 tl::expected<Cards, ToolError> texture_cards(const groom::Groom& groom, const GroomShape& shape, ChosenCards cards,
                                              std::size_t texels, const platform::Threads& threads) {
   std::vector<ChosenLevel> level(1);
+  level[0].shares = own_textures(cards.strips.size());
   level[0].cards = std::move(cards);
   auto drawn = draw_levels(groom, shape, std::move(level), {.texels = texels, .caps = 0}, threads);
   if (!drawn) return tl::unexpected(drawn.error());
@@ -202,6 +235,7 @@ tl::expected<std::vector<Cards>, ToolError> make_card_levels(const groom::Groom&
     if (triangles < 2) break;
     levels.push_back(choose_level(groom, shape, budget, k, threads));
   }
+  share_textures(groom, shape, budget, levels, threads);
   auto drawn = draw_levels(groom, shape, std::move(levels), budget, threads);
   if (!drawn) return tl::unexpected(drawn.error());
   FitTarget target(groom, shape.strands.width);
@@ -227,10 +261,11 @@ CardSurface surface_of(const Cards& cards) {
   surface.direction.assign(texels, Eigen::Vector2f::Zero());
   for (std::size_t i = 0; i < cards.strips.size(); ++i) {
     const auto first = std::uint32_t(surface.positions.size());
-    add_vertices(cards.wisps[i], cards.strips[i], cards.plan, cards.plan.places[i], surface);
+    const AtlasPlace& place = cards.plan.places[cards.shares.texture_of[i]];
+    add_vertices(cards.wisps[cards.strips[i].wisp], cards.strips[i], cards.plan, place, surface);
     add_triangles(first, cards.strips[i].stations.size(), surface.triangles);
-    paint(cards.textures[i], cards.plan.places[i], surface);
   }
+  for (std::size_t i = 0; i < cards.textures.size(); ++i) paint(cards.textures[i], cards.plan.places[i], surface);
   return surface;
 }
 

@@ -6,6 +6,7 @@
 #include "cards/choose_cards.h"
 #include "cards/even_strands.h"
 #include "cards/scalp_cards.h"
+#include "cards/share_textures.h"
 #include "groom/groom.h"
 #include "import/source_model.h"
 #include "platform/stop.h"
@@ -32,6 +33,9 @@ struct CardsBudget {
   double level_ratio = 0.5;  ///< Triangles of a level, against the next finer one.
   /// Most texels of the atlas in each direction; 0: any. It is larger if it would not hold all cards.
   std::uint32_t side = 0;
+  /// Textures that all cards of a level share, of coarser ones by the ratio fewer; 0: each has its own; none: own ones
+  /// if strands can be seen on them, else as few as make strands two texels wide (wisps_for()).
+  std::optional<std::size_t> wisps = {};
   std::optional<CardsPlan> plan = {};  ///< How cards are made; none: as choose_plan() finds best (judge_cards.h).
 };
 
@@ -45,11 +49,12 @@ struct GroomShape {
 
 [[nodiscard]] GroomShape shape_of(const groom::Groom& groom, float strand_width);
 
-/// A strip and a texture for each wisp, and where this lies in the atlas.
+/// A strip for each wisp, and their textures in an atlas.
 struct Cards {
   std::vector<Wisp> wisps;
   std::vector<CardStrip> strips;
-  AtlasPlan plan;
+  TextureShares shares;  ///< How the strips share `textures`.
+  AtlasPlan plan;        ///< A place for each texture.
   std::vector<CardTexture> textures;
   CardsPlan made_by = {};  ///< Set by make_cards() and make_card_levels().
 };

@@ -31,6 +31,7 @@ tl::expected<ReportStrands, ToolError> read_report_strands(const ReportOptions& 
   settings.rounds = int(choice->recipe.cards_rounds);
   settings.strand_width = float(choice->recipe.cards_strand_width);
   settings.caps = float(choice->recipe.cards_caps);
+  settings.wisps = choice->recipe.cards_wisps;
   const auto bytes = FileBytes::read(source);
   if (!bytes) return tl::unexpected(bytes.error());
   auto groom = groom::read_groom(source, options.cards.limits.of_import(import_settings(choice->recipe, {}), messages));

@@ -10,6 +10,7 @@ namespace coif::cook {
 struct CardsRecipe {
   std::uint32_t cards_triangles = 0;
   std::uint32_t cards_texels = 0;
+  std::optional<std::uint32_t> cards_wisps;  ///< Textures that cards share; 0: each has its own; none: by the strands.
   std::uint32_t cards_rounds = 0;
   double cards_strand_width = 0;                    ///< Metres; 0: follows from the number of strands.
   double cards_caps = 0;                            ///< Share of triangles and texels.

@@ -68,6 +68,7 @@ struct CardsSummary {
   std::uint64_t triangles = 0;          ///< The budget.
   std::uint64_t texels = 0;             ///< The budget.
   std::uint64_t cards = 0;              ///< Cards made.
+  std::uint64_t textures = 0;           ///< Different textures of these.
   std::uint64_t made_triangles = 0;     ///< their triangles
   std::uint64_t made_texels = 0;        ///< Texels made, gaps included.
   std::optional<double> segments = {};  ///< Per strip of "even".
@@ -85,6 +86,7 @@ struct CardsSummary {
                        {"texels", &Row::texels},
                        {"baseline", &Row::baseline},
                        {"cards", &Row::cards, {"number"}, {"number", 8}},
+                       {"textures", &Row::textures, {"textures"}, {"textures", 10}},
                        {"made_triangles", &Row::made_triangles, {"triangles"}, {"triangles", 11}},
                        {"made_texels", &Row::made_texels, {"texels"}},
                        {"segments", &Row::segments, {"segments of each", "{:.0f}"}, {"segments", 10, "{:.0f}"}}};
@@ -99,6 +101,7 @@ struct CardsAblation {
   std::uint64_t triangles = 0;  ///< The budget.
   bool fitted = true;           ///< The texels' opacity is fitted to pictures of the strands.
   bool caps = true;             ///< Some of the triangles lie on the scalp.
+  bool shared = true;           ///< Cards may share textures.
   std::uint64_t cards = 0;      ///< Cards made.
   CardsFigures figures{};
   double seconds = 0;  ///< Wall time that making them took, without the choice of the construction.
@@ -111,6 +114,7 @@ struct CardsAblation {
                        {"baseline", &Row::baseline},
                        {"fitted", &Row::fitted, {"opacity fitted"}, {"fitted", 8}},
                        {"caps", &Row::caps, {"cards on the scalp"}, {"caps", 7}},
+                       {"shared", &Row::shared, {"textures shared"}, {"shared", 8}},
                        {"cards", &Row::cards, {"number"}, {"number", 8}}};
   columns.append(cards_figure_columns<Row>());
   columns.add({"seconds", &Row::seconds, {"seconds to make", "{:.2f}"}, {"seconds", 9, "{:.2f}"}});

@@ -94,7 +94,9 @@ class CardsMeasurement {
   static inline const unsigned kThreads = platform::all_threads();
 
   [[nodiscard]] cards::CardsBudget budget_of(std::size_t triangles) const {
-    return {triangles, settings_.texels, settings_.rounds, settings_.strand_width, settings_.caps};
+    cards::CardsBudget budget{triangles, settings_.texels, settings_.rounds, settings_.strand_width, settings_.caps};
+    budget.wisps = settings_.wisps;
+    return budget;
   }
 
   [[nodiscard]] static cards::CardSurface drawn_surface_of(const cards::Cards& cards) {
@@ -119,20 +121,34 @@ class CardsMeasurement {
     return made;
   }
 
-  /// The same construction without the fit of opacity, without cards on the scalp, and without both.
-  void ablate(const char* baseline, cards::CardsBudget budget) {
-    for (const bool is_fitted : {true, false}) {
-      for (const bool has_caps : {true, false}) {
-        progress_(fmt::format("{} triangles, {}, ablation", budget.triangles, cards_name(baseline)));
-        budget.rounds = is_fitted ? settings_.rounds : 0;
-        budget.caps = has_caps ? settings_.caps : 0;
-        const Made made = make(baseline, budget);
-        if (!made) continue;
-        const cards::CardSurface surface = drawn_surface_of(made->cards);
-        report_.ablation.push_back({baseline, budget.triangles, is_fitted, has_caps, made->cards.wisps.size(),
-                                    figures_of(surface, views_->compare(surface)), made->seconds});
+  /// The same construction without the fit of opacity, without cards on the scalp, without shared textures where there
+  /// are any, and without several of these.
+  void ablate(const char* baseline, cards::CardsBudget budget, bool shares) {
+    const auto wisps = budget.wisps;
+    for (const bool is_shared : {true, false}) {
+      if (!is_shared && !shares) continue;
+      budget.wisps = is_shared ? wisps : std::size_t{0};
+      for (const bool is_fitted : {true, false}) {
+        for (const bool has_caps : {true, false}) {
+          budget.rounds = is_fitted ? settings_.rounds : 0;
+          budget.caps = has_caps ? settings_.caps : 0;
+          ablate_one({.baseline = baseline, .fitted = is_fitted, .caps = has_caps, .shared = shares && is_shared},
+                     budget);
+        }
       }
     }
+  }
+
+  void ablate_one(CardsAblation row, const cards::CardsBudget& budget) {
+    progress_(fmt::format("{} triangles, {}, ablation", budget.triangles, cards_name(row.baseline)));
+    const Made made = make(row.baseline, budget);
+    if (!made) return;
+    const cards::CardSurface surface = drawn_surface_of(made->cards);
+    row.triangles = budget.triangles;
+    row.cards = made->cards.strips.size();
+    row.figures = figures_of(surface, views_->compare(surface));
+    row.seconds = made->seconds;
+    report_.ablation.push_back(std::move(row));
   }
 
   void describe_strands() {
@@ -155,7 +171,8 @@ class CardsMeasurement {
     }
     const cards::CardSurface surface = drawn_surface_of(made->cards);
     CardsSummary summary{.baseline = baseline, .triangles = budget.triangles, .texels = budget.texels};
-    summary.cards = made->cards.wisps.size();
+    summary.cards = made->cards.strips.size();
+    summary.textures = made->cards.textures.size();
     summary.made_triangles = surface.triangles.size() / 3;
     summary.made_texels = std::uint64_t{surface.width} * surface.height;
     summary.segments = made->segments;
@@ -171,11 +188,12 @@ class CardsMeasurement {
                               likeness[i].coverage_iou,
                               cards::psnr_db(likeness[i].error)});
     }
+    const bool shares = summary.textures < summary.cards;
     report_.summary.push_back(std::move(summary));
     if (settings_.ablation) {
       cards::CardsBudget same = budget;
       same.plan = made->cards.made_by;
-      ablate(baseline, same);
+      ablate(baseline, same, shares);
     }
     if (sheets_ && std::string_view(baseline) == kOwn)
       sheets_->add(fmt::format("{} triangles", budget.triangles), surface);

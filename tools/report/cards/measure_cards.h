@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace coif::report {
@@ -28,6 +29,7 @@ struct CardsSettings {
   int rounds = 6;                                   ///< CardsBudget::rounds.
   float strand_width = 0;                           ///< Metres; CardsBudget::strand_width.
   float caps = 0.04f;                               ///< CardsBudget::caps.
+  std::optional<std::size_t> wisps = {};            ///< CardsBudget::wisps.
 };
 
 /// Makes cards of `groom` for each budget, coif's own and the baselines, and compares all of them and the asset, which
