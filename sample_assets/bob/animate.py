@@ -4,7 +4,7 @@
   sample_assets/bob/animate.py COIF ASSET BODY OUT.png
 
 COIF draws each frame (`coif render --motion turn --time T`); this script only lays the frames one after the other, in one
-palette, since 64 colours take a tenth of the bytes of all.
+palette of a few colours, which take a small part of the bytes of all.
 """
 import collections
 import pathlib
@@ -17,7 +17,7 @@ import zlib
 # The motion repeats at 1.54 Hz, and after two rounds so does the hair.
 FRAMES, SIZE = 13, 256
 FIRST, STEP = 2 / 1.54, 1 / 1.54 / FRAMES
-COLOURS = 64
+COLOURS = 96
 VIEW = "35,8"
 
 
@@ -56,13 +56,21 @@ def unfiltered(data):
 
 
 def median_cut(counts, wanted):
-    """Means of `wanted` boxes of colours, each cut in turn where the most populated one is longest."""
+    """Means of `wanted` boxes of colours, each cut in turn where the one with most pixels and the longest side is longest."""
+    def sides(box):
+        return [max(c[k] for c in box) - min(c[k] for c in box) for k in range(3)]
+
+    def weight_of(box):  # A face's few hues get more colours than a dark background's many pixels.
+        return sum(counts[c] for c in box) * max(sides(box)) ** 2
+
     boxes = [list(counts)]
+    weights = [weight_of(boxes[0])]
     while len(boxes) < wanted:
-        box = max((b for b in boxes if len(b) > 1), key=lambda b: sum(counts[c] for c in b), default=None)
-        if box is None:
+        at = max((i for i, b in enumerate(boxes) if len(b) > 1), key=lambda i: weights[i], default=None)
+        if at is None:
             break
-        axis = max(range(3), key=lambda k: max(c[k] for c in box) - min(c[k] for c in box))
+        box = boxes[at]
+        axis = max(range(3), key=lambda k: sides(box)[k])
         box.sort(key=lambda c: c[axis])
         half, seen, cut = sum(counts[c] for c in box) / 2, 0, 1
         for i, colour in enumerate(box[:-1], 1):
@@ -71,6 +79,8 @@ def median_cut(counts, wanted):
                 break
         boxes.append(box[cut:])
         del box[cut:]
+        weights[at] = weight_of(box)
+        weights.append(weight_of(boxes[-1]))
     means = []
     for box in boxes:
         weight = sum(counts[c] for c in box)

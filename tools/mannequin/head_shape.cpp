@@ -97,16 +97,16 @@ SurfaceMesh make_bare_head() {
   return extract_surface(grid, bare_head_distance, bare_head_normal);
 }
 
-SurfaceMesh make_scalp_cap() {
+SurfaceMesh make_scalp_cap(const Field& distance, const Gradient& normal) {
   constexpr int kAround = 60;
   constexpr int kRings = 14;
   constexpr double kClearance = 0.0015;  // Metres above the skin.
   SurfaceMesh cap;
-  const auto add = [&cap](const Vector3d& direction) {
+  const auto add = [&](const Vector3d& direction) {
     Vector3d p = kCraniumCenter + kCraniumRadii.cwiseProduct(direction);
-    for (int i = 0; i < 4; ++i) p -= (head_distance(p) - kClearance) * head_normal(p);
+    for (int i = 0; i < 4; ++i) p -= (distance(p) - kClearance) * normal(p);
     cap.positions.push_back(p);
-    cap.normals.push_back(head_normal(p));
+    cap.normals.push_back(normal(p));
   };
   add(Vector3d::UnitY());
   for (int ring = 1; ring <= kRings; ++ring) {

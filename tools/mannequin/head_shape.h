@@ -46,6 +46,10 @@ using Gradient = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
 /// Source: Gibson, "Constrained Elastic Surface Nets", 1998, without the relaxation.
 [[nodiscard]] SurfaceMesh extract_surface(const SamplingGrid& grid, const Field& distance, const Gradient& normal);
 
+/// The mesh with one vertex, the mean, for all in a cubic cell. `cell`: a cell's edge at a point, metres, one of a few
+/// values; 0 keeps the vertex. Triangles that lose an edge or are turned round are gone. For meshes without weights.
+[[nodiscard]] SurfaceMesh thinned(const SurfaceMesh& mesh, const Field& cell);
+
 // The mannequin's bust as a signed distance field: the bust's mesh is cut from it, and the hair keeps clear of it.
 
 /// The skull without the face, in model space and metres. The hair is laid around this ellipsoid.
@@ -70,7 +74,8 @@ inline const Eigen::Vector3d kCraniumRadii{0.0765, 0.092, 0.0965};
 /// The whole bare head, closed, with smooth normals.
 [[nodiscard]] SurfaceMesh make_bare_head();
 
-/// A hair-coloured cap just above the scalp, so that no skin shows between two strips.
-[[nodiscard]] SurfaceMesh make_scalp_cap();
+/// A hair-coloured cap just above the scalp, so that no skin shows between two strips; by default the bust's.
+/// `distance` and `normal`: of a head about as large, in the same place.
+[[nodiscard]] SurfaceMesh make_scalp_cap(const Field& distance = head_distance, const Gradient& normal = head_normal);
 
 }  // namespace coif::mannequin

@@ -1,6 +1,11 @@
 #include "mannequin/head_shape.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
 #include <utility>
 
 namespace coif::mannequin {
@@ -111,6 +116,50 @@ SurfaceMesh extract_surface(const SamplingGrid& grid, const Field& distance, con
     mesh.normals.push_back(normal(p));
   }
   return mesh;
+}
+
+SurfaceMesh thinned(const SurfaceMesh& mesh, const Field& cell) {
+  std::map<std::array<long, 4>, std::uint32_t> vertex_in;
+  std::vector<std::uint32_t> place_of;
+  std::vector<double> count;
+  SurfaceMesh result;
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const double edge = cell(mesh.positions[i]);
+    auto place = static_cast<std::uint32_t>(count.size());
+    if (edge > 0) {
+      // Cells are centred on 0, so that no plane of symmetry is on a border, where the last bit of a sum decides.
+      std::array<long, 4> key{std::lround(edge * 1e6)};
+      for (int axis = 0; axis < 3; ++axis) key[std::size_t(axis) + 1] = std::lround(mesh.positions[i][axis] / edge);
+      place = vertex_in.try_emplace(key, place).first->second;
+    }
+    place_of.push_back(place);
+    if (place == count.size()) {
+      count.push_back(0);
+      result.positions.emplace_back(Vector3d::Zero());
+      result.normals.emplace_back(Vector3d::Zero());
+      result.uvs.emplace_back(Eigen::Vector2d::Zero());
+    }
+    count[place] += 1;
+    result.positions[place] += mesh.positions[i];
+    result.normals[place] += mesh.normals[i];
+    if (!mesh.uvs.empty()) result.uvs[place] += mesh.uvs[i];
+  }
+  for (std::size_t i = 0; i < count.size(); ++i) {
+    result.positions[i] /= count[i];
+    result.normals[i].normalize();
+    result.uvs[i] /= count[i];
+  }
+  if (mesh.uvs.empty()) result.uvs.clear();
+  for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
+    const std::uint32_t a = place_of[mesh.triangles[i]], b = place_of[mesh.triangles[i + 1]],
+                        c = place_of[mesh.triangles[i + 2]];
+    if (a == b || b == c || c == a) continue;
+    // Where cells fold the surface, a triangle that is turned round lies between two others that are not.
+    const std::vector<Vector3d>&p = result.positions, &n = result.normals;
+    if ((p[b] - p[a]).cross(p[c] - p[a]).dot(n[a] + n[b] + n[c]) > 0)
+      result.triangles.insert(result.triangles.end(), {a, b, c});
+  }
+  return result;
 }
 
 }  // namespace coif::mannequin

@@ -103,8 +103,8 @@ tl::expected<GallerySheet, ToolError> render_gallery(const Asset& asset, const G
 void add_character_galleries(const Asset& asset, PictureSettings picture, std::vector<Gallery>& galleries);
 
 struct LookSettings {
-  std::uint32_t width = 280;  ///< Width of one picture, pixels, 64..1024.
-  std::uint32_t height = 280;
+  std::uint32_t width = 256;  ///< Width of one picture, pixels, 64..1024.
+  std::uint32_t height = 256;
   std::string title;  ///< Above all pictures.
   /// Messages of the cook, a paragraph each, below the pictures; bytes other than ASCII are replaced.
   std::vector<std::string> told;

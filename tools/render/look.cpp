@@ -72,6 +72,7 @@ std::vector<Gallery> what_to_look_at(const Asset& asset, const LookSettings& set
   picture.height = settings.height;
   picture.warm_up = false;
   picture.edge_samples = 1;
+  picture.coarse_mannequin = true;
   PictureSettings part = picture;
   part.oversampling = 2;
   part.ghost = settings.rest;

@@ -6,6 +6,7 @@
 #include "render/egl_context.h"
 #include "render/gallery.h"
 #include "render/ground.h"
+#include "render/kept_stages.h"
 #include "render/picture_scene.h"
 #include "render/presentation.h"
 #include "render/stage_renderer.h"
@@ -60,8 +61,6 @@ tl::expected<void, ToolError> check(const Asset& asset, const PictureSettings& s
   return {};
 }
 
-constexpr float kColliderColor[3] = {0.08f, 0.25f, 0.6f};  ///< Linear; no hair and no clay has it.
-
 /// Hair that one can look through.
 MaterialRecord like_glass(const Asset& asset) {
   constexpr float kAlpha = 0.3f;
@@ -70,47 +69,6 @@ MaterialRecord like_glass(const Asset& asset) {
   material.opaque_threshold = 1;
   material.discard_threshold = 0;
   return material;
-}
-
-bool shows_bust(const PictureSettings& settings) {
-  return settings.bust && settings.mannequin && settings.body == nullptr && !settings.colliders;
-}
-
-std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& settings, const motion::HairPose& pose) {
-  std::vector<SolidMesh> meshes;
-  const Eigen::Map<const Eigen::Vector3f> head_joint(asset.skeleton().head_joint);
-  if (settings.body != nullptr) {
-    const char* const head_bone = asset.bone_name(0);
-    const BodyTurn body{head_bone != nullptr ? head_bone : "", pose.head.rotation};
-    for (const importer::SourceMesh& mesh : settings.body->meshes) {
-      dress(*settings.body, mesh, settings.body_textures,
-            meshes.emplace_back(body_mesh(*settings.body, mesh, head_joint, body)));
-    }
-  }
-  if (settings.ghost != nullptr) {
-    for (const importer::SourceMesh& mesh : settings.ghost->meshes)
-      meshes.emplace_back(body_mesh(*settings.ghost, mesh, head_joint)).is_ghost = true;
-  }
-  const bool wants_head = settings.body == nullptr && settings.mannequin;
-  if (shows_bust(settings)) {
-    std::ranges::move(bust_meshes(asset.colliders(), yaw_of_face(asset) != 0), std::back_inserter(meshes));
-  }
-  if (settings.colliders || (wants_head && std::ranges::all_of(meshes, &SolidMesh::is_ghost))) {
-    for (SolidMesh& mesh : mannequin_meshes(asset.colliders())) {
-      if (settings.colliders) mesh.color = Eigen::Vector3f(kColliderColor);
-      meshes.push_back(std::move(mesh));
-    }
-  }
-  if (settings.company && settings.company->colliders) {
-    const auto moving = settings.company->colliders(settings.time);
-    for (SolidMesh& mesh : moving_meshes(moving, pose.head)) meshes.push_back(std::move(mesh));
-  }
-  if (settings.patches) {
-    std::vector<SolidMesh> patches = patch_surfaces(asset, pose.palette, settings.lod);
-    if (settings.marked_patch) mark_patch(*settings.marked_patch, patches);
-    for (SolidMesh& patch : patches) meshes.push_back(std::move(patch));
-  }
-  return meshes;
 }
 
 /// None where the picture has no ground.
@@ -133,19 +91,18 @@ std::uint32_t samples_of_driver(const PictureSettings& settings) {
   return samples > 1 ? samples : 0;
 }
 
-tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, const PictureScene& scene,
+tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, KeptTargets& targets, const PictureScene& scene,
                                               const PictureSettings& settings) {
   const std::uint32_t finer = settings.oversampling;
-  const auto target = OffscreenTarget::create(settings.width * finer, settings.height * finer,
-                                              samples_of_driver(settings), OffscreenTarget::Pixels::kRadiance);
-  if (!target) return tl::unexpected(target.error());
-  Picture picture{settings.width,    settings.height,  {}, device.context.device(), 0,
-                  target->samples(), scene.view.camera};
+  const auto kept = targets.of_size(settings.width * finer, settings.height * finer, samples_of_driver(settings));
+  if (!kept) return tl::unexpected(kept.error());
+  const OffscreenTarget& target = **kept;
+  Picture picture{settings.width, settings.height, {}, device.context.device(), 0, target.samples(), scene.view.camera};
   picture.lights = lights_of(settings, scene.view.camera);
   for (int frame = settings.warm_up ? 0 : 1; frame < 2; ++frame) {
     glFinish();
     const auto start = std::chrono::steady_clock::now();
-    if (const Status status = draw_scene(device.renderer, scene, *target, settings); status != Status::kOk) {
+    if (const Status status = draw_scene(device.renderer, scene, target, settings); status != Status::kOk) {
       return failure(ToolError::Kind::kBadInput, std::string("the hair cannot be drawn: ") + describe(status));
     }
     glFinish();
@@ -154,7 +111,7 @@ tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, const Pictu
   if (settings.debug.has_lines()) {
     if (auto drawn = draw_debug_lines(scene, settings); !drawn) return tl::unexpected(drawn.error());
   }
-  std::vector<float> radiance = target->read_radiance();
+  std::vector<float> radiance = target.read_radiance();
   if (settings.debug.motion) {
     if (auto drawn = color_by_motion(device.renderer, scene, settings, radiance); !drawn) {
       return tl::unexpected(drawn.error());
@@ -213,6 +170,8 @@ struct PictureMaker::Loaded {
   const Asset& asset;
   std::unique_ptr<DrawingDevice> device;
   HairModel model;
+  KeptStages stages;
+  KeptTargets targets;
 };
 
 PictureMaker::PictureMaker(std::unique_ptr<Loaded> loaded) : loaded_(std::move(loaded)) {}
@@ -239,7 +198,7 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
   const auto poses =
       motion::simulate_poses(asset, path.get(), moments, settings.step, settings.solver, settings.company.get());
   if (!poses) return tl::unexpected(poses.error());
-  const std::vector<SolidMesh> meshes = stage_meshes(asset, settings, poses->back());
+  std::vector<SolidMesh> meshes = stage_meshes(asset, settings, poses->back());
   const motion::HairPose &before = poses->front(), &pose = poses->back();
   std::optional<StudioShadow> shadow;
   if (settings.shadows != nullptr && !settings.colliders) {
@@ -248,15 +207,14 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
     if (!made) return tl::unexpected(made.error());
     shadow.emplace(std::move(*made));
   }
-  const auto stage =
-      StageRenderer::create(meshes, shadow ? &shadow->shadow() : nullptr, rig_body_look(settings.lights));
-  if (!stage) return tl::unexpected(stage.error());
-
   const auto frame = frame_picture(asset, settings);
   if (!frame) return tl::unexpected(frame.error());
   const ShadowBall ball = ball_around(frame->points, frame->view.places);
   auto ground = ground_of(settings, meshes, pose.head, frame->view);
   if (!ground) return tl::unexpected(ground.error());
+  const auto stage =
+      loaded_->stages.with(std::move(meshes), shadow ? &shadow->shadow() : nullptr, rig_body_look(settings.lights));
+  if (!stage) return tl::unexpected(stage.error());
   const MaterialRecord glass = like_glass(asset);
   std::unique_ptr<KeptBoneOrder> order;
   if (settings.order == OrderChoice::kBones) {
@@ -265,7 +223,7 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
     order = std::move(*kept);
   }
   const PictureScene scene{loaded_->model,
-                           *stage,
+                           **stage,
                            pose,
                            frame->view,
                            ball,
@@ -275,7 +233,7 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
                            asset,
                            before,
                            *ground ? &**ground : nullptr};
-  return take_picture(*loaded_->device, scene, settings);
+  return take_picture(*loaded_->device, loaded_->targets, scene, settings);
 }
 
 tl::expected<Picture, ToolError> render_picture(const Asset& asset, const PictureSettings& settings) {
@@ -288,7 +246,7 @@ tl::expected<Picture, ToolError> render_picture(const Asset& asset, const Pictur
 }
 
 tl::expected<void, ToolError> write_png(const std::string& path, const Picture& picture) {
-  const std::vector<std::uint8_t> png = encode_png(picture);
+  const std::vector<std::uint8_t> png = encode_png_quickly(picture.rgba, picture.width, picture.height);
   if (png.empty()) return failure(ToolError::Kind::kInternal, "out of memory");
   return write_output(path, std::as_bytes(std::span(png)));
 }

@@ -92,6 +92,8 @@ struct PictureSettings {
   bool cuts_out_bodies = false;                  ///< They hide hair and shade it, but are holes in the picture.
   bool keeps_light = false;                      ///< Also Picture::light.
   bool mannequin = true;  ///< Without `body`: draw the colliders that hair stays out of, as a plain head.
+  /// Draw colliders with a ninth of their triangles: as good up to some hundred pixels.
+  bool coarse_mannequin = false;
 };
 
 struct Picture {
@@ -143,7 +145,7 @@ tl::expected<Picture, ToolError> render_picture(const Asset& asset, const Pictur
   return coif::encode_png(picture.rgba, picture.width, picture.height);
 }
 
-/// Writes them to `path`, whole or not at all.
+/// Writes a PNG of encode_png_quickly() to `path`, whole or not at all.
 tl::expected<void, ToolError> write_png(const std::string& path, const Picture& picture);
 
 }  // namespace coif::render

@@ -3,6 +3,8 @@
 #include "base/geometry.h"
 #include "render/motion_colors.h"
 
+#include <GLES3/gl3.h>
+
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -56,6 +58,9 @@ Status draw_scene(HairRenderer& renderer, const PictureScene& scene, const Offsc
   }
   target.bind();
   scene.stage.draw_backdrop(settings.backdrop);
+  // A mannequin is closed: its near side hides its far side. Patches and bodies may be open.
+  const bool is_closed = settings.coarse_mannequin && !settings.patches && settings.body == nullptr;
+  if (is_closed) glEnable(GL_CULL_FACE);
   for (const HeadPose& pose : poses) {
     if (settings.cuts_out_bodies) {
       scene.stage.cut_out_bodies(scene.view.camera, pose);
@@ -63,6 +68,7 @@ Status draw_scene(HairRenderer& renderer, const PictureScene& scene, const Offsc
       scene.stage.draw_bodies(scene.view.camera, pose, lights, desc.shadow);
     }
   }
+  if (is_closed) glDisable(GL_CULL_FACE);
   if (scene.ground != nullptr) {
     for (const Eigen::Vector3d& place : scene.view.places) scene.ground->draw(scene.view.camera, place);
   }

@@ -33,6 +33,10 @@ struct PictureScene {
 /// The picture's lights, the one that casts shadows first.
 [[nodiscard]] std::vector<Light> lights_of(const PictureSettings& settings, const Camera& camera);
 
+/// The picture's bodies, ghosts, colliders and patches, with the hair in this pose.
+[[nodiscard]] std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& settings,
+                                                  const motion::HairPose& pose);
+
 /// Shadows, backdrop, bodies, ground, hair.
 Status draw_scene(HairRenderer& renderer, const PictureScene& scene, const OffscreenTarget& target,
                   const PictureSettings& settings);

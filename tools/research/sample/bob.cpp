@@ -1,6 +1,8 @@
 #include "research/sample/bob.h"
 
 #include "mannequin/head_shape.h"
+#include "mannequin/portrait.h"
+#include "mannequin/portrait_head.h"
 #include "mannequin/solid_shapes.h"
 #include "research/sample/gltf_document.h"
 #include "research/sample/strips.h"
@@ -18,6 +20,47 @@ mannequin::SurfaceMesh skinned(mannequin::SurfaceMesh mesh,
   return mesh;
 }
 
+constexpr mannequin::PortraitDetail kPortraitDetail{.spacing = 2.0, .texels = 256};
+
+/// Edge of the cells in which one vertex of the skin is enough, metres; 0: each vertex stays. Hair hides all but the
+/// face, in which lids, nostrils and lips are finest.
+double skin_cell(const Eigen::Vector3d& point) {
+  const double aside = std::abs(point.x()), up = point.y();
+  const bool is_face = point.z() > 0.030 && up > 1.482 && up < 1.645 && aside < 0.066;
+  if (is_face) {
+    const bool is_eye = up > 1.594 && up < 1.618 && aside > 0.010 && aside < 0.054;
+    const bool is_nose_or_mouth = up > 1.527 && up < 1.570 && aside < 0.030;
+    return is_eye || is_nose_or_mouth ? 0 : 0.0042;
+  }
+  const bool is_ear = aside > 0.066 && up > 1.550 && up < 1.630;
+  if (is_ear) return 0.006;
+  const bool is_under_hair = point.z() < 0 && up > 1.560;
+  return is_under_hair ? 0.015 : 0.010;
+}
+
+/// The same for the shirt, whose neckline is seen.
+double shirt_cell(const Eigen::Vector3d& point) { return point.y() > 1.360 ? 0 : 0.024; }
+
+/// The portrait with fewer vertices and texels than in its own file.
+std::vector<mannequin::PortraitPart> small_portrait() {
+  std::vector<mannequin::PortraitPart> parts = mannequin::make_portrait_parts(kPortraitDetail);
+  for (mannequin::PortraitPart& part : parts) {
+    if (part.name == "skin") part.mesh = mannequin::thinned(part.mesh, skin_cell);
+    if (part.name == "shirt") part.mesh = mannequin::thinned(part.mesh, shirt_cell);
+    if (part.name == "eyes") part.mesh = mannequin::thinned(part.mesh, [](const auto&) { return 0.0034; });
+  }
+  return parts;
+}
+
+/// The cap just above the portrait's skin.
+mannequin::SurfaceMesh portrait_cap() {
+  const auto distance = [](const Eigen::Vector3d& point) {
+    return kBobHead.scale * mannequin::portrait_distance(kBobHead.unplaced(point));
+  };
+  const auto normal = [](const Eigen::Vector3d& point) { return mannequin::portrait_normal(kBobHead.unplaced(point)); };
+  return mannequin::make_scalp_cap(distance, normal);
+}
+
 }  // namespace
 
 std::vector<std::byte> make_bob(const BobDensity& density) {
@@ -25,10 +68,11 @@ std::vector<std::byte> make_bob(const BobDensity& density) {
   document.set_skeleton(make_bob_skeleton());
   document.set_image("strands", make_strand_texture());
   document.add_mesh("hair", skinned(make_bob_hair(density), hair_influences), {.name = "hair", .is_hair = true});
-  // Not "head": the name must not be mistaken for the joint's.
-  document.add_mesh("bust", skinned(mannequin::make_bust(), bust_influences),
-                    {.name = "head", .red = 0.56, .green = 0.46, .blue = 0.40, .roughness = 0.75});
-  document.add_mesh("scalp", skinned(mannequin::make_scalp_cap(), bust_influences),
+  add_portrait(small_portrait(), kBobHead, document);
+  const auto cap_influences = [](const Eigen::Vector3d& point) {
+    return portrait_influences(kBobHead.unplaced(point));
+  };
+  document.add_mesh("scalp", skinned(portrait_cap(), cap_influences),
                     {.name = "scalp", .red = 0.045, .green = 0.024, .blue = 0.013, .roughness = 0.9});
   return document.to_glb();
 }
@@ -118,13 +162,6 @@ mannequin::SkinInfluences hair_influences(const Vector3d& point) {
                               {a + 1, weight_a * lower_weight},
                               {b, weight_b * (1.0 - lower_weight)},
                               {b + 1, weight_b * lower_weight}}});
-}
-
-mannequin::SkinInfluences bust_influences(const Vector3d& point) {
-  const double head = mannequin::smooth_step(1.440, 1.490, point.y() + 0.35 * std::max(point.z(), 0.0));
-  const double body = mannequin::smooth_step(1.430, 1.370, point.y());
-  return rounded_influences(
-      {{{kHead, head}, {kRoot, (1.0 - head) * body}, {kNeck, (1.0 - head) * (1.0 - body)}, {kRoot, 0.0}}});
 }
 
 }  // namespace coif::research

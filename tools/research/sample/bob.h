@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mannequin/head_shape.h"
+#include "mannequin/portrait.h"
 #include "research/sample/gltf_document.h"
 
 #include <Eigen/Core>
@@ -27,8 +28,32 @@ struct BobDensity {
 /// and the two bones nearest in height.
 [[nodiscard]] mannequin::SkinInfluences hair_influences(const Eigen::Vector3d& point);
 
-/// Weights of a point of the bust: head, neck and body.
-[[nodiscard]] mannequin::SkinInfluences bust_influences(const Eigen::Vector3d& point);
+/// Size and place of the portrait's head in another model.
+struct HeadFit {
+  double scale = 1;
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();  ///< Metres, of the point that keeps its place when scaled.
+  static constexpr double kFixedHeight = 1.600;     ///< Its Y, in the middle of the head.
+
+  /// Where a point of the portrait lies in the model.
+  [[nodiscard]] Eigen::Vector3d placed(const Eigen::Vector3d& point) const {
+    const Eigen::Vector3d fixed(0, kFixedHeight, 0);
+    return fixed + shift + scale * (point - fixed);
+  }
+  /// The point of the portrait that lies there.
+  [[nodiscard]] Eigen::Vector3d unplaced(const Eigen::Vector3d& point) const {
+    const Eigen::Vector3d fixed(0, kFixedHeight, 0);
+    return fixed + (point - fixed - shift) / scale;
+  }
+};
+
+/// The portrait under the bob: as large as it can be below the strips, which were laid around the mannequin's bust.
+inline const HeadFit kBobHead{0.93, {0, -0.018, 0.010}};
+
+/// Weights of a point of the portrait on root, neck and head: the first three joints of both skeletons.
+[[nodiscard]] mannequin::SkinInfluences portrait_influences(const Eigen::Vector3d& point);
+
+/// Adds the portrait's parts, skinned, with their images.
+void add_portrait(std::vector<mannequin::PortraitPart> parts, const HeadFit& fit, GltfDocument& document);
 
 /// The bytes of sample_assets/bob/bob.glb, with the density's defaults: the same on every run.
 [[nodiscard]] std::vector<std::byte> make_bob(const BobDensity& density = {});
