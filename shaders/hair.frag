@@ -8,10 +8,11 @@ vec2 shift_mask_at(vec2 uv) { return texture(shift_mask_texture, uv).rg; }
 vec2 shift_mask_at(vec2 uv) { return vec2(0.5, 1.0); }
 #endif
 
+const float kLockDepth = 0.004;    // metres of a head at scale 1: what lies closer would shade its own lock in stripes
 const float kNearestLight = 1e-4;  // square metres: a point light in a strand is bright, not infinite
 
 #ifndef COIF_MANY_FIBERS
-vec3 shaded_place(Strand strand) { return position; }
+vec3 shaded_place(Strand strand) { return outside(kLockDepth, strand); }
 vec3 reach_without_map(Strand strand, float openness) { return vec3(1.0); }
 vec3 sky_reflected(Strand strand, float openness) { return openness * strand.color; }
 vec3 passing(Strand strand, float share) { return vec3(share); }

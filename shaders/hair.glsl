@@ -73,6 +73,9 @@ in vec2 uv;
 in float place;
 in float openness;
 
+// Normals leave the vertex shader as long as the head's scale.
+float head_scale() { return length(normal); }
+
 // A card is a sheet of strands without thickness. From behind we see its back, so light and highlight belong to the side
 // that faces us. Normals of the hair's volume belong to both sides.
 vec3 seen_normal() {

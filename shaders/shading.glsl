@@ -45,6 +45,9 @@ vec3 shift_tangent(vec3 t, vec3 n, float amount) {
 
 float pow2(float x) { return x * x; }
 
+// The place that lies so far outside of the hair, in metres of a head at scale 1.
+vec3 outside(float metres, Strand strand) { return position + metres * head_scale() * strand.normal; }
+
 //// shading_thesis.glsl
 // Algorithm 3 of the thesis (5.3.2), the model of Scheuermann 2004 with small changes.
 //
@@ -216,7 +219,7 @@ const float kPi = 3.14159265;
 const float kFiberIndex = 1.55;
 const float kColorScale = 5.509;  // Chiang et al.'s, for radial roughness 0.5: absorption = (log(color) / it)^2
 const float kShiftShare = 0.2;  // of the texture's shift: how much fibres lean apart within a lock
-const float kOwnDepth = 0.006;  // metres: some three times as far as light gets into hair unhindered
+const float kOwnDepth = 0.006;  // metres of a head at scale 1: some three times as far as light gets into hair unhindered
 const float kApart = 0.45;  // radians: how far the fibres that hand light on run apart
 const float kLeastOnce = 0.25, kLeastOften = 0.7;  // fibres that are seen along themselves hide each other all the same
 const float kMostShift = 0.36;  // of the cook's textures, in which all numbers up to this are equally frequent
@@ -239,7 +242,7 @@ float facing(float cosine) { return sqrt(cosine * cosine + 0.25 * kRound * kRoun
 vec3 volume_color(Strand strand) { return clamp(strand.color, 0.002, 0.95); }
 
 // What lies just outside of a fibre shades it as the closed form says; a shadow is of what is farther away.
-vec3 shaded_place(Strand strand) { return position + kOwnDepth * strand.normal; }
+vec3 shaded_place(Strand strand) { return outside(kOwnDepth, strand); }
 
 // Some half of the directions lie behind the surface.
 float volume_openness(float openness) { return min(1.75 * openness, 1.0); }

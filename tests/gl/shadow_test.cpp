@@ -74,11 +74,14 @@ TEST_F(Shadow, PlanesAddUpWhatLiesBeforeThem) {
 TEST_F(Shadow, ADeepMapTellsCardsThatLieCloseApart) {
   HairShadow shadow;
   create(shadow, {.technique = &kDeepShadow, .size = 256});  // texels of 12 mm
-  cast(shadow, std::array{DrawnCard{}, card_above(0.002f, 1)});
+  // What hides the light of hair lies 8 mm and more above it: shadows are looked up half way there.
+  cast(shadow, std::array{DrawnCard{}, card_above(0.009f, 1)});
   EXPECT_LT(light_at_middle(shadow), 0.1) << "beneath";
   EXPECT_GT(light_at(9, 16, shadow), 0.9) << "beside";
   cast(shadow, std::array{DrawnCard{}, card_above(-0.002f, 1)});
   EXPECT_GT(light_at_middle(shadow), 0.9) << "above";
+  cast(shadow, std::array{DrawnCard{}, card_above(0.007f, 1)});
+  EXPECT_GT(light_at_middle(shadow), 0.9) << "in the same lock";
   shadow.destroy();
 }
 

@@ -82,6 +82,7 @@ uniform vec4 primary, secondary, shift, component, fiber;
 #define position (-vViewPosition)
 #define uv hair_uv
 #define pow2 hair_pow2
+float head_scale() { return 1.0; }
 ${maps ? pieces['relief.glsl'] : ''}
 ${pieces['shading.glsl']}
 ${pieces[`shading_${MODELS[model]}.glsl`]}
