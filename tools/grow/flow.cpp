@@ -20,12 +20,17 @@ Vector3f comb_direction(const std::string& word, const Vector3f& out) {
   return -Vector3f::UnitY();
 }
 
+constexpr float kKeptBeside = 0.5f;  // share of a fringe's depth: hair above it may cross its upper end
+
 Vector3f along(const Vector3f& way, const Vector3f& normal) { return way - way.dot(normal) * normal; }
 
 }  // namespace
 
 Flow::Flow(const cook::HairStyle& style, const HeadFrame& head)
-    : style_(style), head_(head), crown_(direction_at(180, 90 - float(style.grow_crown))) {
+    : style_(style),
+      head_(head),
+      crown_(direction_at(180, 90 - float(style.grow_crown))),
+      fringe_(style.grow_fringe_width > 0 ? kKeptBeside * float(style.grow_fringe_depth) : 0) {
   const auto azimuth = float(style.grow_parting.value_or(0));
   const Vector3f front = direction_at(azimuth, float(style.grow_hairline_front));
   const Vector3f across = crown_.cross(front);
@@ -84,8 +89,8 @@ Vector3f Flow::at(const Vector3f& place, const Vector3f& normal, float side, boo
   }
   const auto strength = float(style_.grow_comb_strength);
   way = (1 - strength) * way + strength * along(comb_direction(style_.grow_comb, direction), normal);
-  // Hair without a fringe is kept out of the face.
-  const float azimuth = azimuth_of(direction), above = elevation_of(direction) - hairline(style_, azimuth);
+  // Hair without a fringe is kept out of the face, and beside a fringe before it.
+  const float azimuth = azimuth_of(direction), above = elevation_of(direction) - hairline(style_, azimuth) - fringe_;
   const float face = (1 - ramp(50, 80, std::abs(azimuth))) * (1 - ramp(-6, 16, above));
   const float aside = side != 0 && std::abs(azimuth) < 12 ? side : (direction.x() >= 0 ? 1.0f : -1.0f);
   const float back = style_.grow_comb == "back" ? strength : 0.0f;

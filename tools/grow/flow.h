@@ -38,6 +38,7 @@ class Flow {
       /// Unit; the parting's plane goes through the middle, perpendicular to `parting_`.
       parting_;
   Eigen::Vector3f comb_ = Eigen::Vector3f::Zero();
+  float fringe_;  ///< Degrees from the hairline up to where a fringe begins; 0: none.
 };
 
 }  // namespace coif::grow

@@ -34,6 +34,8 @@ double skin_cell(const Eigen::Vector3d& point) {
   }
   const bool is_ear = aside > 0.066 && up > 1.550 && up < 1.630;
   if (is_ear) return 0.006;
+  const bool is_at_neckline = up > 1.350 && up < 1.450;
+  if (is_at_neckline) return 0.0050;
   const bool is_under_hair = point.z() < 0 && up > 1.560;
   return is_under_hair ? 0.015 : 0.010;
 }
