@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -109,6 +110,28 @@ TEST_F(CardsReports, TellWhatFitAndCapsBring) {
   EXPECT_EQ(sets.size(), report_->ablation.size());
 }
 
+TEST_F(CardsReports, TellWhatSharedTexturesBring) {
+  for (const CardsSummary& summary : report_->summary) EXPECT_EQ(summary.textures, summary.cards) << summary.baseline;
+  for (const CardsAblation& one : report_->ablation) EXPECT_FALSE(one.shared);
+  CardsSettings settings = quick();
+  settings.budgets = {kTriangles};
+  settings.ablation = true;
+  settings.rounds = 0;
+  settings.caps = 0;
+  settings.wisps = 4;
+  const auto report = measure(settings);
+  ASSERT_TRUE(report) << report.error().message;
+  for (const CardsSummary& summary : report->summary) {
+    EXPECT_EQ(summary.textures, 4u) << summary.baseline;
+    EXPECT_GT(summary.cards, 4u);
+  }
+  std::map<std::string, std::set<double>> errors[2];
+  for (const CardsAblation& one : report->ablation) errors[one.shared][one.baseline].insert(one.figures.mean_error);
+  EXPECT_EQ(errors[true].size(), 3u);
+  EXPECT_EQ(errors[false].size(), 3u);
+  for (const auto& [baseline, shared] : errors[true]) EXPECT_NE(shared, errors[false][baseline]) << baseline;
+}
+
 TEST_F(CardsReports, HaveTheirPictures) {
   ASSERT_EQ(report_->sheets.size(), 4u) << "three sides and the textures";
   const nlohmann::ordered_json json = cards_json(made_up_heading(), *report_);
@@ -141,11 +164,12 @@ TEST_F(CardsReports, HaveTheDocumentedKeys) {
   EXPECT_EQ(json["rows"][0]["direction"].size(), 3u);
   const Keys figures{"mean_coverage_iou",  "worst_coverage_iou", "mean_psnr_db", "worst_psnr_db", "mean_error",
                      "close_coverage_iou", "close_error",        "vertices",     "fragments",     "layers"};
-  Keys summary{"name", "triangles", "texels", "baseline", "cards", "made_triangles", "made_texels", "segments"};
+  Keys summary{"name",     "triangles",      "texels",      "baseline", "cards",
+               "textures", "made_triangles", "made_texels", "segments"};
   summary.insert(summary.end(), figures.begin(), figures.end());
   summary.emplace_back("seconds");
   EXPECT_EQ(keys_of(json["summary"][0]), summary);
-  Keys ablation{"name", "triangles", "baseline", "fitted", "caps", "cards"};
+  Keys ablation{"name", "triangles", "baseline", "fitted", "caps", "shared", "cards"};
   ablation.insert(ablation.end(), figures.begin(), figures.end());
   ablation.emplace_back("seconds");
   EXPECT_EQ(keys_of(json["ablation"][0]), ablation);

@@ -12,7 +12,8 @@
 namespace coif::research {
 
 // The baselines: plain ways to make cards, each as good as possible. They get all that coif's own cards get: the same
-// texels and width of strands, cards on the scalp, the same drawing of textures and the same fit of their opacity.
+// texels and width of strands, cards on the scalp, the same drawing and sharing of textures and the same fit of their
+// opacity.
 
 /// Baseline "kmeans": a flat card of two triangles for each cluster (Construction::kFlat). Errors: those of
 /// make_cards().
