@@ -53,6 +53,24 @@ TEST(ShareTextures, CardsOfOneKindHaveOneTexture) {
     EXPECT_EQ(is_long(cards, strip), is_long(cards, shares.drawn_from[shares.texture_of[strip]])) << strip;
 }
 
+TEST(ShareTextures, CardsOfDifferentColoursShareNothing) {
+  constexpr std::size_t kWisps = 16, kOfWisp = 20;
+  groom::Groom groom = test::hanging_wisps(kWisps, kOfWisp);
+  for (std::size_t i = 0; i < groom.points.size(); ++i) {
+    const bool is_red = i * kWisps / groom.points.size() % 2 == 0;
+    groom.colors.emplace_back(is_red ? 0.6f : 0.1f, 0.1f, is_red ? 0.1f : 0.5f);
+  }
+  const GroomShape shape = shape_of(groom, kWidth);
+  const ChosenCards cards = even_cards(groom, shape, kWisps);
+  ASSERT_EQ(cards.strips.size(), kWisps);
+  const TextureShares shares = share_textures(groom, shape.is_reversed, cards, kWidth, 4, 2);
+  const auto is_red = [&](std::uint32_t strip) {
+    return cards.wisps[cards.strips[strip].wisp].members.front() / kOfWisp % 2 == 0;
+  };
+  for (std::uint32_t strip = 0; strip < cards.strips.size(); ++strip)
+    EXPECT_EQ(is_red(strip), is_red(shares.drawn_from[shares.texture_of[strip]])) << strip;
+}
+
 TEST(ShareTextures, EachTextureIsDrawnFromOneOfTheCardsThatShowIt) {
   const groom::Groom groom = test::groom_of(test::strands_of_a_head(400));
   const GroomShape shape = shape_of(groom, kWidth);

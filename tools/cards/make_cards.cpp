@@ -15,8 +15,7 @@ namespace coif::cards {
 namespace {
 
 constexpr std::size_t kFewestTexels = 4096;  // 64 x 64
-constexpr std::size_t kFewestOfLevel = 1;
-constexpr float kWidestStrand = 0.03f;  // radii of the head: 2.7 mm; wider strands would look like ribbons
+constexpr float kWidestStrand = 0.03f;       // radii of the head: 2.7 mm; wider strands would look like ribbons
 
 std::size_t triangles_of(std::span<const CardStrip> strips) {
   std::size_t sum = 0;
@@ -49,15 +48,15 @@ ChosenLevel choose_level(const groom::Groom& groom, const GroomShape& shape, con
   return level;
 }
 
-/// Lets the cards of each level share textures.
-void share_textures(const groom::Groom& groom, const GroomShape& shape, const CardsBudget& budget,
-                    std::span<ChosenLevel> levels, const platform::Threads& threads) {
+/// Lets the cards of each level share textures, if they should.
+void let_cards_share(const groom::Groom& groom, const GroomShape& shape, const CardsBudget& budget,
+                     std::span<ChosenLevel> levels, const platform::Threads& threads) {
   const float width = shape.strands.width;
   const std::size_t wisps =
       budget.wisps ? *budget.wisps : wisps_for(sizes_of(levels.front().cards), budget.texels, width);
   if (wisps == 0) return;
   for (std::size_t k = 0; k < levels.size(); ++k) {
-    const auto count = std::max(std::size_t(double(wisps) * std::pow(budget.level_ratio, double(k))), kFewestOfLevel);
+    const auto count = std::max<std::size_t>(std::size_t(double(wisps) * std::pow(budget.level_ratio, double(k))), 1);
     levels[k].shares = share_textures(groom, shape.is_reversed, levels[k].cards, width, count, threads);
   }
 }
@@ -235,7 +234,7 @@ tl::expected<std::vector<Cards>, ToolError> make_card_levels(const groom::Groom&
     if (triangles < 2) break;
     levels.push_back(choose_level(groom, shape, budget, k, threads));
   }
-  share_textures(groom, shape, budget, levels, threads);
+  let_cards_share(groom, shape, budget, levels, threads);
   auto drawn = draw_levels(groom, shape, std::move(levels), budget, threads);
   if (!drawn) return tl::unexpected(drawn.error());
   FitTarget target(groom, shape.strands.width);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 namespace coif::cards {
 namespace {
@@ -16,17 +17,38 @@ constexpr std::size_t kPlaces = std::size_t{kPlacesAcross} * kPlacesAlong;
 constexpr double kSeen = 0.5, kDrawn = 2;  // texels of a strand's width: from which it is seen; that it should have
 constexpr std::size_t kFewestWisps = 96;   // fewer repeat for all to see
 constexpr std::size_t kCardsOfWisp = 2;    // at least, or sharing is not worth it
-constexpr float kSizeCounts = 3;           // a doubled width or length, in places that differ wholly
+// In places that differ wholly: a doubled width or length; black beside white, in each channel of half a card.
+constexpr float kSizeCounts = 3, kColorCounts = 20;
 
-/// Coverage by place, then the logarithms of width and length.
-using CardLooks = PointClusters<kPlaces + 2>;
+/// Coverage by place; the logarithms of width and length; the colours of the half at the root and of that at the tip;
+/// nought up to a multiple of eight.
+using CardLooks = PointClusters<88>;
+constexpr std::size_t kSizes = kPlaces, kColors = kSizes + 2;
+static_assert(kColors + 6 <= std::tuple_size_v<CardLooks::Point>);
+
+/// The mean colour of strands in some rows, sRGB.
+Eigen::Vector3f color_of(const CardTexture& texture, std::uint32_t first_row, std::uint32_t end_row) {
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  float weight = 1e-6f;
+  for (std::size_t i = std::size_t{first_row} * texture.width; i < std::size_t{end_row} * texture.width; ++i) {
+    sum += texture.opacity[i] * texture.color[i];
+    weight += texture.opacity[i];
+  }
+  return sum / weight;
+}
 
 CardLooks::Point look_of(const CardTexture& texture, const CardSize& size) {
-  CardLooks::Point look;
+  CardLooks::Point look{};
   std::ranges::copy(texture.opacity, look.begin());
   constexpr float kLeast = 1e-6f;  // metres
-  look[kPlaces] = kSizeCounts * std::log2(std::max(size.width, kLeast));
-  look[kPlaces + 1] = kSizeCounts * std::log2(std::max(size.length, kLeast));
+  look[kSizes] = kSizeCounts * std::log2(std::max(size.width, kLeast));
+  look[kSizes + 1] = kSizeCounts * std::log2(std::max(size.length, kLeast));
+  if (texture.color.empty()) return look;
+  for (const std::uint32_t half : {0u, 1u}) {
+    const std::uint32_t middle = texture.height / 2;
+    const Eigen::Vector3f color = color_of(texture, half == 0 ? 0 : middle, half == 0 ? middle : texture.height);
+    for (std::size_t k = 0; k < 3; ++k) look[kColors + 3 * half + k] = kColorCounts * color[Eigen::Index(k)];
+  }
   return look;
 }
 

@@ -26,9 +26,9 @@ struct TextureShares {
 /// seen on it, or since there are few cards.
 [[nodiscard]] std::size_t wisps_for(std::span<const CardSize> own, std::size_t texels, float strand_width);
 
-/// Groups cards whose strands look alike, wherever they are: by what strands cover of each, and by their widths and
-/// lengths. The card nearest to the middle of its group is drawn for all of it. At most `count` textures. `width` is
-/// for strands whose groom has none. Repeats for equal input, with any `threads`.
+/// Groups cards whose strands look alike, wherever they are: by what strands cover of each, by their widths and
+/// lengths, and by their colours. The card nearest to the middle of its group is drawn for all of it. At most `count`
+/// textures. `width` is for strands whose groom has none. Repeats for equal input, with any `threads`.
 [[nodiscard]] TextureShares share_textures(const groom::Groom& groom, std::span<const std::uint8_t> is_reversed,
                                            const ChosenCards& cards, float width, std::size_t count,
                                            const platform::Threads& threads);
