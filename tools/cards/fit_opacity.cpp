@@ -17,7 +17,7 @@ constexpr double kLeastFall = 0.02;      // Share of the error that makes anothe
 constexpr float kLittleSeen = 0.3f;      // samples: texels that are seen less than this change less
 constexpr float kOnwards = 0.5f;         // Share of a texel's last change that is repeated.
 constexpr std::size_t kSpreadAlong = 4;  // texels, at least
-// Finer textures than these have texels that are smaller than the pictures' samples: those that many cards share.
+// Shared textures with more texels than these have texels that are smaller than the pictures' samples.
 constexpr std::uint32_t kSeenAcross = 30, kSeenAlong = 120;
 constexpr float kEdge = 0.12f;  // Share of a card's width and length.
 
@@ -26,14 +26,21 @@ struct Reach {
   std::size_t across = 0, along = 0;
 };
 
-/// What one sample of a picture sees at once of a texture that is finer than pictures.
-Reach seen_at_once(const AtlasPlace& place) { return {place.width / kSeenAcross, place.height / kSeenAlong}; }
+/// What one sample of a picture sees at once of a texture: of one that many cards share, several texels. Others are
+/// about as fine as pictures.
+std::vector<Reach> seen_at_once(const Cards& cards) {
+  std::vector<std::size_t> shown(cards.textures.size(), 0);
+  for (const std::uint32_t texture : cards.shares.texture_of) ++shown[texture];
+  std::vector<Reach> reach(cards.textures.size());
+  for (std::size_t i = 0; i < reach.size(); ++i) {
+    const AtlasPlace& place = cards.plan.places[i];
+    if (shown[i] > 1) reach[i] = {place.width / kSeenAcross, place.height / kSeenAlong};
+  }
+  return reach;
+}
 
 /// Where what is asked of a texel is done: along the card, where its strands lie.
-Reach spread_of(const AtlasPlace& place) {
-  const Reach seen = seen_at_once(place);
-  return {seen.across, kSpreadAlong * std::max<std::size_t>(seen.along, 1)};
-}
+Reach spread_of(const Reach& seen) { return {seen.across, kSpreadAlong * std::max<std::size_t>(seen.along, 1)}; }
 
 /// Replaces each value of a line of `count` by the sum from `reach` before it to as many behind it.
 void sum_line(std::span<float> values, std::size_t step, std::size_t count, std::size_t reach) {
@@ -53,14 +60,13 @@ std::vector<float> sums_around(std::vector<float> values, std::size_t width, con
   return values;
 }
 
-/// The opacity that samples of a picture see: of textures that are finer than these, means.
-void blur_fine_textures(const AtlasPlan& plan, std::span<const CardTexture> textures, CardSurface& surface) {
-  for (std::size_t i = 0; i < textures.size(); ++i) {
-    const AtlasPlace& place = plan.places[i];
-    const Reach reach = seen_at_once(place);
-    if (reach.across == 0 && reach.along == 0) continue;
-    const std::vector<float> sums = sums_around(textures[i].opacity, place.width, reach),
-                             counts = sums_around(std::vector<float>(sums.size(), 1), place.width, reach);
+/// Gives a surface the opacity that samples of a picture see: means, where these see several texels at once.
+void blur_fine_textures(const Cards& cards, std::span<const Reach> seen, CardSurface& surface) {
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i].across == 0 && seen[i].along == 0) continue;
+    const AtlasPlace& place = cards.plan.places[i];
+    const std::vector<float> sums = sums_around(cards.textures[i].opacity, place.width, seen[i]),
+                             counts = sums_around(std::vector<float>(sums.size(), 1), place.width, seen[i]);
     for (std::size_t k = 0; k < sums.size(); ++k) {
       surface.opacity[(place.y + k / place.width) * surface.width + place.x + k % place.width] = sums[k] / counts[k];
     }
@@ -87,9 +93,9 @@ class AtlasChange {
   }
 
   /// Returns the requested changes of a card's texels, row by row, and clears them.
-  [[nodiscard]] std::vector<float> take(const AtlasPlace& place) {
-    const std::vector<float> asked = sums_around(taken(place, asked_), place.width, spread_of(place)),
-                             seen = sums_around(taken(place, seen_), place.width, spread_of(place));
+  [[nodiscard]] std::vector<float> take(const AtlasPlace& place, const Reach& spread) {
+    const std::vector<float> asked = sums_around(taken(place, asked_), place.width, spread),
+                             seen = sums_around(taken(place, seen_), place.width, spread);
     std::vector<float> change(asked.size());
     for (std::size_t i = 0; i < change.size(); ++i) change[i] = asked[i] / (seen[i] + kLittleSeen);
     return change;
@@ -123,6 +129,7 @@ class OpacityRounds {
       : target_(target),
         cards_(cards),
         threads_(threads),
+        seen_(seen_at_once(cards)),
         change_(cards.plan.width, cards.plan.height),
         views_(threads.count) {
     for (const CardStrip& strip : cards.strips) {
@@ -137,7 +144,7 @@ class OpacityRounds {
   /// Looks from a round's directions; returns the coverage error of cards, as a share of the strands' coverage.
   double look(int round) {
     CardSurface surface = surface_of(cards_);
-    blur_fine_textures(cards_.plan, cards_.textures, surface);
+    blur_fine_textures(cards_, seen_, surface);
     constexpr std::size_t kViews = FitTarget::kViews;
     double error = 0, covered = 0;
     // As many views at once as there are threads. Texels add them up one after the other, so the number of threads
@@ -163,7 +170,7 @@ class OpacityRounds {
   void step_back(const std::vector<std::vector<float>>& before) {
     step_ *= 0.5f;
     parallel_for(cards_.textures.size(), threads_, [&](std::size_t texture) {
-      static_cast<void>(change_.take(cards_.plan.places[texture]));
+      static_cast<void>(change_.take(cards_.plan.places[texture], {}));
       std::vector<float>& opacity = cards_.textures[texture].opacity;
       for (std::size_t i = 0; i < opacity.size(); ++i) opacity[i] = 0.5f * (opacity[i] + before[texture][i]);
       last_change_[texture].clear();
@@ -173,7 +180,8 @@ class OpacityRounds {
   /// Applies the changes of the last look.
   void change() {
     parallel_for(cards_.textures.size(), threads_, [&](std::size_t texture) {
-      change_texture(change_.take(cards_.plan.places[texture]), last_change_[texture], cards_.textures[texture]);
+      change_texture(change_.take(cards_.plan.places[texture], spread_of(seen_[texture])), last_change_[texture],
+                     cards_.textures[texture]);
     });
   }
 
@@ -208,6 +216,7 @@ class OpacityRounds {
   Cards& cards_;
   platform::Threads threads_;
   std::vector<std::uint32_t> first_triangle_{0};
+  std::vector<Reach> seen_;  ///< What a sample sees at once, of each texture.
   AtlasChange change_;
   std::vector<std::vector<std::size_t>> cards_showing_;  ///< Each texture.
   std::vector<std::vector<float>> last_change_;          ///< For each texture, its texels' last change.
