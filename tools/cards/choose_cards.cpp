@@ -64,23 +64,46 @@ void set_half(std::array<Eigen::Vector3f, 2>& edge, const Eigen::Vector3f& half)
   edge = {middle - half, middle + half};
 }
 
-/// Keeps a strip from running back behind its edges, which turns triangles over: each edge lies across the way, and
-/// where a wide strip turns sharply, the inner ends of its edges are moved apart along the way.
+/// Whether a side of the quad behind edge `e` runs back against the way at one of its edges.
+bool runs_back(const Edges& edges, std::size_t e) {
+  const Eigen::Vector3f step = middle_of(edges[e + 1]) - middle_of(edges[e]);
+  const auto is_ahead = [&](std::size_t own, std::size_t other) {
+    const Eigen::Vector3f way = way_at(edges, own), half = 0.5f * (edges[other][1] - edges[other][0]);
+    return std::abs(half.dot(way)) > (1 - kLeastForward) * step.dot(way);
+  };
+  return is_ahead(e, e + 1) || is_ahead(e + 1, e);
+}
+
+/// Turns an edge across the way.
+void turn_across(Edges& edges, std::size_t e) {
+  const Eigen::Vector3f way = way_at(edges, e), half = 0.5f * (edges[e][1] - edges[e][0]);
+  const Eigen::Vector3f across = half - way.dot(half) * way;
+  if (across.norm() > 0) set_half(edges[e], half.norm() * across.normalized());
+}
+
+/// Moves the ends of a quad's edges apart along the way until its sides go forward.
+void move_apart(Edges& edges, std::size_t e) {
+  const Eigen::Vector3f step = middle_of(edges[e + 1]) - middle_of(edges[e]);
+  for (const auto& [own, other] : {std::pair(e, e + 1), std::pair(e + 1, e)}) {
+    const Eigen::Vector3f way = way_at(edges, own), half = 0.5f * (edges[other][1] - edges[other][0]);
+    const float ahead = half.dot(way), most = std::max((1 - kLeastForward) * step.dot(way), 0.0f);
+    if (std::abs(ahead) > most) set_half(edges[other], half - (ahead - std::copysign(most, ahead)) * way);
+  }
+}
+
+/// Keeps a strip from running back behind its edges, which turns triangles over: where a side would, both edges lie
+/// across the way, and where a wide strip turns too sharply for that, their inner ends are moved apart.
 void keep_sides_forward(Edges& edges) {
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const Eigen::Vector3f way = way_at(edges, e), half = 0.5f * (edges[e][1] - edges[e][0]);
-    const Eigen::Vector3f across = half - way.dot(half) * way;
-    if (across.norm() > 0) set_half(edges[e], half.norm() * across.normalized());
+  std::vector<std::size_t> back;
+  for (std::size_t e = 0; e + 1 < edges.size(); ++e) {
+    if (runs_back(edges, e)) back.push_back(e);
+  }
+  for (const std::size_t e : back) {
+    turn_across(edges, e);
+    turn_across(edges, e + 1);
   }
   for (int round = 0; round < kForwardRounds; ++round) {
-    for (std::size_t e = 0; e + 1 < edges.size(); ++e) {
-      const Eigen::Vector3f step = middle_of(edges[e + 1]) - middle_of(edges[e]);
-      for (const auto& [own, other] : {std::pair(e, e + 1), std::pair(e + 1, e)}) {
-        const Eigen::Vector3f way = way_at(edges, own), half = 0.5f * (edges[other][1] - edges[other][0]);
-        const float ahead = half.dot(way), most = std::max((1 - kLeastForward) * step.dot(way), 0.0f);
-        if (std::abs(ahead) > most) set_half(edges[other], half - (ahead - std::copysign(most, ahead)) * way);
-      }
-    }
+    for (std::size_t e = 0; e + 1 < edges.size(); ++e) move_apart(edges, e);
   }
 }
 
