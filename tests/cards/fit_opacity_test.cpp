@@ -1,6 +1,5 @@
 #include "cards/fit_opacity.h"
 
-#include "cards/hair_picture.h"
 #include "cards/made_up_cards.h"
 #include "cards/made_up_groom.h"
 
@@ -21,24 +20,14 @@ Cards unfitted_cards(const groom::Groom& groom, std::size_t count, std::size_t t
   return test::unfitted_cards(groom, kWidth, count, triangles, std::size_t{1} << 18);
 }
 
-double mean_overlap(const groom::Groom& groom, const Cards& cards) {
-  const CardSurface surface = surface_of(cards);
-  double sum = 0;
-  for (const Eigen::Vector3f& direction : spread_directions(5)) {
-    const PictureFrame frame = frame_along(direction, ball_around(groom.points), 192);
-    sum += compare_hair(draw_strands(groom, frame, kWidth, 2), draw_cards(surface, frame, 2)).coverage_iou;
-  }
-  return sum / 5;
-}
-
 TEST(FitOpacity, BringsCardsNearerToStrandsFromDirectionsThatItDidNotSee) {
   const groom::Groom groom = test::groom_of(test::strands_of_a_head(400));
   Cards cards = unfitted_cards(groom, 60, 480);
-  const double before = mean_overlap(groom, cards);
+  const double before = test::mean_overlap(groom, cards, kWidth);
   const OpacityFit fitted = fit(groom, 4, cards, 2);
   ASSERT_GE(fitted.errors.size(), 2u);
   EXPECT_LT(fitted.errors.back(), 0.9 * fitted.errors.front());
-  EXPECT_GT(mean_overlap(groom, cards), before + 0.07);
+  EXPECT_GT(test::mean_overlap(groom, cards, kWidth), before + 0.07);
   for (const CardTexture& texture : cards.textures) {
     EXPECT_GE(std::ranges::min(texture.opacity), 0);
     EXPECT_LE(std::ranges::max(texture.opacity), 1);

@@ -1,7 +1,6 @@
 #include "cards/share_textures.h"
 
 #include "cards/fit_opacity.h"
-#include "cards/hair_picture.h"
 #include "cards/made_up_cards.h"
 #include "cards/made_up_groom.h"
 
@@ -104,17 +103,6 @@ TEST(ShareTextures, StrandsThatOwnTexturesShowAreNotShared) {
   EXPECT_EQ(wisps_for(std::span(cards).first(20), kTexels / 1000, 0.00001f), 0u) << "too few cards to share any";
 }
 
-/// Mean overlap with the strands from five sides.
-double mean_overlap(const groom::Groom& groom, const Cards& cards) {
-  const CardSurface surface = surface_of(cards);
-  double sum = 0;
-  for (const Eigen::Vector3f& direction : spread_directions(5)) {
-    const PictureFrame frame = frame_along(direction, ball_around(groom.points), 192);
-    sum += compare_hair(draw_strands(groom, frame, kWidth, 2), draw_cards(surface, frame, 2)).coverage_iou;
-  }
-  return sum / 5;
-}
-
 TEST(ShareTextures, SharedTexturesAreFittedToAllTheirCards) {
   const groom::Groom groom = test::groom_of(test::strands_of_a_head(2000));
   const GroomShape shape = shape_of(groom, kWidth);
@@ -127,7 +115,7 @@ TEST(ShareTextures, SharedTexturesAreFittedToAllTheirCards) {
   ASSERT_TRUE(bare && fitted);
   EXPECT_EQ(fitted->textures.size(), 16u);
   EXPECT_EQ(fitted->strips.size(), 100u);
-  EXPECT_GT(mean_overlap(groom, *fitted), mean_overlap(groom, *bare) + 0.02);
+  EXPECT_GT(test::mean_overlap(groom, *fitted, kWidth), test::mean_overlap(groom, *bare, kWidth) + 0.02);
 }
 
 TEST(ShareTextures, CoarserLevelsShareFewer) {
