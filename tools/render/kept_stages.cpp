@@ -55,7 +55,7 @@ tl::expected<const OffscreenTarget*, ToolError> KeptTargets::of_size(std::uint32
   if (known != kept_.end()) return &known->target;
   auto target = OffscreenTarget::create(width, height, samples, OffscreenTarget::Pixels::kRadiance);
   if (!target) return tl::unexpected(target.error());
-  kept_.push_back({width, height, samples, std::move(*target)});
+  kept_.push_back({width, height, samples, *target});
   return &kept_.back().target;
 }
 
