@@ -1,5 +1,4 @@
-#include "cards/share_textures.h"
-
+#include "cards/card_texture.h"
 #include "cards/fit_opacity.h"
 #include "cards/made_up_cards.h"
 #include "cards/made_up_groom.h"

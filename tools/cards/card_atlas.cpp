@@ -44,6 +44,20 @@ std::uint32_t pack_rows(std::vector<AtlasPlace>& places, std::uint32_t width) {
 
 }  // namespace
 
+std::vector<CardSize> sizes_of(const ChosenCards& cards) {
+  std::vector<CardSize> sizes;
+  for (const CardStrip& strip : cards.strips) {
+    const auto edges = ends_of_edges(cards.wisps[strip.wisp].ribbon, strip);
+    CardSize size;
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      size.width = std::max(size.width, (edges[e][1] - edges[e][0]).norm());
+      if (e > 0) size.length += 0.5f * (edges[e][0] + edges[e][1] - edges[e - 1][0] - edges[e - 1][1]).norm();
+    }
+    sizes.push_back(size);
+  }
+  return sizes;
+}
+
 AtlasPlan plan_atlas(std::span<const CardSize> cards, std::size_t texels, float finer_across) {
   double area = 0;
   for (const CardSize& card : cards) area += double(card.width) * double(card.length);

@@ -59,36 +59,33 @@ Eigen::Vector3f way_at(const Edges& edges, std::size_t e) {
   return sum.normalized();
 }
 
+Eigen::Vector3f half_of(const std::array<Eigen::Vector3f, 2>& edge) { return 0.5f * (edge[1] - edge[0]); }
+
 void set_half(std::array<Eigen::Vector3f, 2>& edge, const Eigen::Vector3f& half) {
   const Eigen::Vector3f middle = middle_of(edge);
   edge = {middle - half, middle + half};
 }
 
-/// Whether a side of the quad behind edge `e` runs back against the way at one of its edges.
-bool runs_back(const Edges& edges, std::size_t e) {
-  const Eigen::Vector3f step = middle_of(edges[e + 1]) - middle_of(edges[e]);
-  const auto is_ahead = [&](std::size_t own, std::size_t other) {
-    const Eigen::Vector3f way = way_at(edges, own), half = 0.5f * (edges[other][1] - edges[other][0]);
-    return std::abs(half.dot(way)) > (1 - kLeastForward) * step.dot(way);
-  };
-  return is_ahead(e, e + 1) || is_ahead(e + 1, e);
+/// How much farther one edge's end reaches along the way at a neighbouring edge than a side that goes forward may: the
+/// part of its half to take away.
+Eigen::Vector3f too_far_along(const Edges& edges, std::size_t own, std::size_t neighbour) {
+  const Eigen::Vector3f step = middle_of(edges[neighbour]) - middle_of(edges[own]), way = way_at(edges, own);
+  const float ahead = half_of(edges[neighbour]).dot(way);
+  const float forward = own < neighbour ? step.dot(way) : -step.dot(way);
+  const float most = std::max((1 - kLeastForward) * forward, 0.0f);
+  return std::abs(ahead) > most ? ((ahead - std::copysign(most, ahead)) * way).eval() : Eigen::Vector3f::Zero();
 }
 
 /// Turns an edge across the way.
 void turn_across(Edges& edges, std::size_t e) {
-  const Eigen::Vector3f way = way_at(edges, e), half = 0.5f * (edges[e][1] - edges[e][0]);
+  const Eigen::Vector3f way = way_at(edges, e), half = half_of(edges[e]);
   const Eigen::Vector3f across = half - way.dot(half) * way;
   if (across.norm() > 0) set_half(edges[e], half.norm() * across.normalized());
 }
 
-/// Moves the ends of a quad's edges apart along the way until its sides go forward.
-void move_apart(Edges& edges, std::size_t e) {
-  const Eigen::Vector3f step = middle_of(edges[e + 1]) - middle_of(edges[e]);
-  for (const auto& [own, other] : {std::pair(e, e + 1), std::pair(e + 1, e)}) {
-    const Eigen::Vector3f way = way_at(edges, own), half = 0.5f * (edges[other][1] - edges[other][0]);
-    const float ahead = half.dot(way), most = std::max((1 - kLeastForward) * step.dot(way), 0.0f);
-    if (std::abs(ahead) > most) set_half(edges[other], half - (ahead - std::copysign(most, ahead)) * way);
-  }
+void pull_back(Edges& edges, std::size_t own, std::size_t neighbour) {
+  const Eigen::Vector3f too_far = too_far_along(edges, own, neighbour);
+  if (!too_far.isZero(0)) set_half(edges[neighbour], half_of(edges[neighbour]) - too_far);
 }
 
 /// Keeps a strip from running back behind its edges, which turns triangles over: where a side would, both edges lie
@@ -96,14 +93,17 @@ void move_apart(Edges& edges, std::size_t e) {
 void keep_sides_forward(Edges& edges) {
   std::vector<std::size_t> back;
   for (std::size_t e = 0; e + 1 < edges.size(); ++e) {
-    if (runs_back(edges, e)) back.push_back(e);
+    if (!too_far_along(edges, e, e + 1).isZero(0) || !too_far_along(edges, e + 1, e).isZero(0)) back.push_back(e);
   }
   for (const std::size_t e : back) {
     turn_across(edges, e);
     turn_across(edges, e + 1);
   }
   for (int round = 0; round < kForwardRounds; ++round) {
-    for (std::size_t e = 0; e + 1 < edges.size(); ++e) move_apart(edges, e);
+    for (std::size_t e = 0; e + 1 < edges.size(); ++e) {
+      pull_back(edges, e, e + 1);
+      pull_back(edges, e + 1, e);
+    }
   }
 }
 

@@ -26,15 +26,20 @@ struct Reach {
   std::size_t across = 0, along = 0;
 };
 
+/// The cards that show each texture.
+std::vector<std::vector<std::size_t>> cards_by_texture(const Cards& cards) {
+  std::vector<std::vector<std::size_t>> shown(cards.textures.size());
+  for (std::size_t card = 0; card < cards.strips.size(); ++card) shown[cards.shares.texture_of[card]].push_back(card);
+  return shown;
+}
+
 /// What one sample of a picture sees at once of a texture: of one that many cards share, several texels. Others are
 /// about as fine as pictures.
-std::vector<Reach> seen_at_once(const Cards& cards) {
-  std::vector<std::size_t> shown(cards.textures.size(), 0);
-  for (const std::uint32_t texture : cards.shares.texture_of) ++shown[texture];
-  std::vector<Reach> reach(cards.textures.size());
+std::vector<Reach> seen_at_once(const AtlasPlan& plan, std::span<const std::vector<std::size_t>> cards_showing) {
+  std::vector<Reach> reach(cards_showing.size());
   for (std::size_t i = 0; i < reach.size(); ++i) {
-    const AtlasPlace& place = cards.plan.places[i];
-    if (shown[i] > 1) reach[i] = {place.width / kSeenAcross, place.height / kSeenAlong};
+    const AtlasPlace& place = plan.places[i];
+    if (cards_showing[i].size() > 1) reach[i] = {place.width / kSeenAcross, place.height / kSeenAlong};
   }
   return reach;
 }
@@ -92,7 +97,13 @@ class AtlasChange {
     }
   }
 
-  /// Returns the requested changes of a card's texels, row by row, and clears them.
+  /// Forgets what was requested.
+  void clear() {
+    std::ranges::fill(asked_, 0.0f);
+    std::ranges::fill(seen_, 0.0f);
+  }
+
+  /// Returns the requested changes of a texture's texels, summed over what is around each, and clears them.
   [[nodiscard]] std::vector<float> take(const AtlasPlace& place, const Reach& spread) {
     const std::vector<float> asked = sums_around(taken(place, asked_), place.width, spread),
                              seen = sums_around(taken(place, seen_), place.width, spread);
@@ -129,16 +140,14 @@ class OpacityRounds {
       : target_(target),
         cards_(cards),
         threads_(threads),
-        seen_(seen_at_once(cards)),
+        cards_showing_(cards_by_texture(cards)),
+        seen_(seen_at_once(cards.plan, cards_showing_)),
         change_(cards.plan.width, cards.plan.height),
+        last_change_(cards.textures.size()),
         views_(threads.count) {
     for (const CardStrip& strip : cards.strips) {
       first_triangle_.push_back(first_triangle_.back() + std::uint32_t(strip.triangles()));
     }
-    last_change_.resize(cards.textures.size());
-    cards_showing_.resize(cards.textures.size());
-    for (std::size_t card = 0; card < cards.strips.size(); ++card)
-      cards_showing_[cards.shares.texture_of[card]].push_back(card);
   }
 
   /// Looks from a round's directions; returns the coverage error of cards, as a share of the strands' coverage.
@@ -169,8 +178,8 @@ class OpacityRounds {
   /// Takes back half of the changes since these opacities, and changes half as much from now on.
   void step_back(const std::vector<std::vector<float>>& before) {
     step_ *= 0.5f;
+    change_.clear();
     parallel_for(cards_.textures.size(), threads_, [&](std::size_t texture) {
-      static_cast<void>(change_.take(cards_.plan.places[texture], {}));
       std::vector<float>& opacity = cards_.textures[texture].opacity;
       for (std::size_t i = 0; i < opacity.size(); ++i) opacity[i] = 0.5f * (opacity[i] + before[texture][i]);
       last_change_[texture].clear();
@@ -216,10 +225,10 @@ class OpacityRounds {
   Cards& cards_;
   platform::Threads threads_;
   std::vector<std::uint32_t> first_triangle_{0};
-  std::vector<Reach> seen_;  ///< What a sample sees at once, of each texture.
-  AtlasChange change_;
   std::vector<std::vector<std::size_t>> cards_showing_;  ///< Each texture.
-  std::vector<std::vector<float>> last_change_;          ///< For each texture, its texels' last change.
+  std::vector<Reach> seen_;                              ///< What a sample sees at once, of each texture.
+  AtlasChange change_;
+  std::vector<std::vector<float>> last_change_;  ///< For each texture, its texels' last change.
   std::vector<FitView> views_;
   float step_ = 1;  ///< Share of what is asked that is done.
 };

@@ -183,20 +183,6 @@ void paint(const CardTexture& texture, const AtlasPlace& place, CardSurface& sur
 
 }  // namespace
 
-std::vector<CardSize> sizes_of(const ChosenCards& cards) {
-  std::vector<CardSize> sizes;
-  for (const CardStrip& strip : cards.strips) {
-    const auto edges = ends_of_edges(cards.wisps[strip.wisp].ribbon, strip);
-    CardSize size;
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      size.width = std::max(size.width, (edges[e][1] - edges[e][0]).norm());
-      if (e > 0) size.length += 0.5f * (edges[e][0] + edges[e][1] - edges[e - 1][0] - edges[e - 1][1]).norm();
-    }
-    sizes.push_back(size);
-  }
-  return sizes;
-}
-
 GroomShape shape_of(const groom::Groom& groom, float strand_width) {
   GroomShape shape;
   shape.is_reversed = find_reversed_strands(groom);

@@ -6,7 +6,6 @@
 #include "cards/choose_cards.h"
 #include "cards/even_strands.h"
 #include "cards/scalp_cards.h"
-#include "cards/share_textures.h"
 #include "groom/groom.h"
 #include "import/source_model.h"
 #include "platform/stop.h"
@@ -63,9 +62,6 @@ struct Cards {
 [[nodiscard]] tl::expected<Cards, ToolError> texture_cards(const groom::Groom& groom, const GroomShape& shape,
                                                            ChosenCards cards, std::size_t texels,
                                                            const platform::Threads& threads);
-
-/// Sizes of strips, metres.
-[[nodiscard]] std::vector<CardSize> sizes_of(const ChosenCards& cards);
 
 /// Cards in place of the strands, of one level of detail. Repeats for equal input, whatever `threads` is. kOverBudget
 /// where the budget is too small for the fewest cards that hold the hair.

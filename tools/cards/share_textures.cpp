@@ -1,8 +1,7 @@
-#include "cards/share_textures.h"
+#include "cards/card_texture.h"
 
 #include "base/parallel_for.h"
 #include "cards/cluster_points.h"
-#include "cards/make_cards.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
 #include "render/kept_stages.h"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 namespace coif::render {
@@ -9,29 +8,11 @@ namespace {
 
 constexpr std::size_t kMostStages = 4;  ///< A sheet that shows the hair in so many ways makes no stage twice.
 
-bool are_equal(const std::vector<SolidVertex>& a, const std::vector<SolidVertex>& b) {
-  static_assert(sizeof(SolidVertex) == 8 * sizeof(float));  // Bytes between members could differ.
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(SolidVertex)) == 0);
-}
-
-bool are_equal(const SolidMesh& a, const SolidMesh& b) {
-  return a.color == b.color && a.texture == b.texture && a.alpha_cutoff == b.alpha_cutoff &&
-         a.roughness == b.roughness && a.is_ghost == b.is_ghost && a.triangles == b.triangles &&
-         are_equal(a.vertices, b.vertices);
-}
-
-bool are_equal(const BodyLook& a, const BodyLook& b) {
-  return a.ambient == b.ambient && a.wrap == b.wrap && a.bleed == b.bleed && a.gloss == b.gloss;
-}
-
 }  // namespace
 
 const StageRenderer* KeptStages::find(const std::vector<SolidMesh>& meshes, const BodyLook& look) const {
-  const auto found = std::ranges::find_if(kept_, [&](const Kept& kept) {
-    return !kept.has_shadow && are_equal(kept.look, look) &&
-           std::ranges::equal(kept.meshes, meshes,
-                              [](const SolidMesh& a, const SolidMesh& b) { return are_equal(a, b); });
-  });
+  const auto found = std::ranges::find_if(
+      kept_, [&](const Kept& kept) { return !kept.has_shadow && kept.look == look && kept.meshes == meshes; });
   return found != kept_.end() ? &found->stage : nullptr;
 }
 

@@ -19,8 +19,11 @@ constexpr float kLargestHead = 0.5f;  // metres
 // Hair rests on the collider; drawn at full size the two would fight for the same depth.
 constexpr float kMannequinScale = 0.98f;
 
-constexpr std::uint32_t kRings = 48;  // even: one is the equator
-constexpr std::uint32_t kSectors = 96;
+/// Quads of a mesh from pole to pole and around.
+struct Grid {
+  std::uint32_t rings, sectors;
+};
+constexpr Grid kFine{48, 96}, kCoarse{16, 32};  // even rings: one is the equator
 
 /// From a unit sphere's axes, with its poles on Y, to head space.
 Eigen::Quaternionf orientation(const ColliderRecord& collider) {
@@ -30,30 +33,31 @@ Eigen::Quaternionf orientation(const ColliderRecord& collider) {
 }
 
 /// A sphere or ellipsoid; a capsule is a sphere whose upper half is moved to the segment's other end.
-SolidMesh mannequin_mesh(const ColliderRecord& collider) {
+SolidMesh mannequin_mesh(const ColliderRecord& collider, const Grid& grid = kFine) {
   const Eigen::Map<const Eigen::Vector3f> center(collider.center);
   const Eigen::Map<const Eigen::Vector3f> axis(collider.axis);  // 0 unless a capsule
   const Eigen::Array3f radii = kMannequinScale * Eigen::Map<const Eigen::Array3f>(collider.radii);
   const Eigen::Quaternionf rotation = orientation(collider);
 
   SolidMesh mesh;
-  for (std::uint32_t ring = 0; ring <= kRings; ++ring) {
-    const float polar = std::numbers::pi_v<float> * static_cast<float>(ring) / kRings;
-    const float share = 2 * ring <= kRings ? 1.0f : 0.0f;
+  for (std::uint32_t ring = 0; ring <= grid.rings; ++ring) {
+    const float polar = std::numbers::pi_v<float> * static_cast<float>(ring) / static_cast<float>(grid.rings);
+    const float share = 2 * ring <= grid.rings ? 1.0f : 0.0f;
     const Eigen::Vector3f ring_center = center + share * axis;
-    for (std::uint32_t sector = 0; sector <= kSectors; ++sector) {
-      const float around = 2 * std::numbers::pi_v<float> * static_cast<float>(sector) / kSectors;
+    for (std::uint32_t sector = 0; sector <= grid.sectors; ++sector) {
+      const float around =
+          2 * std::numbers::pi_v<float> * static_cast<float>(sector) / static_cast<float>(grid.sectors);
       const Eigen::Array3f unit(std::sin(polar) * std::sin(around), std::cos(polar),
                                 std::sin(polar) * std::cos(around));
       mesh.vertices.push_back(
           {ring_center + rotation * (unit * radii).matrix(), (rotation * (unit / radii).matrix()).normalized()});
     }
   }
-  constexpr std::uint32_t kRow = kSectors + 1;
-  for (std::uint32_t ring = 0; ring < kRings; ++ring) {
-    for (std::uint32_t sector = 0; sector < kSectors; ++sector) {
-      const std::uint32_t a = ring * kRow + sector;
-      const std::uint32_t b = a + kRow;
+  const std::uint32_t row = grid.sectors + 1;
+  for (std::uint32_t ring = 0; ring < grid.rings; ++ring) {
+    for (std::uint32_t sector = 0; sector < grid.sectors; ++sector) {
+      const std::uint32_t a = ring * row + sector;
+      const std::uint32_t b = a + row;
       mesh.triangles.insert(mesh.triangles.end(), {a, b, b + 1, a, b + 1, a + 1});
     }
   }
@@ -62,13 +66,13 @@ SolidMesh mannequin_mesh(const ColliderRecord& collider) {
 
 }  // namespace
 
-std::vector<SolidMesh> mannequin_meshes(std::span<const ColliderRecord> colliders) {
+std::vector<SolidMesh> mannequin_meshes(std::span<const ColliderRecord> colliders, bool is_coarse) {
   std::vector<SolidMesh> meshes;
   for (const ColliderRecord& collider : colliders) {
     // A ball of a metre stands for a floor or a wall, which is not shown.
     const bool is_seen =
         is_solid(collider) && *std::max_element(std::begin(collider.radii), std::end(collider.radii)) < kLargestHead;
-    if (is_seen) meshes.push_back(mannequin_mesh(collider));
+    if (is_seen) meshes.push_back(mannequin_mesh(collider, is_coarse ? kCoarse : kFine));
   }
   return meshes;
 }

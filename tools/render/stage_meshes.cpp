@@ -5,8 +5,6 @@
 #include "render/stage_renderer.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <utility>
 
@@ -14,23 +12,6 @@ namespace coif::render {
 namespace {
 
 constexpr float kColliderColor[3] = {0.08f, 0.25f, 0.6f};  ///< Linear; no hair and no clay has it.
-
-/// Takes every third row and column of a mannequin's mesh, a grid of quads whose first triangle is {0, R, R + 1} with R
-/// vertices in a row. Other meshes stay as they are.
-void coarsen(SolidMesh& mesh) {
-  constexpr std::uint32_t kStep = 3;
-  const std::uint32_t columns = mesh.triangles.size() < 3 ? 0 : mesh.triangles[1];
-  const std::uint32_t rows = columns == 0 ? 0 : std::uint32_t(mesh.vertices.size()) / columns;
-  const bool divides = columns > 1 && rows > 1 && (columns - 1) % kStep == 0 && (rows - 1) % kStep == 0;
-  if (!divides || mesh.triangles.size() != std::size_t{6} * (columns - 1) * (rows - 1)) return;
-  mesh.triangles.clear();
-  for (std::uint32_t row = 0; row + 1 < rows; row += kStep) {
-    for (std::uint32_t column = 0; column + 1 < columns; column += kStep) {
-      const std::uint32_t a = row * columns + column, b = a + kStep * columns;
-      mesh.triangles.insert(mesh.triangles.end(), {a, b, b + kStep, a, b + kStep, a + kStep});
-    }
-  }
-}
 
 bool shows_bust(const PictureSettings& settings) {
   return settings.bust && settings.mannequin && settings.body == nullptr && !settings.colliders;
@@ -58,8 +39,7 @@ std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& s
     std::ranges::move(bust_meshes(asset.colliders(), yaw_of_face(asset) != 0), std::back_inserter(meshes));
   }
   if (settings.colliders || (wants_head && std::ranges::all_of(meshes, &SolidMesh::is_ghost))) {
-    for (SolidMesh& mesh : mannequin_meshes(asset.colliders())) {
-      if (settings.coarse_mannequin) coarsen(mesh);
+    for (SolidMesh& mesh : mannequin_meshes(asset.colliders(), settings.coarse_mannequin)) {
       if (settings.colliders) mesh.color = Eigen::Vector3f(kColliderColor);
       meshes.push_back(std::move(mesh));
     }

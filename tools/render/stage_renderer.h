@@ -34,6 +34,8 @@ struct SolidVertex {
   Eigen::Vector3f position;
   Eigen::Vector3f normal;                        ///< Unit.
   Eigen::Vector2f uv = Eigen::Vector2f::Zero();  ///< V grows downwards in the texture.
+
+  bool operator==(const SolidVertex&) const = default;
 };
 
 /// RGBA, colour sRGB-encoded, alpha not premultiplied, rows top to bottom; it repeats.
@@ -52,6 +54,8 @@ struct SolidMesh {
   float alpha_cutoff = 0;                               ///< Texels with less alpha are holes, 0..1.
   float roughness = 0.8f;                               ///< 0 a mirror .. 1 matte; only where BodyLook has gloss.
   bool is_ghost = false;                                ///< Drawn by draw_ghosts() alone.
+
+  bool operator==(const SolidMesh&) const = default;  ///< The same texture, not one with equal texels.
 };
 
 /// The background: a gradient, and light in the middle of it. Linear colours.
@@ -68,11 +72,14 @@ struct BodyLook {
   float wrap = kClayWrap;        ///< How far light reaches around.
   float bleed = 0;               ///< How much farther red does than blue, as in skin.
   float gloss = 0;               ///< Share of the surface's mirror reflection that is shown.
+
+  bool operator==(const BodyLook&) const = default;
 };
 
 /// Colliders as smooth bodies, a little smaller than they collide. Left out: planes, and shapes that keep hair inside,
-/// which would hide it.
-[[nodiscard]] std::vector<SolidMesh> mannequin_meshes(std::span<const ColliderRecord> colliders);
+/// which would hide it. Coarse ones have a ninth of the triangles.
+[[nodiscard]] std::vector<SolidMesh> mannequin_meshes(std::span<const ColliderRecord> colliders,
+                                                      bool is_coarse = false);
 
 /// Colliders of the game beside a head at `head`, in its space: balls and capsules; other shapes are left out.
 [[nodiscard]] std::vector<SolidMesh> moving_meshes(std::span<const MovingCollider> colliders, const HeadPose& head);
