@@ -88,6 +88,36 @@ TEST(ScalpPatches, EndAtAParting) {
   }
 }
 
+/// A head's roots end at a hairline; the side of it where they end is the rim, however dense they are, and the crown is
+/// not.
+TEST(RootsAtRim, AreThoseNearTheHairline) {
+  constexpr float kReach = 0.25f * kHead;
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> unit(0, 1);
+  std::vector<Vector3f> roots;
+  while (roots.size() < 12000) {
+    const float y = unit(random), around = 6.2831853f * unit(random), r = std::sqrt(1 - y * y);
+    if (std::cos(around) > 0 && unit(random) < 0.6f) continue;  // Half of the head is less dense.
+    roots.emplace_back(kHead * Vector3f(r * std::cos(around), y, r * std::sin(around)));
+  }
+  const std::vector<std::uint8_t> at_rim = roots_at_rim(roots, Vector3f::Zero(), kReach);
+  int low = 0, low_at_rim = 0, high = 0, high_at_rim = 0;
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    const float above = kHead * std::asin(roots[i].y() / kHead);  // metres along the skin
+    const bool is_where_density_changes = std::abs(roots[i].x()) < kReach;
+    if (above < 0.2f * kReach) ++low, low_at_rim += at_rim[i];
+    if (above > 1.1f * kReach && !is_where_density_changes) ++high, high_at_rim += at_rim[i];
+  }
+  EXPECT_GT(low_at_rim, 0.95 * low) << low;
+  EXPECT_LT(high_at_rim, 0.1 * high) << high;
+}
+
+TEST(RootsAtRim, AreNoneWithoutReach) {
+  const std::vector<Vector3f> roots(3, Vector3f::UnitX());
+  EXPECT_EQ(roots_at_rim(roots, Vector3f::Zero(), 0), std::vector<std::uint8_t>(3, 0));
+  EXPECT_TRUE(roots_at_rim({}, Vector3f::Zero(), 1).empty());
+}
+
 TEST(ScalpCards, LieOnTheSkinAndNotBelow) {
   const MadeScalp made(parted_hair(2000));
   ASSERT_GT(made.cards.wisps.size(), 30u);

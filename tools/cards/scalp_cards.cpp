@@ -69,11 +69,13 @@ Ribbon ribbon_on(const ScalpPatch& patch, float overlap, float clearance) {
   return ribbon;
 }
 
-/// Strands that are laid down over the patch and around it.
+/// Strands that are laid down over the patch and around it, but for those at the hair's rim: skin that shows between
+/// roots is natural there, and a card's edge is not.
 std::vector<std::uint32_t> strands_over(const ScalpPatch& patch, const Scalp& scalp, float overlap) {
   std::vector<std::uint32_t> found;
   const Eigen::Vector2f low = patch.low.array() - overlap, high = patch.high.array() + overlap;
   for (std::uint32_t i = 0; i < scalp.strands.strand_count(); ++i) {
+    if (scalp.at_rim[i] != 0) continue;
     const Vector3f root = patch.local(scalp.strands.strand(i).front()),
                    tip = patch.local(scalp.strands.strand(i).back());
     const Eigen::Vector2f least = root.cwiseMin(tip).head<2>(), most = root.cwiseMax(tip).head<2>();

@@ -24,6 +24,8 @@ constexpr float kLeastAlongSkin =
     0.3f;                        // Share of a strand's way: one that stands off the skin is laid along its neighbours.
 constexpr float kStray = 0.02f;  // Share of the roots, on each side.
 constexpr std::size_t kPiecesOnSkin = 8;  // Per strand.
+/// Share of the scalp's radius: as far around a root others tell whether it is at the rim.
+constexpr float kRim = 0.28f;
 
 /// The first part of a strand at even steps, with the file's points that are next to them.
 struct RootPart {
@@ -127,6 +129,12 @@ void lay_down(const ScalpPatch& patch, RootPart& part) {
   }
 }
 
+std::vector<std::uint8_t> rim_of(const std::vector<RootPart>& parts, const Vector3f& inside, float radius) {
+  std::vector<Vector3f> roots;
+  for (const RootPart& part : parts) roots.push_back(part.points.front());
+  return roots_at_rim(roots, inside, kRim * radius);
+}
+
 groom::Groom groom_of(const groom::Groom& groom, const std::vector<RootPart>& parts) {
   groom::Groom strands;
   strands.path = groom.path;
@@ -175,6 +183,7 @@ Scalp find_scalp(const groom::Groom& groom, std::span<const std::uint8_t> is_rev
     set_skin(parts, patch);
     for (const std::uint32_t i : patch.members) lay_down(patch, parts[i]);
   });
+  scalp.at_rim = rim_of(parts, box.center(), scalp.radius);
   scalp.strands = groom_of(groom, parts);
   return scalp;
 }

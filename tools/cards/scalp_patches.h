@@ -39,9 +39,10 @@ struct ScalpPatch {
 
 /// The skin that hair grows from, as far as its roots show it.
 struct Scalp {
-  float radius = 0;                 ///< Half the longest side of the box around all roots, metres.
-  float reach = 0;                  ///< Length of each strand, from its root on, that is shown on the skin, metres.
-  std::vector<ScalpPatch> patches;  ///< Each strand is in one of them.
+  float radius = 0;                  ///< Half the longest side of the box around all roots, metres.
+  float reach = 0;                   ///< Length of each strand, from its root on, that is shown on the skin, metres.
+  std::vector<ScalpPatch> patches;   ///< Each strand is in one of them.
+  std::vector<std::uint8_t> at_rim;  ///< 1 for each strand whose root is at the rim of the hair: roots_at_rim().
   groom::Groom strands;  ///< The beginning of each strand, root first, laid down on the skin; in the hair's order.
 };
 
@@ -50,5 +51,10 @@ struct Scalp {
 /// equal input, with any `threads`.
 [[nodiscard]] Scalp find_scalp(const groom::Groom& groom, std::span<const std::uint8_t> is_reversed,
                                const EvenStrands& strands, std::size_t count, const platform::Threads& threads);
+
+/// 1 for roots at the rim, where fewer others are on one side within `reach`, metres, than on the other, or than
+/// around most: some half of it deep, and thinned out inwards. `inside`: a point below the skin.
+[[nodiscard]] std::vector<std::uint8_t> roots_at_rim(std::span<const Eigen::Vector3f> roots,
+                                                     const Eigen::Vector3f& inside, float reach);
 
 }  // namespace coif::cards

@@ -13,7 +13,7 @@ constexpr BuiltInStyle kStyles[] = {
     {"locks",
      R"({"length_top": 0.24, "length_front": 0.22, "length_sides": 0.19, "length_back": 0.17, "fringe_width": 56, "fringe_depth": 42,
       "fringe_length": 0.068, "whorl": 20, "lift": 26, "volume": 0.009, "layers": 0.009, "stiffness": 0.2, "swing": -0.25, "clump": 0.92,
-      "hairline_wisps": 0, "clump_size": 0.042, "clump_shape": 1, "clump_children": 0, "length_random": 0.03, "frizz": 0, "flyaways": 0, "color_random": 0.03,
+      "hairline_wisps": 0, "clump_size": 0.042, "clump_shape": 1, "clump_children": 0, "length_random": 0.03, "frizz": 0, "flyaways": 0, "color_random": 0.03, "width": 0.0015,
       "root_color": [0.1, 0.12, 0.24], "tip_color": [0.26, 0.33, 0.58]})"},
     {"long", R"({"length_top": 0.5, "length_front": 0.47, "length_sides": 0.4, "length_back": 0.36, "parting": 0,
       "volume": 0.008, "clump": 0.7, "clump_size": 0.022, "length_random": 0.14, "frizz": 0.0025})"},
