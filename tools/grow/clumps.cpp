@@ -1,13 +1,11 @@
+#include "base/cubes.h"
+#include "grow/random.h"
 #include "grow/strand_paths.h"
 
-#include "grow/random.h"
-
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 #include <numeric>
-#include <unordered_map>
+#include <vector>
 
 namespace coif::grow {
 namespace {
@@ -18,19 +16,16 @@ using Eigen::Vector3f;
 class Middles {
  public:
   Middles(const StrandPaths& paths, float size, const ClumpMiddles& within)
-      : paths_(paths), size_(size), within_(within) {}
+      : paths_(paths), size_(size), within_(within), cubes_(size) {}
 
-  void add(std::uint32_t strand) { cubes_[cube_of(strand)].push_back(strand); }
+  void add(std::uint32_t strand) { cubes_.at(root_of(strand)).push_back(strand); }
 
   /// The nearest one of the strand's clump; the strand itself where none is within the size.
   [[nodiscard]] std::uint32_t nearest(std::uint32_t strand) const {
-    const std::array<int, 3> home = place_of(strand);
     float least = size_ * size_;
     std::uint32_t best = strand;
-    for (int n = 0; n < 27; ++n) {
-      const auto cube = cubes_.find(key({home[0] + n % 3 - 1, home[1] + n / 3 % 3 - 1, home[2] + n / 9 - 1}));
-      if (cube == cubes_.end()) continue;
-      for (const std::uint32_t middle : cube->second) {
+    cubes_.for_each_around(root_of(strand), 1, [&](const std::vector<std::uint32_t>& middles) {
+      for (const std::uint32_t middle : middles) {
         if (!within_.empty() && within_[middle] != within_[strand]) continue;
         const float apart = squared_distance(strand, middle);
         if (apart < least) {
@@ -38,7 +33,7 @@ class Middles {
           best = middle;
         }
       }
-    }
+    });
     return best;
   }
 
@@ -52,20 +47,12 @@ class Middles {
            0.06f * (first.back() - second.back()).squaredNorm();
   }
 
-  [[nodiscard]] std::array<int, 3> place_of(std::uint32_t strand) const {
-    const Vector3f place = paths_.strand(strand)[0] / size_;
-    return {int(std::floor(place.x())), int(std::floor(place.y())), int(std::floor(place.z()))};
-  }
-  [[nodiscard]] static std::uint64_t key(const std::array<int, 3>& place) {
-    const auto bits = [](int v) { return std::uint64_t(std::uint32_t(v)) & 0x1FFFFF; };
-    return bits(place[0]) | bits(place[1]) << 21 | bits(place[2]) << 42;
-  }
-  [[nodiscard]] std::uint64_t cube_of(std::uint32_t strand) const { return key(place_of(strand)); }
+  [[nodiscard]] const Vector3f& root_of(std::uint32_t strand) const { return paths_.strand(strand)[0]; }
 
   const StrandPaths& paths_;
   float size_;
   const ClumpMiddles& within_;
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cubes_;
+  Cubes<std::vector<std::uint32_t>> cubes_;
 };
 
 }  // namespace
