@@ -41,9 +41,8 @@ std::span<std::byte> read_file(const char* path, Memory& memory) {
   return whole ? use(memory, bytes) : std::span<std::byte>{};
 }
 
-/// Where the game's animation puts the head: it shakes by half a radian, twice a second, 1.7 m above the ground. If
-/// the head bone of your skeleton does not have the axes of the model in its rest pose, multiply its rotation by the
-/// conjugate of asset.skeleton().head_rotation first.
+/// Where the game's animation puts the head: it shakes by half a radian, twice a second, 1.7 m above the ground. From
+/// the matrix of your skeleton's head bone, head_pose_of_bone() in coif/head_bone.h computes such a pose.
 coif::HeadPose head_at(double seconds) {
   const double angle = 0.5 * std::sin(4.0 * 3.14159265 * seconds);
   coif::HeadPose pose;

@@ -30,7 +30,7 @@ endfunction()
 set(configure_game ${CMAKE_COMMAND} -G Ninja -S ${consumer} -D CMAKE_BUILD_TYPE=Release -D CMAKE_PREFIX_PATH=${prefix})
 set(without_highway -D CMAKE_DISABLE_FIND_PACKAGE_hwy=ON)
 
-set(sim_games only_open only_lod load_and_step step_by_thesis step_cascade step_character step_world)
+set(sim_games only_open only_lod only_head_bone load_and_step step_by_thesis step_cascade step_character step_world)
 
 # build_game(FOLDER PROGRAMS ARGUMENTS...): configures with the arguments, builds, runs these programs.
 function(build_game folder programs)

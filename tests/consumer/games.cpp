@@ -20,6 +20,17 @@ int main() {
   return coif::choose_lod(kLods, far_away, 0) == 1 ? 0 : 1;
 }
 
+#elif defined GAME_only_head_bone
+// A game that asks where an animated head is.
+#include <coif/head_bone.h>
+
+int main() {
+  const coif::HeadBone centimetres{.metres_per_unit = 0.01};
+  coif::HeadPose head;
+  const coif::BoneMatrix bone{{{0, 0, 1, 0}, {0, 1, 0, 160}, {-1, 0, 0, 0}}};
+  return coif::head_pose_of_bone(bone, centimetres, head) == coif::Status::kOk && head.position[1] < 2 ? 0 : 1;
+}
+
 #elif defined GAME_step_by_thesis
 // A game that names the thesis's solver and no other.
 #include <coif/hair.h>

@@ -19,6 +19,7 @@ FEATURES = {
     "load messages": r"describe\(coif::Load",
     "status messages": r"describe\(coif::Status",
     "levels of detail": r"choose_lod|screen_share",
+    "heads on bones": r"head_pose_of_bone|is_mirrored",
     "crowd": r"Hair::|step_block|CrowdState",
     "world of many assets": r"HairWorld::|WorldState",
     "the solver that an asset asks for": r"kCoifSolver",
@@ -69,6 +70,7 @@ DRAWING = {"renderer", "drawing", "what any renderer computes", "upload", "asset
 PROGRAMS = {
     "only_open": {"reader", "hash"},
     "only_lod": {"levels of detail"},
+    "only_head_bone": {"heads on bones"},
     "load_and_step": {"reader", "hash", "crowd", "the solver that an asset asks for", "solver cascade", "solver passive",
                       "load messages"},
     "step_cascade": {"crowd", "solver cascade"},

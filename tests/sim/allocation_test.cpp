@@ -4,6 +4,7 @@
 #include "models/test_rig.h"
 
 #include <coif/hair_world.h>
+#include <coif/head_bone.h>
 
 #include <gtest/gtest.h>
 
@@ -59,6 +60,21 @@ TEST(Allocation, HairNeverAllocates) {
       EXPECT_TRUE(ok);
     }
   }
+}
+
+TEST(Allocation, ABonesPoseNeverAllocates) {
+  const BoneMatrix bone{{{0, 0, 0.01, 1}, {0, 0.01, 0, 1.6}, {0.01, 0, 0, 0}}};
+  HeadBone head_bone;
+  HeadPose pose;
+  BoneMatrix inverse;
+  const std::size_t before = allocations;
+  const Status scale = head_pose_of_bone(bone, head_bone, pose), inverted = invert(bone, inverse);
+  head_bone.rest = bone;
+  const Status found = head_pose_of_bone(bone, head_bone, pose);
+  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(scale, Status::kBadScale);
+  EXPECT_EQ(inverted, Status::kOk);
+  EXPECT_EQ(found, Status::kOk);
 }
 
 TEST(Allocation, HairWorldNeverAllocates) {

@@ -29,7 +29,7 @@ typedef struct coif_skeleton {
   uint32_t flags;      /* COIF_FACES_BACKWARDS */
   float head_joint[3]; /* In the source model, metres. */
   /* From the head bone's own axes to the model's. A host whose head bone has the world pose (p, q) gives the head pose
-   * (p, q * conjugate(head_rotation)). */
+   * (p, q * conjugate(head_rotation)); from its matrix, coif_head_pose_of_bone() computes that. */
   float head_rotation[4];
   float air_lag; /* 0..1: share of the head's velocity that the air around it does not take on. */
 } coif_skeleton;
