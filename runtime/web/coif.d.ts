@@ -13,6 +13,8 @@ export class CoifError extends Error {
 }
 
 export type Vec3 = ArrayLike<number> | { x: number; y: number; z: number };
+/** A 4 x 4 matrix for column vectors, 16 numbers, column after column: three's Matrix4, a node of glTF. */
+export type Matrix = ArrayLike<number> | { elements: ArrayLike<number> };
 /** Rotation, unit. */
 export type Quat = ArrayLike<number> | { x: number; y: number; z: number; w: number };
 
@@ -37,6 +39,11 @@ export interface Coif {
   screenShare(height: number, distance: number, fov: number): number;
   /** The gusts at a world place, m/s, for a page's own cloth and grass; `way` is Hair.gustsWay. */
   gustAt(gusts: Gusts, way: number, place: Vec3): number[];
+  /** The pose of a head that follows a bone of an engine, whose world matrix is `bone` now, so that hair that was modelled around the head
+   *  at rest sits on it. A mirrored bone gives an unmirrored pose with the head's top and face where they are. Throws CoifError:
+   *  COIF_BAD_ARGUMENT for a number of `headBone`, COIF_BAD_POSE for a matrix that is not finite, or sheared or stretched, COIF_BAD_SCALE
+   *  for a head's scale outside of 0.05 to 20. */
+  headPose(bone: Matrix, headBone?: HeadBone): Required<HeadPose>;
   /** The functions of coif.h, for features that this interface lacks; addresses refer to wasmMemory. */
   readonly exports: Record<string, (...values: number[]) => number>;
   readonly wasmMemory: WebAssembly.Memory;
@@ -152,6 +159,17 @@ export interface HeadPose {
   rotation?: Quat;
   scale?: number; // 0.05 to 20
 }
+/** What stays the same while a head bone moves; the native interface's coif/head_bone.h says more. */
+export interface HeadBone {
+  /** The bone's world matrix in the rest pose while the model that the hair was made on stands at the origin, unturned, in its own size: a
+   *  rig's scale of 0.01 belongs to it. By default the bone has the axes of head space. */
+  rest?: Matrix;
+  /** Head space's origin at rest, from the bone's: metres, the model's axes. Needed only if the asset was cooked without this bone. */
+  origin?: Vec3;
+  metresPerUnit?: number; // of the world: 1; 0.01 for centimetres
+  /** How uneven the head's axes may be: 0.01 is one per cent of their length, or a hundredth of a radian; Infinity takes the nearest pose. */
+  largestStretch?: number;
+}
 export interface HairDesc {
   instances?: number; // heads, 1
   solver?: 'coif' | 'thesis' | 'passive' | 'cascade' | 'character';
@@ -208,6 +226,8 @@ export interface Hair {
   /** The same for all heads at once: call writeHead() for those that moved, then setHeads(). Neither creates an object. A head that was
    *  never written stands upright at the origin, so write all heads before the first setHeads(). */
   writeHead(instance: number, position: Vec3, rotation: Quat, scale?: number): void;
+  /** As writeHead(), from a bone: see Coif.headPose(). After an error the head keeps the pose that was written last. */
+  writeHeadBone(instance: number, bone: Matrix, headBone?: HeadBone): void;
   setHeads(): void;
   /** The input of setHeads(), for code that writes it directly: head i's position is positions[6 i] to [6 i + 2]; its rotation x, y, z, w
    *  and scale are rotations[12 i + 6] to [12 i + 10]. */

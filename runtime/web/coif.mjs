@@ -2,7 +2,7 @@
 
 import { Asset } from './asset.mjs';
 import { CoifError, Memory } from './memory.mjs';
-import { RECORDS, read, write } from './records.mjs';
+import { RECORDS, read, write, writeMatrix } from './records.mjs';
 
 export { CoifError };
 
@@ -82,7 +82,21 @@ export class Coif {
     return Array.from(new Float32Array(this.memory.buffer, out, 3));
   }
 
+  headPose(bone, headBone) {
+    const out = this.scratch + 512;
+    this.check(this.poseOfBone(bone, headBone, out), 'headPose');
+    const { position, rotation, scale } = this.read('HeadPose', out);
+    return { position, rotation, scale };
+  }
+
   // For asset.mjs and hair.mjs.
+
+  /** Writes the pose of a head on a bone to the address `out`; its status. */
+  poseOfBone(bone, headBone, out) {
+    writeMatrix(this.memory.view, this.scratch, bone, 'bone');
+    const kind = this.fill('HeadBone', headBone, 'coif_head_bone_init', this.scratch + RECORDS.BoneMatrix.size);
+    return this.exports.coif_head_pose_of_bone(this.scratch, kind, out);
+  }
 
   /** Throws the error of a status other than COIF_OK; `what` is the name of the call. */
   check(status, what) {

@@ -62,6 +62,11 @@ export class Hair {
     this.rotations[r + 3] = rotation.w ?? rotation[3];
     this.rotations[r + 4] = scale;
   }
+  writeHeadBone(instance, bone, headBone) {
+    const isHead = this.#open !== 0 && Number.isInteger(instance) && instance >= 0 && instance < this.instances;
+    if (!isHead) this.#check(4, 'writeHeadBone'); // COIF_BAD_INDEX
+    this.#check(this.coif.poseOfBone(bone, headBone, this.poses + instance * HeadPose.size), 'writeHeadBone');
+  }
   setHeads() {
     this.#check(this.coif.exports.coif_hair_set_heads(this.#open, this.poses, this.instances), 'setHeads');
   }

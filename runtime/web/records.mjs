@@ -28,6 +28,8 @@ function record(name, members) {
 }
 
 record('HeadPose', 'f64 position[3], f32 rotation[4], f32 scale, f32 reserved');
+record('BoneMatrix', 'f64 m[12]');
+record('HeadBone', 'BoneMatrix rest, f64 origin[3], f64 metresPerUnit, f64 largestStretch');
 record('HeadVelocity', 'f32 linear[3], f32 angular[3]');
 record('HairDesc', 'u32 instances, u32 solver, u32 longestInterval, u32 movingColliders, u32 followsBody, u32 followsPoses, ' +
   'u32 hasOwnAir, u32 feelsGusts, u32 dynamicsSets, u32 keepsLinks');
@@ -107,6 +109,15 @@ function writeVector(view, field, at, value, key) {
   }
 }
 
+/** Writes a matrix of 16 numbers, column after column, or what has them as `elements`, as C's three rows of four. */
+export function writeMatrix(view, at, matrix, key) {
+  const columns = matrix?.elements ?? matrix;
+  if (columns?.length !== 16) throw new CoifError(`'${key}' needs 16 numbers, column after column, as three's Matrix4 has them`, 'COIF_BAD_ARGUMENT');
+  for (let row = 0; row < 3; ++row) {
+    for (let column = 0; column < 4; ++column) view.setFloat64(at + 8 * (4 * row + column), columns[4 * column + row], true);
+  }
+}
+
 /**
  * Writes those members that `object` has; the others stay as they are. Vectors may be lists or have x, y, z and w. Throws for a
  * member that the record does not have, and for a value that is not a number.
@@ -119,7 +130,8 @@ export function write(view, { name, fields }, at, object) {
     if (field === undefined) {
       throw new CoifError(`'${key}' is no member of ${name}; it has ${[...fields.keys()].join(', ')}`, 'COIF_BAD_ARGUMENT');
     }
-    if (field.inner) write(view, field.inner, at + field.offset, value);
+    if (field.inner === RECORDS.BoneMatrix) writeMatrix(view, at + field.offset, value, key);
+    else if (field.inner) write(view, field.inner, at + field.offset, value);
     else if (field.count > 0) writeVector(view, field, at + field.offset, value, key);
     else view[WRITE[field.type]](at + field.offset, number(value, key), true);
   }

@@ -2,7 +2,7 @@
 // lights, shadows, fog, tone mapping and colour space.
 
 import type { Camera, Object3D } from 'three';
-import type { Asset, DrawnHair, Hair, HairDesc, Material, StepSettings } from './coif.js';
+import type { Asset, DrawnHair, Hair, HairDesc, Material, Matrix, StepSettings, Vec3 } from './coif.js';
 
 /** blend: soft edges in the cooked order, in up to four passes. opaque: cut at the material's threshold. hashed, bayer: leave out single
  * pixels. coverage: alpha to coverage, for a renderer with `antialias`. */
@@ -37,9 +37,18 @@ export class CoifHair extends Object3D {
   casts: boolean;
   receives: boolean;
 
-  /** From the next update on the head follows `object`, which must be at the head's joint and have the model's axes at rest, such as a bone
-   * without a rotation in the rest pose. Without `object` the head follows this object. RangeError for an unknown head. */
-  follow(head: number, object?: Object3D): void;
+  /** From the next update on the head follows `object`, by default this object. `rest` is the object's matrixWorld in the rest pose, while
+   * the model that the hair was made on stands at the origin, unturned, in its own size; it is copied. Its rotation and scale are taken out:
+   * `hair.follow(0, bone, { rest: bone.matrixWorld })` right after loading, before anything moves. `origin` as in HeadBone.
+   *
+   * Without `rest` the object must have the model's axes at rest, such as a bone without a rotation, and its world scale is the head's. A
+   * scale that no head has (below 0.05 or above 20) at the first update counts as the unit of a rig, rounded to a power of ten (0.01:
+   * centimetres), until the scale is one of a head.
+   *
+   * Hair on a mirrored head (a negative scale, which `rest` does not have) is not mirrored, and sits with its top and its face where the
+   * head's are. While the object's matrix gives no pose (a scale of 0, a NaN) the hair stands still relative to the head. Each of these
+   * warns once in the console. Throws RangeError for an unknown head, and for a `rest` without an inverse. */
+  follow(head: number, object?: Object3D, bone?: { rest?: Matrix; origin?: Vec3 }): void;
   /** Call once per frame before rendering: moves heads to their present places, steps by `delta` seconds, sorts triangles for `camera`. */
   update(delta: number, camera: Camera): void;
   /** Puts the hair into its rest pose at the heads' present places, for cuts and jumps. The first update() does so, too. */

@@ -20,6 +20,8 @@ export interface SpringOptions {
  *
  * The asset must be cooked from the same file (`coif cook model.vrm -o model.coif`). Throws a CoifError and changes nothing if the model
  * lacks a bone of the asset or has it in another place. One asset may serve any number of models that were loaded from that file.
+ *
+ * A model that is mirrored (a negative scale) and its `settings.wind` are simulated as their mirror image. Gusts are not mirrored.
  */
 export function replaceSpringBones(vrm: VrmModel, asset: Asset, options?: SpringOptions): SimulatedHair;
 

@@ -5,6 +5,7 @@ import { CoifError } from './memory.mjs';
 
 const SIMULATED = 2; // coif_bone_kind
 const MOST_OFFSET = 0.01; // metres between a node and its bone: more is another model
+const NOWHERE = [0, 0, 0];
 
 export function replaceSpringBones(vrm, asset, options = {}) {
   return new SimulatedHair(vrm, asset, options);
@@ -47,12 +48,16 @@ export class SimulatedHair {
     const { quaternion, position } = vrm.scene;
     const place = () => ({ position: position.clone(), rotation: quaternion.clone(), scale: position.clone() });
     this.place = place();
+    this.seen = vrm.scene.matrix.clone();
+    this.mirror = this.seen.clone().makeScale(-1, 1, 1);
     this.turned = quaternion.clone();
-    this.headTurn = quaternion.clone().fromArray(headRotation).conjugate();
+    const headTurn = quaternion.clone().fromArray(headRotation);
     this.unitScale = this.#world(this.head, place()).scale.x / this.#world(vrm.scene, place()).scale.x;
+    const rest = this.seen.clone().compose(position.clone().fromArray(NOWHERE), headTurn, position.clone().setScalar(this.unitScale));
+    this.bone = { rest, largestStretch: Infinity };
     this.joints = [];
     const boneOf = new Map(bones.map((bone, i) => [nodes.get(bone.name), i]));
-    const toModel = this.#world(this.head, place()).rotation.clone().multiply(this.headTurn).invert(); // world to head space
+    const toModel = this.#world(this.head, place()).rotation.clone().multiply(headTurn.conjugate()).invert(); // world to head space
     this.parents = bones.map(({ parent }) => parent);
     this.absolute = bones.map(() => quaternion.clone().identity());
     bones.forEach((bone, i) => {
@@ -78,8 +83,18 @@ export class SimulatedHair {
     }
   }
 
+  /** Hair below a mirrored model moves as the mirror image of hair in a mirrored world, in which the model is not mirrored. */
+  get #isMirrored() {
+    return this.vrm.scene.matrixWorld.determinant() < 0;
+  }
+
+  #matrixOf(node) {
+    this.seen.copy(node.matrixWorld);
+    return this.#isMirrored ? this.seen.premultiply(this.mirror) : this.seen;
+  }
+
   #world(node, { position, rotation, scale }) {
-    node.matrixWorld.decompose(position, rotation, scale);
+    this.#matrixOf(node).decompose(position, rotation, scale);
     return { position, rotation, scale };
   }
 
@@ -103,24 +118,21 @@ export class SimulatedHair {
     };
   }
 
-  #headPose() {
-    this.head.updateWorldMatrix(true, false);
-    const { position, rotation, scale } = this.#world(this.head, this.place);
-    this.hair.writeHead(0, position, rotation.multiply(this.headTurn), scale.x / this.unitScale);
-    return { position, rotation, scale: scale.x / this.unitScale };
-  }
-
   update(delta) {
-    this.#headPose();
+    this.head.updateWorldMatrix(true, false);
+    this.hair.writeHeadBone(0, this.#matrixOf(this.head), this.bone);
     this.hair.setHeads();
     if (this.body.length > 0) this.hair.setBody(0, this.body.map((node) => this.#bodyPose(node)));
     this.settings.dt = delta;
-    this.hair.step(this.settings);
+    const { wind = NOWHERE } = this.settings;
+    const mirrored = () => ({ ...this.settings, wind: [-(wind.x ?? wind[0]), wind.y ?? wind[1], wind.z ?? wind[2]] });
+    this.hair.step(this.#isMirrored ? mirrored() : this.settings);
     this.#turnNodes();
   }
 
   reset() {
-    this.hair.reset(0, this.#headPose());
+    this.head.updateWorldMatrix(true, false);
+    this.hair.reset(0, this.asset.coif.headPose(this.#matrixOf(this.head), this.bone));
     if (this.body.length > 0) this.hair.setBody(0, this.body.map((node) => this.#bodyPose(node)));
     this.#turnNodes();
   }

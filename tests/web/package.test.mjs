@@ -117,6 +117,53 @@ test('a saved state goes on to the same bits', async () => {
   refused(() => coif.openAsset(bob).createHair({ instances: 2 }).restore(saved), /another|state/, 'COIF_FOREIGN_STATE');
 });
 
+/** A head turned by 90 degrees about the vertical at (0.5, 1.6, -2), in a rig of centimetres; column after column, as three has it. */
+const BONE = [0, 0, -0.01, 0, 0, 0.01, 0, 0, 0.01, 0, 0, 0, 0.5, 1.6, -2, 1];
+const AT_REST = [0.01, 0, 0, 0, 0, 0.01, 0, 0, 0, 0, 0.01, 0, 0, 1.6, 0, 1];
+const near = (a, b, most = 1e-6) => a.forEach((each, i) => assert.ok(Math.abs(each - b[i]) < most, `${a}, not ${b}`));
+
+test("a head follows an engine's bone, with the rig's unit and rest taken out", async () => {
+  const coif = await loadCoif();
+  const { position, rotation, scale } = coif.headPose(BONE, { rest: { elements: AT_REST }, origin: { x: 0, y: 0.25, z: 0.5 } });
+  near([...position, ...rotation, scale], [1, 1.85, -2, 0, Math.SQRT1_2, 0, Math.SQRT1_2, 1]);
+  const far = BONE.map((each, i) => each * (i < 12 ? 100 : 1)); // all in centimetres: no scale
+  near(coif.headPose(far, { metresPerUnit: 0.01 }).position, [0.005, 0.016, -0.02]);
+  const mirrored = BONE.map((each, i) => (i % 4 === 0 ? -each : each)); // the world's x
+  near(coif.headPose(mirrored, { rest: AT_REST }).rotation, [0, -Math.SQRT1_2, 0, Math.SQRT1_2]);
+
+  refused(() => coif.headPose(BONE), /headPose: a head's scale is outside of 0.05 to 20/, 'COIF_BAD_SCALE');
+  refused(() => coif.headPose([...BONE.slice(0, 12), NaN, 0, 0, 1], { rest: AT_REST }), /NaN/, 'COIF_BAD_POSE');
+  refused(() => coif.headPose(BONE, { rest: new Array(16).fill(0) }), /range/, 'COIF_BAD_ARGUMENT');
+  refused(() => coif.headPose(BONE.slice(1)), /'bone' needs 16 numbers, column after column/, 'COIF_BAD_ARGUMENT');
+  refused(() => coif.headPose(BONE, { rest: 3 }), /'rest' needs 16 numbers/);
+  refused(() => coif.headPose(BONE, { metersPerUnit: 1 }), /'metersPerUnit' is no member of HeadBone; it has rest, origin, metresPerUnit/);
+});
+
+test('a bone moves a head of a crowd as its pose does, and a bad one leaves it where it is', async () => {
+  const coif = await loadCoif();
+  const asset = coif.openAsset(bob);
+  const [by, same] = [asset.createHair({ instances: 2 }), asset.createHair({ instances: 2 })];
+  const headBone = { rest: AT_REST };
+  for (let frame = 0; frame < 30; ++frame) {
+    const bone = BONE.with(12, 0.02 * frame);
+    by.writeHeadBone(1, bone, headBone);
+    const { position, rotation, scale } = coif.headPose(bone, headBone);
+    same.writeHead(1, position, rotation, scale);
+    for (const each of [by, same]) {
+      each.setHeads();
+      each.step();
+    }
+  }
+  assert.deepEqual(by.palette(1), same.palette(1));
+  const before = Float64Array.from(by.positions);
+  refused(() => by.writeHeadBone(1, BONE), /writeHeadBone: a head's scale/, 'COIF_BAD_SCALE');
+  refused(() => by.writeHeadBone(2, BONE, headBone), /instance/, 'COIF_BAD_INDEX');
+  refused(() => by.writeHeadBone(0.5, BONE, headBone), /instance/, 'COIF_BAD_INDEX');
+  assert.deepEqual(by.positions, before);
+  by.dispose();
+  refused(() => by.writeHeadBone(0, BONE, headBone), /disposed of/);
+});
+
 test('bones against their parents make the matrices again, and all that is drawn is there', async () => {
   const coif = await loadCoif();
   const asset = coif.openAsset(bob);

@@ -21,7 +21,8 @@ function members(body) {
   return body.split(';').map((line) => line.trim()).filter((line) => line.length > 0).flatMap((line) => {
     const [, type, names] = /^(?:const )?(\w+)\s+([\s\S]+)$/.exec(line);
     return names.split(',').map((each) => {
-      const [, name, count] = /^\s*(\w+)(?:\[(\d+)\])?\s*$/.exec(each);
+      const [, name, counts] = /^\s*(\w+)((?:\[\d+\])*)\s*$/.exec(each);
+      const count = counts === '' ? undefined : counts.match(/\d+/g).reduce((product, each) => product * each, 1); // [3][4] is [12]
       if (VECTORS[type]) return `f32 ${camel(name)}[${VECTORS[type]}]`;
       return `${TYPES[type] ?? pascal(type)} ${camel(name)}${count === undefined ? '' : `[${count}]`}`;
     });

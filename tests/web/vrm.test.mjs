@@ -88,6 +88,25 @@ function checkModel(file) {
     asset.dispose();
   });
 
+  test(`${basename(file)}: a model that is mirrored moves as its mirror image`, async () => {
+    const play = async (mirror) => {
+      const { vrm, asset } = await replaced(file);
+      vrm.scene.scale.setScalar(0.8);
+      vrm.scene.scale.x *= mirror;
+      vrm.scene.rotation.y = 0.4 * mirror;
+      vrm.scene.position.set(2 * mirror, 0, -1);
+      const hair = replaceSpringBones(vrm, asset, { settings: { wind: [1.5 * mirror, 0, 0.5] } });
+      for (let frame = 0; frame < 60; ++frame) {
+        pose(vrm, frame);
+        vrm.update(1 / 60);
+      }
+      vrm.scene.updateWorldMatrix(true, true);
+      return hair.joints.map(({ node }) => node.getWorldPosition(new Vector3()));
+    };
+    const [usual, mirrored] = [await play(1), await play(-1)];
+    usual.forEach((place, i) => assert.ok(place.x * mirrored[i].x < 0 && place.setX(-place.x).distanceTo(mirrored[i]) < 1e-5, `joint ${i}`));
+  });
+
   test(`${basename(file)}: an asset of another file is refused, and nothing changes`, async () => {
     const { coif, vrm, springs } = await replaced(file);
     const joints = springs.joints.size;

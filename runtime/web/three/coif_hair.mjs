@@ -4,11 +4,12 @@ import { DynamicDrawUsage, InstancedBufferGeometry, InstancedInterleavedBuffer, 
   Quaternion, Sphere, Vector3, Vector4 } from 'three';
 
 import { attributesOf, paletteTexture, texturesOf } from './buffers.mjs';
+import { FollowedHead } from './followed_head.mjs';
 import { passMaterial, passesOf, shadowMaterials } from './passes.mjs';
 
 const HEAD_FLOATS = 16; // three rows of a matrix, the head's number, and nothing
 
-const toLocal = new Matrix4(), rowsOf = new Matrix4(), scale = new Vector3(), eye = new Vector3(), way = new Vector3(), back = new Quaternion();
+const toLocal = new Matrix4(), rowsOf = new Matrix4(), eye = new Vector3(), way = new Vector3(), back = new Quaternion();
 const sphere = new Sphere();
 
 export class CoifHair extends Object3D {
@@ -25,8 +26,7 @@ export class CoifHair extends Object3D {
     this.textures = texturesOf(asset, this.attributes.texture_place);
     this.palettes = this.skinning === 0 ? null : paletteTexture(asset.coif, this.hair);
     this.index = new BufferAttribute(this.drawn.drawOrders().slice(), 1);
-    this.heads = Array.from({ length: instances }, (_, number) => ({ number, followed: this, position: new Vector3(), rotation: new Quaternion(),
-      scale: 1, matrix: new Matrix4(), lod: 0, distance: 0 }));
+    this.heads = Array.from({ length: instances }, (_, number) => new FollowedHead(number, this));
     this.reach = new Sphere(new Vector3(...this.drawn.reach.center), this.drawn.reach.radius);
     this.batches = new Map();
     this.casts = this.receives = true;
@@ -72,9 +72,9 @@ export class CoifHair extends Object3D {
   }
 
   /** Lets the head follow `object`; without it, this object. */
-  follow(head, object = this) {
+  follow(head, object = this, bone = {}) {
     if (!(head in this.heads)) throw new RangeError(`there is no head ${head}`);
-    this.heads[head].followed = object;
+    this.heads[head].follow(object, bone);
   }
 
   update(delta, camera) {
@@ -93,8 +93,8 @@ export class CoifHair extends Object3D {
   /** Brings the hair to rest in its rest pose, at the heads' present places. */
   reset() {
     this.#place();
-    for (const head of this.heads) {
-      this.hair.reset(head.number, { position: head.position.toArray(), rotation: head.rotation.toArray(), scale: head.scale });
+    for (const { number, isPlaced, position, rotation, scale } of this.heads) {
+      if (isPlaced) this.hair.reset(number, { position, rotation, scale });
     }
     this.hasStarted = true;
   }
@@ -105,10 +105,7 @@ export class CoifHair extends Object3D {
     toLocal.copy(this.matrixWorld).invert();
     for (const head of this.heads) {
       if (head.followed !== this) head.followed.updateWorldMatrix(true, false);
-      head.followed.matrixWorld.decompose(head.position, head.rotation, scale);
-      head.scale = scale.x;
-      this.hair.writeHead(head.number, head.position, head.rotation, head.scale);
-      head.matrix.multiplyMatrices(toLocal, head.followed.matrixWorld);
+      head.place(this.hair, toLocal);
     }
   }
 
