@@ -1,5 +1,5 @@
 // Hair drawn by three's WebGLRenderer (WebGL 2): coif's simulation, order of triangles, transparency and shading, with the scene's own
-// lights, shadows, fog, tone mapping and colour space.
+// lights, shadows, fog, tone mapping and colour space. Needs three 0.157 or later.
 
 import type { Camera, Object3D } from 'three';
 import type { Asset, DrawnHair, Hair, HairDesc, Material, Matrix, StepSettings, Vec3 } from './coif.js';
@@ -22,7 +22,8 @@ export interface CoifHairOptions {
 
 /** Add one object to the scene for all heads. Units are metres. Heads that follow no object are at this object's own place. */
 export class CoifHair extends Object3D {
-  /** `asset` must have a mesh and outlive this object. Throws CoifError if the module's memory is too small, or as createHair(). */
+  /** `asset` must have a mesh and outlive this object. Throws CoifError if the module's memory is too small or three is older than 0.157, or
+   * as createHair(). */
   constructor(asset: Asset, options?: CoifHairOptions);
 
   readonly isObject3D: true;

@@ -1,19 +1,29 @@
 // Hair in a scene of three's. ../three.d.ts documents types and members.
 
 import { DynamicDrawUsage, InstancedBufferGeometry, InstancedInterleavedBuffer, InterleavedBufferAttribute, BufferAttribute, Matrix4, Mesh, Object3D,
-  Quaternion, Sphere, Vector3, Vector4 } from 'three';
+  Quaternion, REVISION, Sphere, Vector3, Vector4 } from 'three';
 
+import { CoifError } from '../memory.mjs';
 import { attributesOf, paletteTexture, texturesOf } from './buffers.mjs';
 import { FollowedHead } from './followed_head.mjs';
 import { passMaterial, passesOf, shadowMaterials } from './passes.mjs';
 
+const OLDEST_THREE = 157; // its shaders hand lights on as those of hair take them
 const HEAD_FLOATS = 16; // three rows of a matrix, the head's number, and nothing
 
 const toLocal = new Matrix4(), rowsOf = new Matrix4(), eye = new Vector3(), way = new Vector3(), back = new Quaternion();
 const sphere = new Sphere();
 
+/** Older ones would draw nothing and complain of shaders. */
+function checkThree() {
+  if (!(Number.parseInt(REVISION, 10) < OLDEST_THREE)) return;
+  throw new CoifError(`coif/three draws with three 0.${OLDEST_THREE}.0 or later, and this page has loaded three 0.${REVISION}: ` +
+    "run 'npm install three@latest', or change three's address in the page's import map");
+}
+
 export class CoifHair extends Object3D {
   constructor(asset, { instances = 1, transparency = 'blend', desc = {}, settings = {}, material = {} } = {}) {
+    checkThree();
     super();
     this.type = 'CoifHair';
     this.asset = asset;

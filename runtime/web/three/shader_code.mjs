@@ -133,9 +133,16 @@ const strandMain = (maps) => /* glsl */ `
   diffuseColor.a = keep(hair_texel.a);
 `;
 
+// From revision 186 on, three's own material reads a table for its reflections before it adds up lights. Hair has no such members.
+const LIGHTS_MAIN = /* glsl */ `
+#undef STANDARD
+#include <lights_fragment_begin>
+#define STANDARD
+`;
+
 const SUM_MAIN = /* glsl */ `
 #include <lights_fragment_end>
-#if defined(USE_ENVMAP) && defined(ENVMAP_TYPE_CUBE_UV)
+#if defined(USE_ENVMAP) && (defined(ENVMAP_TYPE_CUBE_UV) || defined(ENVMAP_TYPE_PMREM))
   reflectedLight.indirectDiffuse += component.x * iblIrradiance * RECIPROCAL_PI * sky_reflected(hair_strand, hair_openness);
 #endif
   reflectedLight.directDiffuse += (component.y * hair_sum.diffuse + component.z * hair_sum.primary + component.w * hair_sum.secondary) *
@@ -153,6 +160,7 @@ export function shadeHair(shader, pass, model, maps) {
   shader.fragmentShader = replaced(shader.fragmentShader, {
     '#include <lights_physical_pars_fragment>': keeping(pass) + shading(model, maps),
     '#include <lights_physical_fragment>': strandMain(maps),
+    '#include <lights_fragment_begin>': LIGHTS_MAIN,
     '#include <lights_fragment_end>': SUM_MAIN,
   });
 }

@@ -7,16 +7,16 @@ import { extname, join } from 'node:path';
 import { after, before } from 'node:test';
 import { launch } from './browser.mjs';
 
-const { PACKAGE, ASSET } = process.env;
+const { PACKAGE, ASSET, THREE = 'three' } = process.env; // THREE: the folder of node_modules with the version of three under test
 const HERE = import.meta.dirname ?? new URL('.', import.meta.url).pathname;
 const TYPES = { '.html': 'text/html', '.mjs': 'text/javascript', '.js': 'text/javascript', '.wasm': 'application/wasm' };
 
-/** Where what a page asks for lies. `pages`: pages that tests make up. */
+/** Where what a page asks for lies. `pages`: pages and scripts that tests make up. */
 export const pages = new Map([['/favicon.ico', '']]);
 function fileOf(path) {
   if (path === '/asset.coif' || path === '/bob.coif') return ASSET;
   if (path.startsWith('/coif/')) return join(PACKAGE, path.slice(6));
-  if (path.startsWith('/three/')) return join(HERE, 'node_modules', path);
+  if (path.startsWith('/three/')) return join(HERE, 'node_modules', THREE, path.slice(7));
   return join(HERE, path);
 }
 
@@ -24,7 +24,7 @@ let server, browser, address;
 before(async () => {
   server = createServer((request, answer) => {
     const path = new URL(request.url, 'http://host').pathname;
-    if (pages.has(path)) return answer.writeHead(200, { 'content-type': 'text/html' }).end(pages.get(path));
+    if (pages.has(path)) return answer.writeHead(200, { 'content-type': TYPES[extname(path)] ?? 'text/html' }).end(pages.get(path));
     const file = fileOf(path);
     if (!statSync(file, { throwIfNoEntry: false })?.isFile()) return answer.writeHead(404).end();
     answer.writeHead(200, { 'content-type': TYPES[extname(file)] ?? 'application/octet-stream' });

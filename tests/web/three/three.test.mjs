@@ -5,7 +5,32 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { onStage, open, pages } from './pages.mjs';
 
-const { README } = process.env;
+const { PACKAGE, README } = process.env;
+
+test('the oldest version of three that the package asks for is the one that is tested', () => {
+  const versionOf = (file) => JSON.parse(readFileSync(file, 'utf8'));
+  const { version } = versionOf('node_modules/three-floor/package.json');
+  assert.equal(versionOf(`${PACKAGE}/package.json`).peerDependencies.three, `>=${version}`);
+});
+
+test('an older version of three is refused, with what to do', async () => {
+  const pretending = "export * from '/three/build/three.module.js';\nexport const REVISION = '156';";
+  pages.set('/old_three.js', pretending);
+  pages.set('/old.html', readFileSync('scene.html', 'utf8').replace('/three/build/three.module.js', '/old_three.js'));
+  const { page } = await open('/old.html');
+  const said = await page.evaluate(async () => {
+    const made = await window.stage;
+    const free = made.coif.freeBytes;
+    try {
+      return `${made.wear()}`;
+    } catch (error) {
+      return `${error.name} ${error.message} ${free - made.coif.freeBytes}`;
+    }
+  });
+  await page.close();
+  assert.equal(said, 'CoifError coif/three draws with three 0.157.0 or later, and this page has loaded three 0.156: ' +
+    "run 'npm install three@latest', or change three's address in the page's import map 0");
+});
 
 test('hair is drawn in every way, about as large, and not alike', async () => {
   const modes = ['blend', 'opaque', 'hashed', 'bayer', 'coverage'];
