@@ -50,7 +50,8 @@ export class CoifHair extends Object3D {
    * head's are. While the object's matrix gives no pose (a scale of 0, a NaN) the hair stands still relative to the head. Each of these
    * warns once in the console. Throws RangeError for an unknown head, and for a `rest` without an inverse. */
   follow(head: number, object?: Object3D, bone?: { rest?: Matrix; origin?: Vec3 }): void;
-  /** Call once per frame before rendering: moves heads to their present places, steps by `delta` seconds, sorts triangles for `camera`. */
+  /** Call once per frame before rendering: moves heads to their present places, steps by `delta`, sorts triangles for `camera`. `delta` is the
+   * time since the last call in seconds, however long it is; the first call brings the hair to rest instead. */
   update(delta: number, camera: Camera): void;
   /** Puts the hair into its rest pose at the heads' present places, for cuts and jumps. The first update() does so, too. */
   reset(): void;

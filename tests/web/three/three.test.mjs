@@ -233,7 +233,19 @@ test("the README's page works when pasted", async () => {
     copy.drawImage(canvas, 0, 0);
     done(new Set(new Uint32Array(copy.getImageData(0, 0, canvas.width, canvas.height).data.buffer)).size);
   })));
+  const { steps, took } = await page.evaluate(async () => {
+    const { CoifHair } = await import('coif/three');
+    const { update } = CoifHair.prototype;
+    const frames = [];
+    CoifHair.prototype.update = function (delta, camera) {
+      frames.push({ delta, at: document.timeline.currentTime });
+      update.call(this, delta, camera);
+    };
+    while (frames.length < 8 || frames.at(-1).at === frames[0].at) await new Promise(requestAnimationFrame);
+    return { steps: frames.slice(1).reduce((sum, { delta }) => sum + delta, 0), took: (frames.at(-1).at - frames[0].at) / 1000 };
+  });
   await page.close();
   assert.deepEqual(complaints, []);
   assert.ok(colors > 100, `${colors} colours: something is drawn`);
+  assert.ok(Math.abs(steps - took) < 1e-3, `frames that took ${took} s are stepped by ${steps} s`);
 });
