@@ -1,5 +1,5 @@
-#include "crowd_step.h"
 #include "head_lanes.h"
+#include "world_step.h"
 
 #include <bit>
 #include <cstring>
@@ -7,44 +7,49 @@
 namespace coif {
 namespace {
 
-void wake_all(CrowdState& crowd) {
-  for (std::uint32_t instance = 0; instance < crowd.instance_count(); ++instance) {
-    if (crowd.details[instance].asleep) wake(crowd, instance);
-  }
+void wake_all(WorldState& world) {
+  for_each_head(world, [&](std::uint32_t head) { wake_if_asleep(world, head); });
 }
 
-void take_up_intervals(CrowdState& crowd) {
-  crowd.has_asked = false;
-  for (std::uint32_t instance = 0; instance < crowd.instance_count(); ++instance) {
-    const InstanceDetail& detail = crowd.details[instance];
-    if (detail.interval_power == detail.asked_power) continue;
-    take_up_interval(crowd, instance);
-    sort_in(crowd, instance);
-  }
+void take_up_intervals(WorldState& world) {
+  world.has_asked = false;
+  for_each_head(world, [&](std::uint32_t head) {
+    const HeadDetail& detail = world.heads[head].detail;
+    if (detail.interval_power == detail.asked_power) return;
+    take_up_interval(world, head);
+    sort_in(world, head);
+  });
 }
 
 /// The last `count` frames as one span.
-FrameSpan last_frames(const CrowdState& crowd, std::uint32_t count) {
+FrameSpan last_frames(const WorldState& world, std::uint32_t count) {
   FrameSpan span;
-  for (std::uint32_t i = 0; i < count; ++i) add_frame(span, crowd.last_dts[i]);
+  for (std::uint32_t i = 0; i < count; ++i) add_frame(span, world.last_dts[i]);
   return span;
+}
+
+/// The factors of a set of dynamics times those of the step.
+DynamicsScale scale_of(const WorldState& world, std::uint32_t set) {
+  const DynamicsScale &own = world.dynamics_sets[set], &all = world.settings.dynamics;
+  return {smaller(own.stiffness * all.stiffness, kMostScale), smaller(own.damping * all.damping, kMostScale),
+          smaller(own.friction * all.friction, kMostScale)};
 }
 
 /// Sets the coefficients of one bone of a row in all lanes. Neighbouring lanes often have equal values, which are
 /// computed once.
-void set_bone_coefficients(CrowdState& crowd, const Row& row, std::uint32_t i, const StepTerms& terms,
+void set_bone_coefficients(const Asset& asset, const Row& row, std::uint32_t i, const StepTerms& terms,
                            std::byte* coefficients) {
   CoefficientLanes to{coefficients, 0, 0};
   for (std::uint32_t lane = 0; lane < kLanes; lane = to.end) {
-    const std::uint32_t bone = bone_in_lane(crowd.asset, row, i, lane);
+    const std::uint32_t bone = bone_in_lane(asset, row, i, lane);
     to.begin = lane;
     to.end = lane + 1;
     const auto is_alike = [&](std::uint32_t other) {
-      return move_alike(*row.solver, crowd.asset, bone, bone_in_lane(crowd.asset, row, i, other));
+      return move_alike(*row.solver, asset, bone, bone_in_lane(asset, row, i, other));
     };
     while (to.end < kLanes && is_alike(to.end)) ++to.end;
-    const DynamicsRecord dynamics = dynamics_for(*row.solver, crowd.asset, bone);
-    row.solver->set_coefficients(terms, dynamics, crowd.asset.bones()[bone].length, to);
+    const DynamicsRecord dynamics = dynamics_for(*row.solver, asset, bone);
+    row.solver->set_coefficients(terms, dynamics, asset.bones()[bone].length, to);
   }
 }
 
@@ -57,101 +62,179 @@ bool alike(const Asset& asset, const Row& a, const Row& b, std::uint32_t i) {
 }
 
 /// Sets the coefficients of a row. Whole rows of chains are often equal too.
-void set_row_coefficients(CrowdState& crowd, std::size_t index, const StepTerms& terms, std::byte* all) {
-  const Row& row = crowd.rows[index];
-  const Row& last = crowd.rows[index == 0 ? 0 : index - 1];
+void set_row_coefficients(const WornAsset& worn, std::size_t index, const StepTerms& terms, std::byte* all) {
+  const Row& row = worn.rows[index];
+  const Row& last = worn.rows[index == 0 ? 0 : index - 1];
   const std::size_t bytes = row.solver->coefficient_bytes;
-  std::byte* const own = all + row.first_bone * crowd.coefficient_bytes;
-  const std::byte* const lasts = all + last.first_bone * crowd.coefficient_bytes;
+  std::byte* const own = all + row.first_bone * worn.coefficient_bytes;
+  const std::byte* const lasts = all + last.first_bone * worn.coefficient_bytes;
   const bool may_be_known = index > 0 && row.solver == last.solver;
   for (std::uint32_t i = 0; i < row.bone_count; ++i) {
     std::byte* const to = own + i * bytes;
-    const bool is_known = may_be_known && i < last.bone_count && alike(crowd.asset, row, last, i);
+    const bool is_known = may_be_known && i < last.bone_count && alike(worn.asset, row, last, i);
     if (is_known) std::memcpy(to, lasts + i * bytes, bytes);
-    if (!is_known) set_bone_coefficients(crowd, row, i, terms, to);
+    if (!is_known) set_bone_coefficients(worn.asset, row, i, terms, to);
   }
 }
 
-/// Computes nothing where the terms are those of the interval's last step.
-void renew_coefficients(CrowdState& crowd, std::uint32_t interval_power, std::uint32_t set,
-                        const DynamicsScale& scale) {
-  const float dt = crowd.intervals[interval_power].parts.part_dt();
-  const std::uint32_t table = set * crowd.interval_count + interval_power;
-  StepTerms& terms = crowd.dynamics_sets[set].terms[interval_power];
-  if (terms.dt == dt && same(terms.scale, scale)) return;
-  terms = {dt, scale};
-  std::byte* const all = crowd.coefficients.data() + table * crowd.row_bone_count() * crowd.coefficient_bytes;
-  for (std::size_t row = 0; row < crowd.rows.size(); ++row) set_row_coefficients(crowd, row, terms, all);
-}
-
-/// The factors of a set of dynamics times those of the step.
-DynamicsScale scale_of(const CrowdState& crowd, std::uint32_t set, const DynamicsScale& all) {
-  const DynamicsScale& own = crowd.dynamics_sets[set].scale;
-  return {smaller(own.stiffness * all.stiffness, kMostScale), smaller(own.damping * all.damping, kMostScale),
-          smaller(own.friction * all.friction, kMostScale)};
-}
-
-void renew_interval(CrowdState& crowd, std::uint32_t power, const StepSettings& settings) {
-  IntervalStep& interval = crowd.intervals[power];
-  if (interval.due_sets == 0) return;
-  const StepPace pace = pace_of(crowd.asset, crowd.has_substeps);
-  interval.parts = parts_of(pace, settings, last_frames(crowd, 1u << power));
-  for (std::uint32_t left = interval.due_sets; left != 0; left &= left - 1) {
-    const auto set = std::uint32_t(std::countr_zero(left));
-    renew_coefficients(crowd, power, set, scale_of(crowd, set, settings.dynamics));
+/// Computes nothing where the terms are those of the interval's last step. Returns whether something changed.
+bool renew_coefficients(const WorldState& world, WornAsset& worn, std::uint32_t power, std::uint32_t set) {
+  const StepTerms terms{worn.crowd->parts[power].part_dt(), scale_of(world, set)};
+  const std::uint32_t table = set * world.rules.intervals + power;
+  StepTerms& known = worn.terms[table];
+  if (known.dt == terms.dt && same(known.scale, terms.scale)) return false;
+  known = terms;
+  if (worn.crowd->order == LaneOrder::kShared) {
+    world.shared->set_coefficients(world, worn, terms, worn.table(table));
+    return true;
   }
+  for (std::size_t row = 0; row < worn.rows.size(); ++row) set_row_coefficients(worn, row, terms, worn.table(table));
+  return true;
 }
 
-/// With dt = 0 nothing moves, so a head with a new pose was put there.
-void put_moved_heads(CrowdState& crowd) {
-  for (std::uint32_t index = 0; index < crowd.blocks.size(); ++index) {
-    if (crowd.treatments[index] == kIdle) continue;
-    Block& block = crowd.blocks[index];
-    for (std::uint32_t i = 0; i < block.count; ++i) {
-      if (!is_still(block.heads, i)) block.teleports = std::uint16_t(block.teleports | 1u << i);
+/// Calls visit(blocks, treatment) for each treatment with heads whose turn it is.
+template <typename Visit>
+void for_each_due(const WorldState& world, const Crowd& crowd, const Visit& visit) {
+  for (TreatedHeads& list : crowd.lists.subspan(kIdle + 1)) {
+    if (list.blocks.first != nullptr && list.treatment.has_its_turn(world.step_index)) {
+      visit(list.blocks, list.treatment);
     }
   }
 }
 
-void choose_blocks(CrowdState& crowd) {
-  crowd.job_count = 0;
-  for (std::uint32_t block = 0; block < crowd.treatments.size(); ++block) {
-    const std::uint32_t treatment = crowd.treatments[block];
-    if (treatment == kIdle || !has_its_turn(crowd, treatment)) continue;
-    crowd.intervals[interval_power_of(crowd, treatment)].due_sets |= 1u << set_of(crowd, treatment);
-    crowd.jobs[crowd.job_count++] = block;
+/// Finds the parts of the step for an interval that ends with it. Where several assets have lanes in one bundle, their
+/// coefficients are renewed together.
+void prepare(WorldState& world, Crowd& crowd, std::uint32_t power) {
+  crowd.parts[power] = parts_of(crowd.pace, world.settings, last_frames(world, 1u << power));
+  if (crowd.order != LaneOrder::kShared) return;
+  bool changed = false;
+  for (WornAsset& worn : world.assets) {
+    if (worn.crowd != &crowd || worn.heads == 0) continue;
+    for (std::uint32_t set = 0; set < world.rules.sets; ++set) {
+      changed = renew_coefficients(world, worn, power, set) || changed;
+    }
   }
+  if (changed && ++crowd.versions[power] == 0) crowd.versions[power] = 1;
+}
+
+/// Calls visit(block) for each block of a list.
+template <typename Visit>
+void for_each_block(const DenseList<Block>& list, const Visit& visit) {
+  for (Block* block = list.first; block != nullptr; block = block->next) visit(*block);
+}
+
+void add_job(WorldState& world, Block& block) {
+  world.jobs[world.job_count++] = world.unit_count;
+  world.units[world.unit_count++] = {nullptr, &block};
+}
+
+BlockStep step_of(const Crowd& crowd, Block& block, const Treatment& treatment) {
+  return {.crowd = crowd,
+          .block = block,
+          .parts = crowd.parts[treatment.power],
+          .treatment = treatment,
+          .heads = *block.step};
+}
+
+void begin_crowd(WorldState& world, Crowd& crowd) {
+  std::uint32_t prepared = 0;  // A bit for each interval.
+  const bool is_shared = crowd.order == LaneOrder::kShared;
+  for_each_due(world, crowd, [&](const DenseList<Block>& blocks, const Treatment& treatment) {
+    if ((prepared >> treatment.power & 1u) == 0) prepare(world, crowd, treatment.power);
+    prepared |= 1u << treatment.power;
+    if (!is_shared) (void)renew_coefficients(world, *crowd.worn, treatment.power, treatment.set);
+    for_each_block(blocks, [&](Block& block) {
+      if (!is_shared) return add_job(world, block);
+      BlockStep step = step_of(crowd, block, treatment);
+      begin_block(world, step);
+    });
+  });
+  if (prepared != 0 && is_shared) world.shared->share_out(world, crowd);
+}
+
+/// With dt = 0 nothing moves, so a head with a new pose was put there.
+void put_moved_heads(Crowd& crowd) {
+  for (const TreatedHeads& list : crowd.lists.subspan(kIdle + 1)) {
+    for_each_block(list.blocks, [](Block& block) {
+      for (std::uint32_t i = 0; i < block.count; ++i) {
+        if (!is_still(block.heads, i)) set_bit(block.teleports, i);
+      }
+    });
+  }
+}
+
+void pass_time(WorldState& world, float dt) {
+  ++world.step_index;
+  for (std::uint32_t i = kMaxInterval - 1; i > 0; --i) world.last_dts[i] = world.last_dts[i - 1];
+  world.last_dts[0] = dt;
+  for (GustField& field : world.gusts) field.way += double(field.told.speed) * double(dt);
+}
+
+/// Chains of several heads have arrived; what they share is computed here.
+void end_shared(WorldState& world, Crowd& crowd) {
+  for_each_due(world, crowd, [&](const DenseList<Block>& blocks, const Treatment& treatment) {
+    for_each_block(blocks, [&](Block& block) {
+      BlockStep step = step_of(crowd, block, treatment);
+      for (std::uint32_t i = 0; i < block.count; ++i) {
+        step.motion.v[i] = world.shared->motion(world, world.heads[block.head[i]]);
+      }
+      end_block(world, step);
+    });
+  });
+}
+
+/// A lane that a head leaves may be taken by another one that falls asleep too.
+void let_sleep(WorldState& world, Block& block) {
+  while (block.may_sleep != 0) {
+    const auto lane = std::uint32_t(std::countr_zero(block.may_sleep));
+    const std::uint32_t head = block.head[lane];
+    clear_bit(block.may_sleep, lane);
+    world.heads[head].detail.asleep = true;
+    sort_in(world, head);
+  }
+}
+
+void let_sleep(WorldState& world, Crowd& crowd) {
+  for_each_due(world, crowd, [&](const DenseList<Block>& blocks, const Treatment&) {
+    // From the last block on, which may be gone once its heads sleep.
+    for (Block* block = blocks.last; block != nullptr;) {
+      Block* const previous = block->previous;
+      let_sleep(world, *block);
+      block = previous;
+    }
+  });
 }
 
 }  // namespace
 
-void begin_step(CrowdState& crowd, const StepSettings& settings) {
-  if (crowd.step_index != 0 && !rests_under_both(crowd.settings, settings)) wake_all(crowd);
-  if (crowd.has_asked) take_up_intervals(crowd);
-  crowd.settings = settings;
-  if (settings.dt < kShortestStep) return put_moved_heads(crowd);
-  ++crowd.step_index;
-  for (std::uint32_t i = kMaxInterval - 1; i > 0; --i) crowd.last_dts[i] = crowd.last_dts[i - 1];
-  crowd.last_dts[0] = settings.dt;
-  if (crowd.character.code != nullptr) crowd.character.code->pass_time(crowd, settings.dt);
-  for (IntervalStep& interval : crowd.intervals) interval.due_sets = 0;
-  choose_blocks(crowd);
-  for (std::uint32_t power = 0; power < crowd.interval_count; ++power) renew_interval(crowd, power, settings);
+void begin_step(WorldState& world, const StepSettings& settings) {
+  if (world.step_index != 0 && !rests_under_both(world.settings, settings)) wake_all(world);
+  if (world.has_asked) take_up_intervals(world);
+  world.settings = settings;
+  world.unit_count = 0;
+  world.is_in_step = settings.dt >= kShortestStep;
+  if (world.is_in_step) pass_time(world, settings.dt);
+  for (Crowd& crowd : world.crowds) {
+    if (crowd.users == 0) continue;
+    world.is_in_step ? begin_crowd(world, crowd) : put_moved_heads(crowd);
+  }
+  world.jobs[world.job_count] = world.unit_count;
 }
 
-void finish_step(CrowdState& crowd) {
-  for (std::uint32_t job = 0; job < crowd.job_count; ++job) {
-    Block& block = crowd.blocks[crowd.jobs[job]];
-    // A lane that an instance leaves may be taken by another one that falls asleep too.
-    while (block.may_sleep != 0) {
-      const auto lane = std::uint32_t(std::countr_zero(block.may_sleep));
-      const std::uint32_t instance = block.instance[lane];
-      block.may_sleep = std::uint16_t(block.may_sleep & ~(1u << lane));
-      crowd.details[instance].asleep = true;
-      sort_in(crowd, instance);
-    }
+void run_job(WorldState& world, std::uint32_t job) {
+  const std::uint32_t first = world.jobs[job], end = world.jobs[job + 1];
+  if (world.units[first].shape == nullptr) return step_block(world, *static_cast<Block*>(world.units[first].part));
+  world.shared->run(world, first, end);
+}
+
+void finish_step(WorldState& world) {
+  for (Crowd& crowd : world.crowds) {
+    if (crowd.users == 0) continue;
+    if (crowd.order == LaneOrder::kShared) end_shared(world, crowd);
+    let_sleep(world, crowd);
   }
-  crowd.job_count = 0;
+  world.job_count = 0;
+  world.is_in_step = false;
 }
 
 }  // namespace coif

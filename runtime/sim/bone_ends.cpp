@@ -2,23 +2,24 @@
 
 #include <coif/hair.h>
 
-#include "crowd.h"
 #include "float_environment.h"
 #include "vector_math.h"
+#include "world_heads.h"
 
 namespace coif {
 
-Status Hair::bone_ends(std::uint32_t instance, std::span<Vec3> ends) const {
-  const Block* const block = block_of(crowd_, instance);
-  if (block == nullptr) return missing(crowd_);
-  const auto bones = crowd_->asset.bones();
+Status HairWorld::bone_ends(WorldHead head, std::span<Vec3> ends) const {
+  const WornHead* const worn = find(world_, head);
+  if (worn == nullptr) return missing(world_);
+  const Asset& asset = world_->worn_by(*worn).asset;
+  const auto bones = asset.bones();
   if (ends.size() != bones.size()) return Status::kSizeMismatch;
   for (std::size_t i = 0; i < bones.size(); ++i) ends[i] = to_vec3(bones[i].joint);
-  const std::uint32_t slot = crowd_->slots[instance];
   const FloatEnvironment plain;
-  const Quat rotation = lane(block->heads.rotation, slot % kLanes);
-  const std::span<const Mat34> palette = crowd_->palette(instance);
-  for_each_chain(*crowd_, slot, [&](const Solver& solver, const ChainRecord& chain, const ChainLane& lane) {
+  const Quat rotation = lane(worn->block->heads.rotation, worn->lane);
+  const std::span<const Mat34> palette = world_->palette(*worn);
+  for_each_chain(*world_, head.index, [&](const Solver& solver, std::uint32_t c, const ChainLane& lane) {
+    const ChainRecord& chain = asset.chains()[c];
     solver.tails(lane, rotation, palette.subspan(chain.first_bone, chain.bone_count),
                  ends.subspan(chain.first_bone, chain.bone_count));
   });

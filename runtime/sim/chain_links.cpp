@@ -1,9 +1,9 @@
-// Finds the bones of a crowd's rows that have links, once, when a crowd is created.
+// Finds the bones of an asset's rows that have links, once, when a world gets the asset.
 
 #include "chain_links.h"
 
-#include "crowd.h"
 #include "memory_carver.h"
+#include "world.h"
 
 #include <coif/links.h>
 
@@ -17,49 +17,60 @@ bool is_linked(const Asset& asset, std::uint32_t chain) {
   return false;
 }
 
-void carve(MemoryCarver& carver, const Asset& asset, std::uint32_t rows, std::uint32_t blocks, LinkState& links) {
-  std::uint32_t chains = 0, bones = 0, longest = 0;
-  for (std::uint32_t chain = 0; chain < asset.chains().size(); ++chain) {
-    if (!is_linked(asset, chain)) continue;
-    const std::uint32_t count = asset.chains()[chain].bone_count;
-    ++chains;
-    bones += count;
-    longest = count > longest ? count : longest;
+/// How many chains and bones of an asset have links.
+struct LinkedCount {
+  explicit LinkedCount(const Asset& asset) {
+    for (std::uint32_t chain = 0; chain < asset.chains().size(); ++chain) {
+      if (!is_linked(asset, chain)) continue;
+      const std::uint32_t count = asset.chains()[chain].bone_count;
+      ++chains;
+      bones += count;
+      longest = count > longest ? count : longest;
+    }
   }
-  if (chains == 0) return;
-  const std::uint32_t linked_rows = chains < rows ? chains : rows;
+  std::uint32_t chains = 0, bones = 0, longest = 0;
+};
+
+void carve(MemoryCarver& carver, const Asset& asset, std::uint32_t rows, LinkState& links) {
+  const LinkedCount count(asset);
+  if (count.chains == 0) return;
   links.row_places = carver.take<std::uint32_t>(rows);
   links.chain_places = carver.take<std::uint32_t>(asset.chains().size());
-  links.chains = carver.take<LinkedChain>(chains);
-  links.bones = carver.take<LinkedBone>(bones);
-  links.places = carver.take<std::uint32_t>(bones);
+  links.chains = carver.take<LinkedChain>(count.chains);
+  links.bones = carver.take<LinkedBone>(count.bones);
+  links.places = carver.take<std::uint32_t>(count.bones);
   links.links = carver.take<ChainLink>(asset.links().size());
-  links.levels = carver.take<LinkLevel>(longest);
-  links.steps = carver.take<LinkedRowStep>(std::uint64_t(blocks) * linked_rows);
-  links.held = carver.take<HeldBone>(std::uint64_t(blocks) * bones);
-  links.moved = carver.take<char>(std::uint64_t(blocks) * chains);
+  links.levels = carver.take<LinkLevel>(count.longest);
 }
 
-void number_row(CrowdState& crowd, std::uint32_t r) {
-  const Row& row = crowd.rows[r];
-  crowd.links.row_places[r] = crowd.links.row_count++;
+void carve_work(MemoryCarver& carver, const Asset& asset, std::uint32_t rows, LinkWork& work) {
+  const LinkedCount count(asset);
+  if (count.chains == 0) return;
+  work.steps = carver.take<LinkedRowStep>(count.chains < rows ? count.chains : rows).data();
+  work.held = carver.take<HeldBone>(count.bones).data();
+  work.moved = carver.take<char>(count.chains).data();
+}
+
+void number_row(WornAsset& worn, std::uint32_t r) {
+  const Row& row = worn.rows[r];
+  worn.links.row_places[r] = worn.links.row_count++;
   if (row.solver->complete_lane != nullptr) return;  // complete_lane has done it.
-  const auto bones = crowd.row_bones.subspan(row.first_bone, row.bone_count);
-  for (std::uint32_t lane = 0; lane < kLanes; ++lane) find_carried(bones, lane, &crowd.constants[row.first_bone]);
+  const auto bones = worn.row_bones.subspan(row.first_bone, row.bone_count);
+  for (std::uint32_t lane = 0; lane < kLanes; ++lane) find_carried(bones, lane, &worn.constants[row.first_bone]);
 }
 
 /// Places rows and chains in the order of the rows.
-void place_chains(CrowdState& crowd) {
-  LinkState& links = crowd.links;
+void place_chains(WornAsset& worn) {
+  LinkState& links = worn.links;
   std::uint32_t chain_count = 0, bone_count = 0;
   for (std::uint32_t& place : links.chain_places) place = kNone;
-  for (std::uint32_t r = 0; r < crowd.rows.size(); ++r) {
-    const Row& row = crowd.rows[r];
+  for (std::uint32_t r = 0; r < worn.rows.size(); ++r) {
+    const Row& row = worn.rows[r];
     links.row_places[r] = kNone;
     for (std::uint32_t lane = 0; lane < row.chain_count; ++lane) {
       const std::uint32_t chain = row.first_chain + lane;
-      if (!is_linked(crowd.asset, chain)) continue;
-      if (links.row_places[r] == kNone) number_row(crowd, r);
+      if (!is_linked(worn.asset, chain)) continue;
+      if (links.row_places[r] == kNone) number_row(worn, r);
       links.chain_places[chain] = chain_count;
       links.chains[chain_count++] = {links.row_places[r], lane, bone_count, row.bone_count};
       bone_count += row.bone_count;
@@ -75,22 +86,22 @@ float mobility_of(const BoneLanes& constants, std::uint32_t lane) {
 
 /// Calls visit(row of the crowd, lane, number of the linked chain) for each linked chain, in the order of the rows.
 template <typename Visit>
-void for_each_linked(const CrowdState& crowd, const Visit& visit) {
-  for (const Row& row : crowd.rows) {
+void for_each_linked(const WornAsset& worn, const Visit& visit) {
+  for (const Row& row : worn.rows) {
     for (std::uint32_t lane = 0; lane < row.chain_count; ++lane) {
-      const std::uint32_t chain = crowd.links.chain_places[row.first_chain + lane];
+      const std::uint32_t chain = worn.links.chain_places[row.first_chain + lane];
       if (chain != kNone) visit(row, lane, chain);
     }
   }
 }
 
 /// Counts the bones of each level. Until bones have their places, LinkState::places holds their depths.
-void count_levels(CrowdState& crowd) {
-  LinkState& links = crowd.links;
-  for_each_linked(crowd, [&](const Row& row, std::uint32_t, std::uint32_t chain) {
+void count_levels(WornAsset& worn) {
+  LinkState& links = worn.links;
+  for_each_linked(worn, [&](const Row& row, std::uint32_t, std::uint32_t chain) {
     const auto depths = links.places.subspan(links.chains[chain].first, row.bone_count);
     for (std::uint32_t i = 0; i < row.bone_count; ++i) {
-      const std::int32_t parent = crowd.row_bones[row.first_bone + i].parent;
+      const std::int32_t parent = worn.row_bones[row.first_bone + i].parent;
       depths[i] = parent < 0 ? 0 : depths[std::size_t(parent)] + 1;
       ++links.levels[depths[i]].bone_count;
     }
@@ -104,11 +115,11 @@ void count_levels(CrowdState& crowd) {
 }
 
 /// Sorts bones by depth, and then in the order of the rows.
-void place_bones(CrowdState& crowd) {
-  LinkState& links = crowd.links;
-  for_each_linked(crowd, [&](const Row& row, std::uint32_t lane, std::uint32_t chain) {
-    const auto shapes = crowd.row_bones.subspan(row.first_bone, row.bone_count);
-    const auto constants = crowd.constants.subspan(row.first_bone, row.bone_count);
+void place_bones(WornAsset& worn) {
+  LinkState& links = worn.links;
+  for_each_linked(worn, [&](const Row& row, std::uint32_t lane, std::uint32_t chain) {
+    const auto shapes = worn.row_bones.subspan(row.first_bone, row.bone_count);
+    const auto constants = worn.constants.subspan(row.first_bone, row.bone_count);
     const auto places = links.places.subspan(links.chains[chain].first, row.bone_count);
     for (std::uint32_t i = 0; i < row.bone_count; ++i) {
       LinkLevel& level = links.levels[places[i]];
@@ -120,39 +131,38 @@ void place_bones(CrowdState& crowd) {
   });
 }
 
-std::uint32_t place_of(const CrowdState& crowd, std::uint32_t bone) {
-  const std::uint32_t chain = crowd.asset.bones()[bone].chain;
-  const LinkedChain& linked = crowd.links.chains[crowd.links.chain_places[chain]];
-  return crowd.links.places[linked.first + bone - crowd.asset.chains()[chain].first_bone];
+std::uint32_t place_of(const WornAsset& worn, std::uint32_t bone) {
+  const std::uint32_t chain = worn.asset.bones()[bone].chain;
+  const LinkedChain& linked = worn.links.chains[worn.links.chain_places[chain]];
+  return worn.links.places[linked.first + bone - worn.asset.chains()[chain].first_bone];
 }
 
-void create(CrowdState& crowd) {
-  LinkState& links = crowd.links;
+void create(WornAsset& worn) {
+  LinkState& links = worn.links;
   if (links.chains.empty()) return;
-  place_chains(crowd);
-  count_levels(crowd);
-  place_bones(crowd);
+  place_chains(worn);
+  count_levels(worn);
+  place_bones(worn);
   std::uint32_t next_link = 0;
   for (LinkLevel& level : links.levels) {
     level.first_link = next_link;
     for (; next_link < links.links.size(); ++next_link) {
-      const LinkRecord& link = crowd.asset.links()[next_link];
-      const std::uint32_t bone = place_of(crowd, link.bone);
+      const LinkRecord& link = worn.asset.links()[next_link];
+      const std::uint32_t bone = place_of(worn, link.bone);
       if (bone >= level.first_bone + level.bone_count) break;
-      links.links[next_link] = {bone, place_of(crowd, link.to), link.shortest, link.longest};
+      links.links[next_link] = {bone, place_of(worn, link.to), link.shortest, link.longest};
       ++level.link_count;
     }
   }
 }
 
-void keep_row(CrowdState& crowd, std::uint32_t block, std::size_t row, const RowStep& step) {
-  const LinkState& links = crowd.links;
-  const std::uint32_t place = links.row_places[row];
+void keep_row(const WornAsset& worn, const LinkWork& work, std::size_t row, const RowStep& step) {
+  const std::uint32_t place = worn.links.row_places[row];
   if (place == kNone) return;
-  LinkedRowStep& kept = links.steps[block * std::size_t(links.row_count) + place];
-  kept.solver = crowd.rows[row].solver;
+  LinkedRowStep& kept = work.steps[place];
+  kept.solver = worn.rows[row].solver;
   kept.step = step;
-  kept.step.keep_in_limit = links.code->bones->keep_in_limit;
+  kept.step.keep_in_limit = worn.links.code->bones->keep_in_limit;
   if (step.character != nullptr) {
     kept.character = *step.character;
     kept.step.character = &kept.character;
@@ -162,15 +172,14 @@ void keep_row(CrowdState& crowd, std::uint32_t block, std::size_t row, const Row
   kept.step.palette = kept.palettes;
 }
 
-float keep(CrowdState& crowd, std::uint32_t block, std::int32_t lane) { return hold_links(crowd.links, block, lane); }
-
 constexpr LinkCode code_for(const LinkedBoneCode& bones, bool of_character) {
   return {.of_character = of_character,
           .bones = &bones,
           .carve = &carve,
+          .carve_work = &carve_work,
           .create = &create,
           .keep_row = &keep_row,
-          .keep = &keep};
+          .keep = &hold_links};
 }
 
 }  // namespace

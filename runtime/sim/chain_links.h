@@ -1,6 +1,6 @@
 #pragma once
-// Linked chains: which bones of a crowd's rows have links, and the code that keeps links at their lengths. It runs once
-// per head and part of a step, after the rows.
+// Linked chains: which bones of an asset's rows have links, and the code that keeps links at their lengths. It runs
+// once per head and part of a step, after the rows.
 
 #include "lanes/linked_bone.h"
 #include "lanes/row.h"
@@ -13,9 +13,9 @@
 
 namespace coif {
 
-struct CrowdState;
 struct LinkCode;
 struct Solver;
+struct WornAsset;
 class MemoryCarver;
 
 /// A chain with at least one link, and all of its bones.
@@ -56,10 +56,17 @@ struct LinkedRowStep {
   Mat34* palettes[kLanes] = {};
 };
 
+/// What a block's step needs for its links.
+struct LinkWork {
+  LinkedRowStep* steps = nullptr;  ///< Per linked row. Valid during a part of a step.
+  HeldBone* held = nullptr;        ///< Per linked bone.
+  char* moved = nullptr;           ///< Per linked chain.
+};
+
 /// Empty where nothing is linked.
 struct LinkState {
   const LinkCode* code = nullptr;
-  /// Per row of the crowd: its number among the rows with linked chains, or kNone.
+  /// Per row: its number among the rows with linked chains, or kNone.
   std::span<std::uint32_t> row_places;
   std::span<std::uint32_t> chain_places;  ///< Per chain of the asset: its index in `chains`, or kNone.
   std::uint32_t row_count = 0;
@@ -68,9 +75,6 @@ struct LinkState {
   std::span<std::uint32_t> places;  ///< Where each chain's bones are in `bones`, in the chain's order.
   std::span<ChainLink> links;       ///< By depth.
   std::span<LinkLevel> levels;
-  std::span<LinkedRowStep> steps;  ///< Per block, per linked row. Valid during a part of a step.
-  std::span<HeldBone> held;        ///< Per block, per linked bone.
-  std::span<char> moved;           ///< Per block, per linked chain.
 
   [[nodiscard]] bool has(std::uint32_t chain) const { return !chain_places.empty() && chain_places[chain] != kNone; }
 };
@@ -78,22 +82,21 @@ struct LinkState {
 struct LinkCode {
   bool of_character = false;
   const LinkedBoneCode* bones = nullptr;
-  void (*carve)(MemoryCarver& carver, const Asset& asset, std::uint32_t rows, std::uint32_t blocks,
-                LinkState& links) = nullptr;
-  void (*create)(CrowdState& crowd) = nullptr;
+  /// The arrays of an asset with so many rows; while counting they are empty.
+  void (*carve)(MemoryCarver& carver, const Asset& asset, std::uint32_t rows, LinkState& links) = nullptr;
+  void (*carve_work)(MemoryCarver& carver, const Asset& asset, std::uint32_t rows, LinkWork& work) = nullptr;
+  void (*create)(WornAsset& worn) = nullptr;
   /// Keeps what a row of a block was stepped with. Does nothing for rows without linked chains.
-  void (*keep_row)(CrowdState& crowd, std::uint32_t block, std::size_t row, const RowStep& step) = nullptr;
-  /// Keeps the links of one head of a block, whose linked rows are in LinkState::steps: `lane` is its own in these
-  /// rows, -1 where each chain has one. Returns the sum of the squared speeds of the linked chains' tips against the
-  /// head, (m/s)^2.
-  float (*keep)(CrowdState& crowd, std::uint32_t block, std::int32_t lane) = nullptr;
+  void (*keep_row)(const WornAsset& worn, const LinkWork& work, std::size_t row, const RowStep& step) = nullptr;
+  /// Keeps the links of one head of a block, whose linked rows are in LinkWork::steps: `lane` is its own in these rows,
+  /// -1 where each chain has one. Returns the sum of the squared speeds of the linked chains' tips against the head,
+  /// (m/s)^2.
+  float (*keep)(const LinkState& links, const LinkWork& work, std::int32_t lane) = nullptr;
 };
-
-struct LinkState;
 
 /// Implements LinkCode::keep: turns the linked bones of one head, depth after depth from root to tip, so that links
 /// have their lengths, by the least turns, weighted by mass. Then removes the velocities that would leave these
 /// lengths.
-[[nodiscard]] float hold_links(const LinkState& links, std::uint32_t block, std::int32_t lane);
+[[nodiscard]] float hold_links(const LinkState& links, const LinkWork& work, std::int32_t lane);
 
 }  // namespace coif

@@ -1,19 +1,17 @@
-#include "character_air.h"
 
-#include "crowd.h"
-#include "memory_carver.h"
+#include "row_heads.h"
 #include "vector_math.h"
 
 namespace coif {
 namespace {
 
-const GustField* blowing(const CharacterState& character) {
-  if (character.gusts.empty() || character.gusts[0].told.amplitude == 0.0f) return nullptr;
-  return &character.gusts[0];
+const GustField* blowing(const WorldState& world) {
+  if (world.gusts.empty() || world.gusts[0].told.amplitude == 0.0f) return nullptr;
+  return &world.gusts[0];
 }
 
-HeadAir air_of(const CharacterState& character, std::uint32_t instance) {
-  return character.airs.empty() ? HeadAir{} : character.airs[instance];
+HeadAir air_of(const WorldState& world, std::uint32_t head) {
+  return world.airs.empty() ? HeadAir{} : world.airs[head];
 }
 
 /// Evaluates the waves at a head in the middle of a part of a step, `back` seconds before the step's end, where the
@@ -42,40 +40,31 @@ float part_turn(double turns) {
   return float(turns - whole);
 }
 
-void carve_air(MemoryCarver& carver, const HairDesc& desc, std::uint32_t blocks, CharacterState& character) {
-  character.airs = carver.take<HeadAir>(desc.has_own_air ? desc.instances : 0);
-  character.gust_lanes = carver.take<GustLanes>(desc.feels_gusts ? blocks : 0);
-  character.gusts = carver.take<GustField>(desc.feels_gusts ? 1 : 0);
-}
-
-void pass_time(CrowdState& crowd, float dt) {
-  if (crowd.character.gusts.empty()) return;
-  GustField& field = crowd.character.gusts[0];
-  field.way += double(field.told.speed) * double(dt);
-}
-
-void blow(CrowdState& crowd, std::uint32_t index, const StepParts& parts, std::uint32_t part, MoveLanes& move) {
-  const CharacterState& character = crowd.character;
-  const GustField* const field = blowing(character);
-  if (character.airs.empty() && field == nullptr) return;
-  Block& block = crowd.blocks[index];
+void blow(const WorldState& world, const RowHeads& heads, const StepParts& parts, std::uint32_t part, MoveLanes& move) {
+  const GustField* const field = blowing(world);
+  if (world.airs.empty() && field == nullptr) return;
   const float left = 1.0f - (float(part) + 0.5f) / float(parts.count);
-  for (std::uint32_t i = 0; i < block.count; ++i) {
-    const HeadAir air = air_of(character, block.instance[i]);
+  for (std::uint32_t i = 0; i < heads.count; ++i) {
+    const HeadAir air = air_of(world, heads.head[i]);
     if (!(air.wind == Vec3{}) || air.exposure != 1.0f) {
       const Vec3 change = air.wind + parts.wind * (air.exposure - 1.0f);
-      set_lane(move.air, i, lane(move.air, i) + change * block.heads.per_scale.v[i]);
+      set_lane(move.air, i, lane(move.air, i) + change * heads.heads->per_scale.v[i]);
     }
-    if (field == nullptr) continue;
-    meet_gusts(*field, block.heads, i, parts.dt * left, left, air.exposure, character.gust_lanes[index]);
-    // Between two gusts hair may hardly move for a while. That must not count as rest.
-    if (air.exposure != 0.0f) block.heads.quiet.v[i] = -2.0f * parts.dt;
+    if (field != nullptr) meet_gusts(*field, *heads.heads, i, parts.dt * left, left, air.exposure, *heads.gusts);
   }
 }
 
-void set_up_air(const CharacterState& character, std::uint32_t block, RowCharacter& row) {
-  const GustField* const field = blowing(character);
-  row.gusts = field != nullptr ? &character.gust_lanes[block] : nullptr;
+void keep_awake_in_gusts(const WorldState& world, BlockStep& step) {
+  if (blowing(world) == nullptr) return;
+  for (std::uint32_t i = 0; i < step.block.count; ++i) {
+    const bool is_reached = air_of(world, step.block.head[i]).exposure != 0.0f;
+    if (is_reached) step.block.heads.quiet.v[i] = -2.0f * step.parts.dt;
+  }
+}
+
+void set_up_air(const WorldState& world, const RowHeads& heads, RowCharacter& row) {
+  const GustField* const field = blowing(world);
+  row.gusts = field != nullptr ? heads.gusts : nullptr;
   row.waves = field != nullptr ? &field->waves : nullptr;
 }
 

@@ -1,4 +1,4 @@
-// Checks that a crowd could have saved a state, in the order in which saved_state.cpp writes it.
+// Checks that a world could have saved a state, in the order in which saved_state.cpp writes it.
 #include "saved_lane.h"
 
 #include "head_lanes.h"
@@ -12,24 +12,24 @@
 namespace coif {
 namespace {
 
-/// Checks one instance's detail. A bool must be 0 or 1.
-bool is_detail(const CrowdState& crowd, SavedBytes& bytes) {
-  std::uint8_t raw[sizeof(InstanceDetail)];
+/// Checks one head's detail. A bool must be 0 or 1.
+bool is_detail(const WorldState& world, const Asset& asset, SavedBytes& bytes) {
+  std::uint8_t raw[sizeof(HeadDetail)];
   std::memcpy(raw, bytes.take(sizeof raw), sizeof raw);
-  return raw[offsetof(InstanceDetail, level)] < levels_of(crowd.asset) &&
-         raw[offsetof(InstanceDetail, interval_power)] < crowd.interval_count &&
-         raw[offsetof(InstanceDetail, asked_power)] < crowd.interval_count &&
-         raw[offsetof(InstanceDetail, simulated)] <= 1 && raw[offsetof(InstanceDetail, asleep)] <= 1;
+  return raw[offsetof(HeadDetail, level)] < levels_of(asset) &&
+         raw[offsetof(HeadDetail, interval_power)] < world.rules.intervals &&
+         raw[offsetof(HeadDetail, asked_power)] < world.rules.intervals && raw[offsetof(HeadDetail, simulated)] <= 1 &&
+         raw[offsetof(HeadDetail, asleep)] <= 1;
 }
 
-bool are_details(const CrowdState& crowd, SavedBytes bytes) {
-  for (std::size_t i = 0; i < crowd.details.size(); ++i) {
-    if (!is_detail(crowd, bytes)) return false;
-  }
-  for (std::size_t i = 0; i < crowd.sets.size(); ++i) {
-    if (bytes.take<std::uint8_t>() >= crowd.dynamics_sets.size()) return false;
-  }
-  return true;
+bool are_details(WorldState& world, SavedBytes& bytes) {
+  bool are_good = true;
+  for_each_head(world, [&](std::uint32_t head) {
+    are_good = is_detail(world, world.worn_by(world.heads[head]).asset, bytes) && are_good;
+  });
+  if (world.rules.sets == 1) return are_good;
+  for_each_head(world, [&](std::uint32_t) { are_good = bytes.take<std::uint8_t>() < world.rules.sets && are_good; });
+  return are_good;
 }
 
 /// Frames with dt = 0 are not among the last ones, and frames before the first step are 0.
@@ -59,15 +59,18 @@ bool are_saved_gusts(SavedBytes& bytes) {
   return is_told || (same_bits(&told, &untold, sizeof told) && same_bits(&waves, &none, sizeof none));
 }
 
-bool is_air(const CrowdState& crowd, SavedBytes& bytes) {
-  for (std::size_t set = 0; !crowd.sets.empty() && set < crowd.dynamics_sets.size(); ++set) {
-    if (!fits(bytes.take<DynamicsScale>())) return false;
+bool is_air(WorldState& world, SavedBytes& bytes) {
+  bool is_good = true;
+  for (std::uint32_t set = 0; world.rules.sets > 1 && set < world.rules.sets; ++set) {
+    is_good = fits(bytes.take<DynamicsScale>()) && is_good;
   }
-  for (std::size_t i = 0; i < crowd.character.airs.size(); ++i) {
-    const auto air = bytes.take<HeadAir>();
-    if (!is_finite(air.wind) || !is_share(air.exposure)) return false;
+  if (!world.airs.empty()) {
+    for_each_head(world, [&](std::uint32_t) {
+      const auto air = bytes.take<HeadAir>();
+      is_good = is_good && is_finite(air.wind) && is_share(air.exposure);
+    });
   }
-  return crowd.character.gusts.empty() || are_saved_gusts(bytes);
+  return is_good && (world.gusts.empty() || are_saved_gusts(bytes));
 }
 
 /// A head's target, and the pose that the host set.
@@ -110,36 +113,37 @@ bool may_be_asleep(const SavedHead& head) {
 }
 
 /// At a place of the body it must be the asset's collider; at an unused place there must be none.
-bool is_told_collider(const CrowdState& crowd, std::uint32_t place, const SavedCollider& saved) {
+bool is_told_collider(const WornAsset& worn, std::uint32_t place, const SavedCollider& saved) {
   const SavedCollider none{};
   if ((saved.flags & 1u) == 0) return same_bits(&saved, &none, sizeof none);
   const ToldCollider told = unpacked(saved);
   const SavedCollider again = packed(told);
   if (check_collider(told.now) != Status::kOk || !same_bits(&saved, &again, sizeof again)) return false;
   if (told.has_way && !(is_finite(told.center_before) && is_unit(told.rotation_before))) return false;
-  const bool is_of_body = place < crowd.character.body_colliders;
+  const bool is_of_body = place < worn.body_colliders;
   if (told.is_of_body != is_of_body) return false;
   if (!is_of_body) return !told.keeps_inside;
-  const ColliderRecord& record = crowd.asset.body_colliders()[place];
+  const ColliderRecord& record = worn.asset.body_colliders()[place];
   const bool keeps_inside = (record.flags & kColliderKeepsInside) != 0;
   return told.now.shape == record.shape && told.keeps_inside == keeps_inside && !told.now.is_velocity_known;
 }
 
 /// The body's colliders are all there or none, and the game's have no gap.
-bool are_told_colliders(const CrowdState& crowd, SavedBytes& bytes) {
+bool are_told_colliders(const WornAsset& worn, SavedBytes& bytes) {
   bool was_there = true;
-  for (std::uint32_t place = 0; place < crowd.character.places; ++place) {
+  for (std::uint32_t place = 0; place < worn.places; ++place) {
     const auto saved = bytes.take<SavedCollider>();
-    if (!is_told_collider(crowd, place, saved)) return false;
-    const bool is_there = (saved.flags & 1u) != 0, begins = place == 0 || place == crowd.character.body_colliders;
+    if (!is_told_collider(worn, place, saved)) return false;
+    const bool is_there = (saved.flags & 1u) != 0, begins = place == 0 || place == worn.body_colliders;
     if (!begins && is_there && !was_there) return false;
-    if (!begins && place < crowd.character.body_colliders && is_there != was_there) return false;
+    if (!begins && place < worn.body_colliders && is_there != was_there) return false;
     was_there = is_there;
   }
   return true;
 }
 
-bool is_instance(const CrowdState& crowd, bool is_asleep, float farthest, SavedBytes& bytes) {
+bool is_saved_head(WorldState& world, std::uint32_t index, bool is_asleep, SavedBytes& bytes) {
+  const WornAsset& worn = world.worn_by(world.heads[index]);
   SavedHead head{bytes.take_lane(offsetof(HeadLanes, next_position)), {}, {}};
   for (double& metres : head.next_position) metres = bytes.take<double>();
   bool teleports = false, is_lost = false, may_sleep = false, is_posed = false;
@@ -147,24 +151,23 @@ bool is_instance(const CrowdState& crowd, bool is_asleep, float farthest, SavedB
   head.told = bytes.take<HeadPose>();
   if (!is_head(head) || may_sleep) return false;  // Heads that may sleep fall asleep before a step ends.
   if (is_asleep && (teleports || is_lost || !may_be_asleep(head))) return false;
-  if (!is_saved_palette(crowd, farthest, bytes) || !are_told_colliders(crowd, bytes)) return false;
-  if (!crowd.character.is_posed.empty() && !bytes.take_flag(is_posed)) return false;
-  return are_saved_chains(crowd, is_posed, bytes);
+  if (!is_saved_palette(worn.asset, farthest_bone_start(world.rules, worn.asset), bytes)) return false;
+  if (!are_told_colliders(worn, bytes)) return false;
+  if (world.rules.follows_poses && !bytes.take_flag(is_posed)) return false;
+  return are_saved_chains(world, index, is_posed, bytes);
 }
 
 }  // namespace
 
-bool could_be_saved(const CrowdState& crowd, std::span<const std::byte> content) {
-  if (!are_details(crowd, SavedBytes(content))) return false;
+bool could_be_saved(WorldState& world, std::span<const std::byte> content) {
   SavedBytes details(content), bytes(content);
-  (void)bytes.take(crowd.details.size_bytes() + crowd.sets.size());
-  if (!is_time(bytes) || !is_air(crowd, bytes)) return false;
-  const float farthest = farthest_bone_start(crowd);
-  for (std::uint32_t instance = 0; instance < crowd.instance_count(); ++instance) {
-    const bool is_asleep = details.take(sizeof(InstanceDetail))[offsetof(InstanceDetail, asleep)] != std::byte{0};
-    if (!is_instance(crowd, is_asleep, farthest, bytes)) return false;
-  }
-  return true;
+  if (!are_details(world, bytes) || !is_time(bytes) || !is_air(world, bytes)) return false;
+  bool are_good = true;
+  for_each_head(world, [&](std::uint32_t head) {
+    const bool is_asleep = details.take(sizeof(HeadDetail))[offsetof(HeadDetail, asleep)] != std::byte{0};
+    are_good = are_good && is_saved_head(world, head, is_asleep, bytes);
+  });
+  return are_good;
 }
 
 }  // namespace coif

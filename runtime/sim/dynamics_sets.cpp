@@ -1,33 +1,37 @@
-// Heads whose hair has other dynamics than the rest of the crowd. Each set has its own coefficients, and its heads have
-// blocks of their own.
+// Heads whose hair has other dynamics than the rest. Each set has its own coefficients.
 
 #include <coif/hair.h>
 
-#include "crowd_step.h"
+#include "world_heads.h"
 
 namespace coif {
-Status Hair::set_dynamics(std::uint32_t set, const DynamicsScale& scale) {
-  if (crowd_ == nullptr) return Status::kNotCreated;
-  if (crowd_->sets.empty() || set >= crowd_->dynamics_sets.size()) return Status::kNotAsked;
+
+Status HairWorld::set_dynamics(std::uint32_t set, const DynamicsScale& scale) {
+  if (world_ == nullptr) return Status::kNotCreated;
+  if (world_->rules.sets == 1 || set >= world_->rules.sets) return Status::kNotAsked;
   if (!fits(scale)) return Status::kBadArgument;
-  DynamicsScale& told = crowd_->dynamics_sets[set].scale;
+  DynamicsScale& told = world_->dynamics_sets[set];
   if (same(told, scale)) return Status::kOk;
   told = scale;
-  for (std::uint32_t instance = 0; instance < crowd_->instance_count(); ++instance) {
-    if (crowd_->sets[instance] == std::byte(set) && crowd_->details[instance].asleep) wake(*crowd_, instance);
-  }
+  for_each_head(*world_, [&](std::uint32_t head) {
+    if (world_->heads[head].set == set) wake_if_asleep(*world_, head);
+  });
   return Status::kOk;
 }
 
-Status Hair::choose_dynamics(std::uint32_t instance, std::uint32_t set) {
-  if (block_of(crowd_, instance) == nullptr) return missing(crowd_);
-  const std::span<const DynamicsSet> all = crowd_->dynamics_sets;
+Status HairWorld::choose_dynamics(WorldHead head, std::uint32_t set) {
+  WornHead* const worn = find(world_, head);
+  if (worn == nullptr) return missing(world_);
+  const std::span<const DynamicsScale> all = world_->dynamics_sets;
   if (set >= all.size()) return Status::kNotAsked;
-  if (crowd_->sets.empty() || crowd_->sets[instance] == std::byte(set)) return Status::kOk;
-  const bool differs = !same(all[set].scale, all[std::size_t(crowd_->sets[instance])].scale);
-  crowd_->sets[instance] = std::byte(set);
-  if (differs && crowd_->details[instance].asleep) wake(*crowd_, instance);
-  sort_in(*crowd_, instance);
+  if (worn->set == set) return Status::kOk;
+  const bool differs = !same(all[set], all[worn->set]);
+  const bool has_lanes = worn->has_lanes;
+  if (has_lanes) world_->shared->leave_lanes(*world_, head.index);
+  worn->set = std::uint8_t(set);
+  if (has_lanes) world_->shared->enter(*world_, head.index);
+  if (differs) wake_if_asleep(*world_, head.index);
+  sort_in(*world_, head.index);
   return Status::kOk;
 }
 

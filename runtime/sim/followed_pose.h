@@ -1,7 +1,8 @@
 #pragma once
-// The poses of the bones of one head, in the lanes of its rows.
+// The poses of the bones of one head, in the lanes of its chains.
 
-#include "crowd.h"
+#include "vector_math.h"
+#include "world_heads.h"
 
 namespace coif {
 
@@ -20,22 +21,16 @@ inline void arrive(PoseLanes& pose, std::uint32_t lane) {
   set_lane(pose.pull_before, lane, coif::lane(pose.pull_now, lane));
 }
 
-/// Calls visit(bone of the asset, PoseLanes, lane, constants, lane of those, bone in the row) for each simulated bone
-/// of a head.
+/// Calls visit(bone of the asset, chain of the asset, PoseLanes, lane, pull at rest) for each simulated bone of a head.
 template <typename Visit>
-void for_each_pose(CrowdState& crowd, std::uint32_t slot, const Visit& visit) {
-  const std::size_t first = crowd.first_state(slot);
-  for (const Row& row : crowd.rows) {
-    for (std::uint32_t chain = 0; chain < row.chain_count; ++chain) {
-      const std::uint32_t lane = crowd.order == LaneOrder::kHeads ? slot % kLanes : chain;
-      for (std::uint32_t i = 0; i < row.bone_count; ++i) {
-        const std::uint32_t bone = bone_in_lane(crowd.asset, row, i, chain);
-        const std::size_t at = row.first_bone + i;
-        visit(bone, row.first_chain + chain, crowd.character.poses[first + at], lane,
-              coif::lane(crowd.constants[at].pull, chain));
-      }
+void for_each_pose(WorldState& world, std::uint32_t head, const Visit& visit) {
+  const auto chains = world.worn_by(world.heads[head]).asset.chains();
+  for_each_chain(world, head, [&](const Solver&, std::uint32_t c, const ChainLane& chain) {
+    for (std::uint32_t i = 0; i < chains[c].bone_count; ++i) {
+      visit(chains[c].first_bone + i, c, chain.poses[i], chain.state_lane,
+            coif::lane(chain.constants[i].pull, chain.constant_lane));
     }
-  }
+  });
 }
 
 }  // namespace coif

@@ -1,5 +1,5 @@
 #pragma once
-// Operations on one head of a block of sixteen, for a crowd of one asset and for a world of many.
+// Operations on one head of a block of sixteen.
 
 #include "head_pose.h"
 #include "lanes/lane_code.h"
@@ -36,6 +36,14 @@ inline void stand_upright(HeadLanes& heads) {
   for (float& w : heads.rotation.w.v) w = 1.0f;
   for (float& w : heads.next_rotation.w.v) w = 1.0f;
   for (float& per_scale : heads.per_scale.v) per_scale = 1.0f;
+}
+
+/// Puts one of them there, whatever it was before.
+inline void stand_upright(HeadLanes& heads, std::uint32_t i) {
+  Lanes* const all = reinterpret_cast<Lanes*>(&heads);
+  for (std::size_t n = 0; n < offsetof(HeadLanes, next_position) / sizeof(Lanes); ++n) all[n].v[i] = 0.0f;
+  for (auto& axis : heads.next_position) axis[i] = 0.0;
+  heads.rotation.w.v[i] = heads.next_rotation.w.v[i] = heads.per_scale.v[i] = 1.0f;
 }
 
 /// Sets a new target, which replaces the one set before; the way is counted from where the last step left the head.

@@ -43,12 +43,12 @@ struct Gap {
 
 class LinkedHead {
  public:
-  LinkedHead(const LinkState& links, std::uint32_t block, std::int32_t lane)
+  LinkedHead(const LinkState& links, const LinkWork& work, std::int32_t lane)
       : links_(links),
         code_(*links.code->bones),
-        steps_(links_.steps.subspan(block * std::size_t(links_.row_count), links_.row_count)),
-        held_(links_.held.subspan(block * links_.bones.size(), links_.bones.size())),
-        moved_(links_.moved.subspan(block * links_.chains.size(), links_.chains.size())),
+        steps_(work.steps, links.row_count),
+        held_(work.held, links.bones.size()),
+        moved_(work.moved, links.chains.size()),
         lane_(lane) {}
 
   float run() {
@@ -292,8 +292,8 @@ void LinkedHead::hold_velocities(const LinkLevel& level) {
 
 }  // namespace
 
-float hold_links(const LinkState& links, std::uint32_t block, std::int32_t lane) {
-  return LinkedHead(links, block, lane).run();
+float hold_links(const LinkState& links, const LinkWork& work, std::int32_t lane) {
+  return LinkedHead(links, work, lane).run();
 }
 
 }  // namespace coif

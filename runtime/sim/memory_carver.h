@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <new>
 #include <span>
+#include <type_traits>
 
 namespace coif {
 
@@ -20,27 +21,24 @@ class MemoryCarver {
   template <typename T>
   std::span<T> take(std::uint64_t count) {
     static_assert(alignof(T) <= kAlignment);
-    used_ = (used_ + kAlignment - 1) / kAlignment * kAlignment;
-    const std::uint64_t begin = used_;
-    used_ += count * sizeof(T);
-    if (base_ == nullptr || count == 0) return {};
-    T* const first = reinterpret_cast<T*>(base_ + begin);
-    for (std::uint64_t i = 0; i < count; ++i) ::new (static_cast<void*>(first + i)) T{};
+    T* const first = static_cast<T*>(take_zeros(count * sizeof(T)));
+    if (first == nullptr) return {};
+    if constexpr (!std::is_trivially_default_constructible_v<T>) {
+      for (std::uint64_t i = 0; i < count; ++i) ::new (static_cast<void*>(first + i)) T{};
+    }
     return {first, std::size_t(count)};
   }
 
   /// Uninitialised bytes; empty while counting.
-  std::span<std::byte> take_raw(std::uint64_t bytes) {
-    used_ = (used_ + kAlignment - 1) / kAlignment * kAlignment;
-    const std::uint64_t begin = used_;
-    used_ += bytes;
-    return base_ == nullptr ? std::span<std::byte>{} : std::span(base_ + begin, std::size_t(bytes));
-  }
+  std::span<std::byte> take_raw(std::uint64_t bytes);
 
   /// Bytes taken, padding between arrays included.
   [[nodiscard]] std::uint64_t used() const { return used_; }
 
  private:
+  /// Null while counting, or for no bytes.
+  void* take_zeros(std::uint64_t bytes);
+
   std::byte* base_;
   std::uint64_t used_ = 0;
 };

@@ -1,7 +1,8 @@
 #include "moving_colliders.h"
 
-#include "crowd.h"
+#include "row_heads.h"
 #include "vector_math.h"
+#include "world.h"
 
 #include <bit>
 #include <cmath>
@@ -213,14 +214,17 @@ bool is_far(const ToldCollider& told, const HeadAt& before, const HeadAt& after,
 
 /// Finds the colliders that hair of the head in lane `i` may touch, and makes the present places those of the last
 /// step.
-std::uint32_t find_ways(CrowdState& crowd, Block& block, std::uint32_t i, const HeadStepLanes& step, bool is_put,
-                        const StepParts& parts) {
-  CharacterState& character = crowd.character;
-  std::uint64_t there = character.there[block.instance[i]];
-  if (there == 0) return 0;
-  const HeadLanes& heads = block.heads;
+void find_ways(WorldState& world, const BlockStep& step, std::uint32_t i) {
+  const WornHead& head = world.heads[step.block.head[i]];
+  const WornAsset& worn = world.worn_by(head);
+  if (worn.places == 0) return;
+  HeadColliders& own = world.colliders_of(head);
+  own.way_count = 0;
+  if (own.there == 0) return;
+  const HeadLanes& heads = step.block.heads;
   const Vec3 way = lane(heads.way, i);
   const float per_scale = heads.per_scale.v[i];
+  const bool is_put = ((step.put >> i) & 1u) != 0;
   HeadAt after{{heads.next_position[0][i], heads.next_position[1][i], heads.next_position[2][i]},
                lane(heads.next_rotation, i),
                per_scale};
@@ -228,53 +232,55 @@ std::uint32_t find_ways(CrowdState& crowd, Block& block, std::uint32_t i, const 
       {after.position[0] - double(way.x), after.position[1] - double(way.y), after.position[2] - double(way.z)},
       lane(heads.rotation, i),
       per_scale};
-  const HeadPace pace{parts.dt, lane(step.next_velocity, i) * per_scale, lane(step.next_angular_velocity, i)};
-  const std::size_t first = std::size_t(block.instance[i]) * character.places;
-  std::uint32_t count = 0;
-  for (; there != 0; there &= there - 1) {
+  const HeadPace pace{step.parts.dt, lane(step.heads.next_velocity, i) * per_scale,
+                      lane(step.heads.next_angular_velocity, i)};
+  for (std::uint64_t there = own.there; there != 0; there &= there - 1) {
     const auto place = std::uint32_t(std::countr_zero(there));
-    ToldCollider& told = character.told[first + place];
-    ColliderWay& to = character.ways[first + count];
+    ToldCollider& told = world.told_colliders(head)[place];
+    ColliderWay& to = world.ways(head)[own.way_count];
     // In a long frame the hair was carried along for a share of the time.
     for (int axis = 0; axis < 3; ++axis) {
-      told.center_before[axis] += (told.now.center[axis] - told.center_before[axis]) * double(parts.carried);
+      told.center_before[axis] += (told.now.center[axis] - told.center_before[axis]) * double(step.parts.carried);
     }
-    if (!is_far(told, before, after, character.reach) &&
-        find_way(told, before, after, pace, is_put, character.reach, to)) {
-      to.place = place;
-      ++count;
+    if (!is_far(told, before, after, worn.reach) && find_way(told, before, after, pace, is_put, worn.reach, to)) {
+      to.place = told.is_of_body ? place : kMaxBodyColliders;
+      ++own.way_count;
     }
     for (int axis = 0; axis < 3; ++axis) told.center_before[axis] = told.now.center[axis];
     told.rotation_before = told.now.rotation;
     told.has_way = true;
   }
-  return count;
 }
 
 }  // namespace
 
-void begin_colliders(CrowdState& crowd, std::uint32_t index, const HeadStepLanes& step, std::uint16_t put,
-                     const StepParts& parts) {
-  CharacterState& character = crowd.character;
-  if (character.places == 0) return;
-  Block& block = crowd.blocks[index];
-  std::uint32_t most = 0;
-  for (std::uint32_t i = 0; i < block.count; ++i) {
-    const std::uint32_t count = find_ways(crowd, block, i, step, ((put >> i) & 1u) != 0, parts);
-    character.way_counts[block.instance[i]] = count;
-    most = count > most ? count : most;
+void begin_colliders(WorldState& world, BlockStep& step) {
+  keep_awake_in_gusts(world, step);
+  if (world.rules.moving_colliders == 0 && !world.rules.follows_body) return;
+  Block& block = step.block;
+  for (std::uint32_t i = 0; i < block.count; ++i) find_ways(world, step, i);
+  if (block.bounds == nullptr) return;
+  RowHeads heads{.heads = &block.heads, .head = block.head, .count = block.count, .bounds = block.bounds};
+  gather_bounds(world, heads);
+  block.most_ways = heads.most_ways;
+}
+
+void gather_bounds(const WorldState& world, RowHeads& heads) {
+  const ColliderWay* ways[kLanes];
+  std::uint32_t counts[kLanes] = {};
+  heads.most_ways = 0;
+  for (std::uint32_t i = 0; i < heads.count; ++i) {
+    const WornHead& head = world.heads[heads.head[i]];
+    if (world.worn_by(head).places == 0) continue;
+    ways[i] = world.ways(head);
+    counts[i] = world.colliders_of(head).way_count;
+    heads.most_ways = counts[i] > heads.most_ways ? counts[i] : heads.most_ways;
   }
-  character.most_ways[index] = most;
-  if (most == 0) return;
-  ColliderBounds* const bounds = &character.bounds[std::size_t(index) * character.places];
   for (std::uint32_t i = 0; i < kLanes; ++i) {
-    const std::uint32_t instance = i < block.count ? block.instance[i] : 0;
-    const std::uint32_t count = i < block.count ? character.way_counts[instance] : 0;
-    const std::size_t first = std::size_t(instance) * character.places;
-    for (std::uint32_t k = 0; k < most; ++k) {
-      const bool is_there = k < count;
-      set_lane(bounds[k].center, i, is_there ? character.ways[first + k].bound_center : kNowhere);
-      bounds[k].radius.v[i] = is_there ? character.ways[first + k].bound_radius : 0.0f;
+    for (std::uint32_t k = 0; k < heads.most_ways; ++k) {
+      const bool is_there = k < counts[i];
+      set_lane(heads.bounds[k].center, i, is_there ? ways[i][k].bound_center : kNowhere);
+      heads.bounds[k].radius.v[i] = is_there ? ways[i][k].bound_radius : 0.0f;
     }
   }
 }

@@ -14,7 +14,9 @@
 
 namespace coif {
 
-struct CrowdState;
+struct BlockStep;
+struct RowHeads;
+struct WorldState;
 
 /// Colliders of one head: its asset's body colliders, and the game's.
 inline constexpr std::uint32_t kMaxPlaces = kMaxBodyColliders + kMaxMovingColliders;
@@ -35,12 +37,13 @@ struct ToldCollider {
 struct ColliderWay {
   ColliderShape shape = ColliderShape::kSphere;
   bool keeps_inside = false;
-  std::uint32_t place = 0;  ///< Place among the head's colliders; a body collider's place is its number in the asset.
-  Vec3 radii;               ///< Sphere, capsules: at both ends. Box: half extents.
-  float rounding = 0;       ///< Box.
-  Vec3 center[2];           ///< At the step's start and end; it moves in a straight line between them.
-  Vec3 axis[2];             ///< As PlacedCollider::axis.
-  OwnAxes axes[2];          ///< Box.
+  /// A body collider's number in its asset; kMaxBodyColliders for the game's.
+  std::uint32_t place = 0;
+  Vec3 radii;          ///< Sphere, capsules: at both ends. Box: half extents.
+  float rounding = 0;  ///< Box.
+  Vec3 center[2];      ///< At the step's start and end; it moves in a straight line between them.
+  Vec3 axis[2];        ///< As PlacedCollider::axis.
+  OwnAxes axes[2];     ///< Box.
   /// Velocity of the centre at the step's end relative to the head's rigid motion, head axes, m/s.
   Vec3 velocity;
   Vec3 turning;       ///< The same for its rotation, rad/s.
@@ -58,9 +61,10 @@ struct ColliderBounds {
 /// Places it where it is at the share `s` of the step.
 void place_at(const ColliderWay& way, float s, PlacedCollider& placed);
 
-/// Finds the ways of the colliders of a block's heads in this step, for those that hair may reach. `put` has a bit for
-/// each head that was put somewhere together with its colliders.
-void begin_colliders(CrowdState& crowd, std::uint32_t block, const HeadStepLanes& step, std::uint16_t put,
-                     const StepParts& parts);
+/// Implements CharacterCode::begin, for those colliders that hair may reach.
+void begin_colliders(WorldState& world, BlockStep& step);
+
+/// Implements CharacterCode::gather.
+void gather_bounds(const WorldState& world, RowHeads& heads);
 
 }  // namespace coif

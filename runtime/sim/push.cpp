@@ -4,9 +4,9 @@
 #include <coif/hair.h>
 
 #include "chain_motion.h"
-#include "crowd_step.h"
 #include "float_environment.h"
 #include "vector_math.h"
+#include "world_heads.h"
 
 #include <cmath>
 
@@ -132,25 +132,25 @@ class PushedBones {
 
 }  // namespace
 
-Status Hair::push(std::uint32_t instance, const Impulse& impulse) {
-  const Block* const block = block_of(crowd_, instance);
-  if (block == nullptr) return missing(crowd_);
+Status HairWorld::push(WorldHead head, const Impulse& impulse) {
+  const WornHead* const worn = find(world_, head);
+  if (worn == nullptr) return missing(world_);
   const FloatEnvironment plain;
   if (!is_impulse(impulse)) return Status::kBadArgument;
-  const std::uint32_t slot = crowd_->slots[instance], i = slot % kLanes;
-  const HeadLanes& heads = block->heads;
+  const std::uint32_t i = worn->lane;
+  const HeadLanes& heads = worn->block->heads;
   FeltImpulse felt;
   if (!feel(impulse, heads, i, felt)) return Status::kOk;
-  const Carrying head{lane(heads.rotation, i), lane(heads.velocity, i) * heads.per_scale.v[i],
-                      lane(heads.angular_velocity, i)};
+  const Carrying carrying{lane(heads.rotation, i), lane(heads.velocity, i) * heads.per_scale.v[i],
+                          lane(heads.angular_velocity, i)};
   bool any = false;
-  for_each_chain(*crowd_, slot, [&](const Solver& solver, const ChainRecord&, const ChainLane& chain) {
+  for_each_chain(*world_, head.index, [&](const Solver& solver, std::uint32_t, const ChainLane& chain) {
     const ChainMotion pushed(solver, chain);
     const bool hit = solver.keeps_places ? push_particles(pushed, chain.bones.size(), felt)
-                                         : PushedBones(pushed, chain, head, felt).run();
+                                         : PushedBones(pushed, chain, carrying, felt).run();
     any = any || hit;
   });
-  if (any && crowd_->details[instance].asleep) wake(*crowd_, instance);
+  if (any) wake_if_asleep(*world_, head.index);
   return Status::kOk;
 }
 

@@ -39,10 +39,11 @@ struct WidthSets {
 
 struct Solver;
 
-/// The contents of a row's lanes. In both orders lanes are neighbours in memory, so there is no gather and no shuffle.
+/// The contents of a row's lanes. In all orders lanes are neighbours in memory, so there is no gather and no shuffle.
 enum class LaneOrder : std::uint8_t {
   kHeads,   ///< The same chain of sixteen heads: for crowds.
   kChains,  ///< Up to sixteen chains of equal shape of one head: for few heads with many chains.
+  kShared,  ///< Chains of equal shape of any heads and assets: see bundles/bundles.h. Not for make_rows().
 };
 
 /// A row that every block of heads has (kHeads), or every head (kChains).

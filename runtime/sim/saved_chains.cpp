@@ -35,19 +35,25 @@ bool is_followed_pose(const SavedLane& pose, std::size_t at) {
          is_share(pose.number(at + offsetof(PoseLanes, weight)));
 }
 
-/// Checks a lane of a row: its bones' states one after the other, and the padding of rows whose solver needs less.
-bool are_states(const CrowdState& crowd, const Row& row, const SavedLane& lane) {
-  const std::size_t own = row.bone_count * row.solver->state_bytes, all = row.bone_count * crowd.state_bytes;
-  if (!lane.are_finite(0, own) || !lane.are_zero(own, all - own)) return false;
-  for (std::uint32_t i = 0; i < row.bone_count; ++i) {
-    if (!row.solver->could_be(lane, i * row.solver->state_bytes)) return false;
+bool are_states(const Solver& solver, std::uint32_t bones, const SavedLane& lane) {
+  if (!lane.are_finite(0, bones * solver.state_bytes)) return false;
+  for (std::uint32_t i = 0; i < bones; ++i) {
+    if (!solver.could_be(lane, i * solver.state_bytes)) return false;
   }
   return true;
 }
 
-bool are_twists(const Row& row, const SavedLane& lane) {
-  if (!row.solver->carries_frames) return lane.are_zero(0, row.bone_count * sizeof(TwistState));
-  for (std::uint32_t i = 0; i < row.bone_count; ++i) {
+bool are_poses(const ChainLane& chain, std::uint32_t bones, bool is_posed, const SavedLane& lane) {
+  for (std::uint32_t i = 0; i < bones; ++i) {
+    const std::size_t at = i * sizeof(PoseLanes);
+    const Vec3 pull = coif::lane(chain.constants[i].pull, chain.constant_lane);
+    if (!(is_posed ? is_followed_pose(lane, at) : is_rest_pose(lane, at, pull))) return false;
+  }
+  return true;
+}
+
+bool are_twists(std::uint32_t bones, const SavedLane& lane) {
+  for (std::uint32_t i = 0; i < bones; ++i) {
     const std::size_t at = i * sizeof(TwistState);
     const float cosine = lane.number(at + offsetof(TwistState, cosine)),
                 sine = lane.number(at + offsetof(TwistState, sine));
@@ -59,20 +65,18 @@ bool are_twists(const Row& row, const SavedLane& lane) {
 
 }  // namespace
 
-float farthest_bone_start(const CrowdState& crowd) {
+float farthest_bone_start(const WorldRules& rules, const Asset& asset) {
   float most = 0, lengths = 0;
-  for (const BoneRecord& bone : crowd.asset.bones()) {
+  for (const BoneRecord& bone : asset.bones()) {
     const float joint = length(to_vec3(bone.joint));
     most = joint > most ? joint : most;
     lengths += bone.length;
   }
-  bool keeps_places = false;
-  for (const Row& row : crowd.rows) keeps_places = keeps_places || row.solver->keeps_places;
-  return keeps_places ? std::numeric_limits<float>::max() : 1.01f * (most + lengths) + 1e-3f;
+  return rules.solver->keeps_places ? std::numeric_limits<float>::max() : 1.01f * (most + lengths) + 1e-3f;
 }
 
-bool is_saved_palette(const CrowdState& crowd, float farthest, SavedBytes& bytes) {
-  for (const BoneRecord& bone : crowd.asset.bones()) {
+bool is_saved_palette(const Asset& asset, float farthest, SavedBytes& bytes) {
+  for (const BoneRecord& bone : asset.bones()) {
     const auto matrix = bytes.take<Mat34>();
     if (!is_rigid(matrix)) return false;
     Vec3 start;
@@ -86,24 +90,19 @@ bool is_saved_palette(const CrowdState& crowd, float farthest, SavedBytes& bytes
   return true;
 }
 
-bool are_saved_chains(const CrowdState& crowd, bool is_posed, SavedBytes& bytes) {
-  for (const Row& row : crowd.rows) {
-    const std::uint32_t lanes = crowd.order == LaneOrder::kHeads ? 1 : row.chain_count;
-    for (std::uint32_t k = 0; k < lanes; ++k) {
-      if (!are_states(crowd, row, bytes.take_lane(row.bone_count * crowd.state_bytes))) return false;
-      if (!crowd.character.poses.empty()) {
-        const SavedLane pose = bytes.take_lane(row.bone_count * sizeof(PoseLanes));
-        for (std::uint32_t i = 0; i < row.bone_count; ++i) {
-          const std::size_t at = i * sizeof(PoseLanes);
-          const Vec3 pull = lane(crowd.constants[row.first_bone + i].pull, k);
-          if (!(is_posed ? is_followed_pose(pose, at) : is_rest_pose(pose, at, pull))) return false;
-        }
-      }
-      if (crowd.twists.empty()) continue;
-      if (!are_twists(row, bytes.take_lane(row.bone_count * sizeof(TwistState)))) return false;
+bool are_saved_chains(WorldState& world, std::uint32_t head, bool is_posed, SavedBytes& bytes) {
+  const auto chains = world.worn_by(world.heads[head]).asset.chains();
+  bool are_good = true;
+  for_each_chain(world, head, [&](const Solver& solver, std::uint32_t c, const ChainLane& chain) {
+    if (!are_good) return;
+    const std::uint32_t bones = chains[c].bone_count;
+    are_good = are_states(solver, bones, bytes.take_lane(bones * solver.state_bytes));
+    if (are_good && chain.poses != nullptr) {
+      are_good = are_poses(chain, bones, is_posed, bytes.take_lane(bones * sizeof(PoseLanes)));
     }
-  }
-  return true;
+    if (are_good && chain.twist != nullptr) are_good = are_twists(bones, bytes.take_lane(bones * sizeof(TwistState)));
+  });
+  return are_good;
 }
 
 }  // namespace coif

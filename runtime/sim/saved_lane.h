@@ -1,9 +1,9 @@
 #pragma once
 // The numbers of a saved state: one float per Lanes member of a lane, in their order.
 
-#include "crowd.h"
 #include "lanes/lane_layout.h"
 #include "vector_math.h"
+#include "world_heads.h"
 
 #include <cmath>
 #include <cstddef>
@@ -89,20 +89,20 @@ inline bool same_bits(const void* a, const void* b, std::size_t bytes) { return 
 /// False for anything with a NaN or an infinity.
 inline bool is_unit_direction(const Vec3& v) { return std::fabs(length(v) - 1.0f) <= kSavedUnitTolerance; }
 
-/// Whether the crowd could have saved this: numbers are finite and in their ranges, rotations are rotations, and all
-/// parts agree with each other. `content` must be as long as the crowd's own. Needs a plain FloatEnvironment.
-[[nodiscard]] bool could_be_saved(const CrowdState& crowd, std::span<const std::byte> content);
+/// Whether the world could have saved this: numbers are finite and in their ranges, rotations are rotations, and all
+/// parts agree with each other. `content` must be as long as the world's own. Needs a plain FloatEnvironment.
+[[nodiscard]] bool could_be_saved(WorldState& world, std::span<const std::byte> content);
 
 // These three check the hair itself, matrices and chains: saved_chains.cpp.
 
 /// Largest distance of a bone's start from its head's position, metres: all bones in one line. Particles with world
 /// places have no such bound.
-[[nodiscard]] float farthest_bone_start(const CrowdState& crowd);
+[[nodiscard]] float farthest_bone_start(const WorldRules& rules, const Asset& asset);
 
 /// Whether these can be one head's matrices. No bone may begin farther away than `farthest`.
-[[nodiscard]] bool is_saved_palette(const CrowdState& crowd, float farthest, SavedBytes& bytes);
+[[nodiscard]] bool is_saved_palette(const Asset& asset, float farthest, SavedBytes& bytes);
 
 /// Whether these can be the numbers of its chains.
-[[nodiscard]] bool are_saved_chains(const CrowdState& crowd, bool is_posed, SavedBytes& bytes);
+[[nodiscard]] bool are_saved_chains(WorldState& world, std::uint32_t head, bool is_posed, SavedBytes& bytes);
 
 }  // namespace coif

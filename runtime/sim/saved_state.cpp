@@ -1,9 +1,8 @@
-// A crowd's state as bytes. All changing state is written head by head, in the order of the instances. So equal states
+// A world's state as bytes. All changing state is written head by head, in the order of their numbers. So equal states
 // have equal bytes, whatever blocks the heads are in, and nothing that is read back is an address or an index.
 
-#include <coif/hair.h>
+#include <coif/hair_world.h>
 
-#include "crowd_step.h"
 #include "float_environment.h"
 #include "mixer.h"
 #include "saved_collider.h"
@@ -15,20 +14,18 @@ namespace coif {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x7461'7473'6669'6F63;  // "coifstat", little-endian
-constexpr std::uint32_t kVersion = 4;
+constexpr std::uint32_t kVersion = 5;
 
 struct SavedHeader {
   std::uint64_t magic;
   std::uint32_t version;
-  std::uint32_t instances;
-  std::uint64_t crowd;  ///< Identifies the crowd, see signature_of().
+  std::uint32_t heads;
+  std::uint64_t world;  ///< Identifies the world, see signature_of().
   std::uint64_t hash;   ///< Hash of everything that follows.
 };
 
-/// Equal for crowds whose numbers mean the same: the bones of one asset, under the same solvers.
-std::uint64_t signature_of(const CrowdState& crowd) {
-  Mixer mixer(kVersion);
-  const Asset& asset = crowd.asset;
+void add_asset(const WorldRules& rules, const WornAsset& worn, Mixer& mixer) {
+  const Asset& asset = worn.asset;
   mixer.add(&asset.skeleton(), sizeof(SkeletonRecord));
   mixer.add(asset.bones());
   mixer.add(asset.chains());
@@ -36,28 +33,40 @@ std::uint64_t signature_of(const CrowdState& crowd) {
   mixer.add(asset.asked());
   mixer.add(asset.colliders());
   mixer.add(asset.lod_bones());
-  const CharacterState& character = crowd.character;
-  const std::uint64_t worn[] = {character.places, character.body_colliders, std::uint64_t{!character.poses.empty()}};
-  mixer.add(worn, sizeof worn);
-  if (character.body_colliders != 0) mixer.add(asset.body_colliders());
+  const std::uint64_t own[] = {worn.places, worn.body_colliders};
+  mixer.add(own, sizeof own);
+  if (worn.body_colliders != 0) mixer.add(asset.body_colliders());
   if (!asset.limits().empty()) mixer.add(asset.limits());
-  for (const Row& row : crowd.rows) {
-    const Solver& solver = *row.solver;
-    const std::uint64_t kind[] = {solver.state_bytes,   solver.coefficient_bytes,
-                                  row.bone_count,       row.first_chain,
-                                  row.chain_count,      std::uint64_t{solver.carries_frames},
-                                  crowd.interval_count, std::uint64_t{solver.reads_asked}};
+  for (const ChainRecord& chain : asset.chains()) {
+    const Solver& solver = solver_for(*rules.solver, chain);
+    const std::uint64_t kind[] = {solver.state_bytes, solver.coefficient_bytes, std::uint64_t{solver.carries_frames},
+                                  std::uint64_t{solver.reads_asked}};
     mixer.add(kind, sizeof kind);
   }
-  const std::uint64_t asked[] = {crowd.sets.empty() ? 0 : crowd.dynamics_sets.size(),
-                                 std::uint64_t{!character.airs.empty()}, character.gusts.size()};
-  if (asked[0] + asked[1] + asked[2] != 0) mixer.add(asked, sizeof asked);
+}
+
+/// Equal for worlds whose numbers mean the same: the same heads with the bones of the same assets, under the same
+/// solvers.
+std::uint64_t signature_of(WorldState& world) {
+  Mixer mixer(kVersion);
+  const WorldRules& rules = world.rules;
+  const std::uint64_t asked[] = {rules.intervals, rules.sets, std::uint64_t{rules.follows_poses},
+                                 std::uint64_t{rules.has_own_air}, std::uint64_t{rules.feels_gusts}};
+  mixer.add(asked, sizeof asked);
+  for (const WornAsset& worn : world.assets) {
+    if (worn.heads != 0) add_asset(rules, worn, mixer);
+  }
+  for_each_head(world, [&](std::uint32_t index) {
+    const WornHead& head = world.heads[index];
+    const std::uint32_t name[] = {index, head.generation, head.asset};
+    mixer.add(name, sizeof name);
+  });
   return mixer.hash();
 }
 
 // Written as they lie in memory, so there must be no padding.
 static_assert(sizeof(Gusts) == 28 && sizeof(HeadAir) == 16 && sizeof(GustWaves) == 384);
-static_assert(sizeof(StepSettings) == 19 * sizeof(float) && sizeof(InstanceDetail) == 5 && sizeof(HeadPose) == 48);
+static_assert(sizeof(StepSettings) == 19 * sizeof(float) && sizeof(HeadDetail) == 5 && sizeof(HeadPose) == 48);
 
 /// Counting, writing and reading walk through the state by the same code, so that they cannot disagree.
 struct Counting {
@@ -96,26 +105,27 @@ void pass_bit(Tape& tape, std::uint16_t& bits, std::uint32_t i) {
 }
 
 template <typename Tape>
-void pass_time(CrowdState& crowd, Tape& tape) {
-  tape.pass(&crowd.settings, sizeof crowd.settings);
-  tape.pass(crowd.last_dts, sizeof crowd.last_dts);
-  tape.pass(&crowd.step_index, sizeof crowd.step_index);
+void pass_time(WorldState& world, Tape& tape) {
+  tape.pass(&world.settings, sizeof world.settings);
+  tape.pass(world.last_dts, sizeof world.last_dts);
+  tape.pass(&world.step_index, sizeof world.step_index);
 }
 
 template <typename Tape>
-void pass_details(CrowdState& crowd, Tape& tape) {
-  tape.pass(crowd.details.data(), crowd.details.size_bytes());
-  tape.pass(crowd.sets.data(), crowd.sets.size_bytes());
+void pass_details(WorldState& world, Tape& tape) {
+  for_each_head(world, [&](std::uint32_t head) { tape.pass(&world.heads[head].detail, sizeof(HeadDetail)); });
+  if (world.rules.sets == 1) return;
+  for_each_head(world, [&](std::uint32_t head) { tape.pass(&world.heads[head].set, sizeof(std::uint8_t)); });
 }
 
 /// The air and the dynamics that hosts set, and how far gusts have come.
 template <typename Tape>
-void pass_air(CrowdState& crowd, Tape& tape) {
-  if (!crowd.sets.empty()) {
-    for (DynamicsSet& set : crowd.dynamics_sets) tape.pass(&set.scale, sizeof set.scale);
+void pass_air(WorldState& world, Tape& tape) {
+  if (world.rules.sets > 1) tape.pass(world.dynamics_sets.data(), world.dynamics_sets.size_bytes());
+  if (!world.airs.empty()) {
+    for_each_head(world, [&](std::uint32_t head) { tape.pass(&world.airs[head], sizeof(HeadAir)); });
   }
-  tape.pass(crowd.character.airs.data(), crowd.character.airs.size_bytes());
-  for (GustField& field : crowd.character.gusts) {
+  for (GustField& field : world.gusts) {
     tape.pass(&field.told, sizeof field.told);
     tape.pass(&field.way, sizeof field.way);
     tape.pass(&field.waves, sizeof field.waves);
@@ -123,115 +133,138 @@ void pass_air(CrowdState& crowd, Tape& tape) {
 }
 
 template <typename Tape>
-void pass_character(CrowdState& crowd, std::uint32_t instance, Tape& tape) {
-  CharacterState& character = crowd.character;
-  for (std::uint32_t place = 0; place < character.places; ++place) {
-    ToldCollider& told = character.told[std::size_t(instance) * character.places + place];
-    std::uint64_t& there = character.there[instance];
+void pass_character(WorldState& world, WornHead& head, Tape& tape) {
+  const std::uint32_t places = world.worn_by(head).places;
+  for (std::uint32_t place = 0; place < places; ++place) {
+    ToldCollider& told = world.told_colliders(head)[place];
+    std::uint64_t& there = world.colliders_of(head).there;
     const std::uint64_t bit = std::uint64_t{1} << place;
     SavedCollider saved = (there & bit) != 0 ? packed(told) : SavedCollider{};
     tape.pass(&saved, sizeof saved);
     told = unpacked(saved);
     there = (saved.flags & 1u) != 0 ? there | bit : there & ~bit;
   }
-  if (character.is_posed.empty()) return;
-  std::uint8_t posed = character.is_posed[instance];
+  if (!world.rules.follows_poses) return;
+  std::uint8_t posed = head.is_posed ? 1 : 0;
   tape.pass(&posed, sizeof posed);
-  character.is_posed[instance] = posed == 0 ? std::uint8_t{0} : std::uint8_t{1};
+  head.is_posed = posed != 0;
 }
 
 template <typename Tape>
-void pass_head(CrowdState& crowd, std::uint32_t instance, Tape& tape) {
-  const std::uint32_t slot = crowd.slots[instance], i = slot % kLanes;
-  Block& block = crowd.blocks[slot / kLanes];
-  pass_lane(tape, &block.heads, i, offsetof(HeadLanes, next_position));
-  for (auto& axis : block.heads.next_position) tape.pass(&axis[i], sizeof(double));
-  for (std::uint16_t* const bits : {&block.teleports, &block.is_lost, &block.may_sleep}) pass_bit(tape, *bits, i);
-  tape.pass(&crowd.told[instance], sizeof(HeadPose));
-  tape.pass(crowd.palette(instance).data(), crowd.palette(instance).size_bytes());
-  pass_character(crowd, instance, tape);
-  PoseLanes* const poses = crowd.character.poses.data();
-  const std::size_t first = crowd.first_state(slot);
-  for (const Row& row : crowd.rows) {
-    const std::size_t bone = first + row.first_bone;
-    // With kChains a row belongs to this head and has a lane for each chain; values of idle lanes are not saved.
-    const bool by_heads = crowd.order == LaneOrder::kHeads;
-    const std::uint32_t begin = by_heads ? i : 0, end = by_heads ? i + 1 : row.chain_count;
-    for (std::uint32_t k = begin; k < end; ++k) {
-      pass_lane(tape, &crowd.states[bone * crowd.state_bytes], k, row.bone_count * crowd.state_bytes);
-      if (poses != nullptr) pass_lane(tape, poses + bone, k, row.bone_count * sizeof(PoseLanes));
-      if (!crowd.twists.empty()) pass_lane(tape, &crowd.twists[bone], k, row.bone_count * sizeof(TwistState));
-    }
+void pass_head(WorldState& world, std::uint32_t index, Tape& tape) {
+  WornHead& head = world.heads[index];
+  Block& block = *head.block;
+  pass_lane(tape, &block.heads, head.lane, offsetof(HeadLanes, next_position));
+  for (auto& axis : block.heads.next_position) tape.pass(&axis[head.lane], sizeof(double));
+  for (std::uint16_t* const bits : {&block.teleports, &block.is_lost, &block.may_sleep}) {
+    pass_bit(tape, *bits, head.lane);
   }
+  tape.pass(&world.told[index], sizeof(HeadPose));
+  tape.pass(world.palette(head).data(), world.palette(head).size_bytes());
+  pass_character(world, head, tape);
+  const auto chains = world.worn_by(head).asset.chains();
+  for_each_chain(world, index, [&](const Solver& solver, std::uint32_t c, const ChainLane& chain) {
+    const std::uint32_t bones = chains[c].bone_count, lane = chain.state_lane;
+    pass_lane(tape, chain.state, lane, bones * solver.state_bytes);
+    if (chain.poses != nullptr) pass_lane(tape, chain.poses, lane, bones * sizeof(PoseLanes));
+    if (chain.twist != nullptr) pass_lane(tape, chain.twist, lane, bones * sizeof(TwistState));
+  });
 }
 
 template <typename Tape>
-void pass_all(CrowdState& crowd, Tape& tape) {
-  pass_details(crowd, tape);
-  pass_time(crowd, tape);
-  pass_air(crowd, tape);
-  for (std::uint32_t instance = 0; instance < crowd.instance_count(); ++instance) pass_head(crowd, instance, tape);
+void pass_all(WorldState& world, Tape& tape) {
+  pass_details(world, tape);
+  pass_time(world, tape);
+  pass_air(world, tape);
+  for_each_head(world, [&](std::uint32_t head) { pass_head(world, head, tape); });
 }
 
-std::size_t size_of(CrowdState& crowd) {
-  Counting head, once;
-  pass_head(crowd, 0, head);
-  pass_details(crowd, once);
-  pass_time(crowd, once);
-  pass_air(crowd, once);
-  return sizeof(SavedHeader) + once.size + head.size * crowd.instance_count();
+std::uint32_t head_count(const WorldState& world) {
+  std::uint32_t count = 0;
+  for (const WornAsset& worn : world.assets) count += worn.heads;
+  return count;
 }
 
-SavedHeader header_of(const CrowdState& crowd, std::span<const std::byte> content) {
+/// Heads of one asset need equally many bytes.
+std::size_t size_of(WorldState& world) {
+  Counting all;
+  pass_details(world, all);
+  pass_time(world, all);
+  pass_air(world, all);
+  std::size_t size = 0;
+  std::uint32_t last = kNone;
+  for_each_head(world, [&](std::uint32_t head) {
+    if (world.heads[head].asset != last) {
+      Counting one;
+      pass_head(world, head, one);
+      size = one.size;
+      last = world.heads[head].asset;
+    }
+    all.size += size;
+  });
+  return sizeof(SavedHeader) + all.size;
+}
+
+SavedHeader header_of(WorldState& world, std::span<const std::byte> content) {
   Mixer mixer(kVersion);
   mixer.add(content);
-  return {kMagic, kVersion, crowd.instance_count(), signature_of(crowd), mixer.hash()};
+  return {kMagic, kVersion, head_count(world), signature_of(world), mixer.hash()};
 }
 
 /// Puts each head into the treatment that it had, then reads its numbers.
-void read_all(CrowdState& crowd, Reading tape) {
-  pass_details(crowd, tape);
-  pass_time(crowd, tape);
-  pass_air(crowd, tape);
-  crowd.has_asked = false;
-  for (std::uint32_t instance = 0; instance < crowd.instance_count(); ++instance) {
-    sort_in(crowd, instance);
-    const InstanceDetail& detail = crowd.details[instance];
-    if (detail.interval_power != detail.asked_power) crowd.has_asked = true;
-  }
-  for (std::uint32_t instance = 0; instance < crowd.instance_count(); ++instance) pass_head(crowd, instance, tape);
-  crowd.job_count = 0;
+void read_all(WorldState& world, Reading tape) {
+  for_each_head(world, [&](std::uint32_t head) {
+    if (world.heads[head].has_lanes) world.shared->leave_lanes(world, head);
+  });
+  pass_details(world, tape);
+  pass_time(world, tape);
+  pass_air(world, tape);
+  world.has_asked = false;
+  for_each_head(world, [&](std::uint32_t head) {
+    sort_in(world, head);
+    const WornHead& worn = world.heads[head];
+    const bool is_shared = world.crowd_of(worn).order == LaneOrder::kShared;
+    if (is_shared && !worn.has_lanes && worn.block->treatment != kIdle) world.shared->enter(world, head);
+    if (worn.detail.interval_power != worn.detail.asked_power) world.has_asked = true;
+  });
+  for_each_head(world, [&](std::uint32_t head) { pass_head(world, head, tape); });
+  world.job_count = 0;
 }
 
 }  // namespace
 
-std::size_t Hair::saved_bytes() const { return crowd_ == nullptr ? 0 : size_of(*crowd_); }
+std::size_t HairWorld::saved_bytes() const {
+  if (world_ == nullptr) return 0;
+  const FloatEnvironment plain;
+  return size_of(*world_);
+}
 
-Status Hair::save(std::span<std::byte> bytes) const {
-  if (crowd_ == nullptr) return Status::kNotCreated;
-  if (bytes.size() != size_of(*crowd_)) return Status::kSizeMismatch;
+Status HairWorld::save(std::span<std::byte> bytes) const {
+  if (world_ == nullptr) return Status::kNotCreated;
+  const FloatEnvironment plain;
+  if (bytes.size() != size_of(*world_)) return Status::kSizeMismatch;
   const std::span<std::byte> content = bytes.subspan(sizeof(SavedHeader));
   Writing tape{content.data()};
-  pass_all(*crowd_, tape);
-  const SavedHeader header = header_of(*crowd_, content);
+  pass_all(*world_, tape);
+  const SavedHeader header = header_of(*world_, content);
   std::memcpy(bytes.data(), &header, sizeof header);
   return Status::kOk;
 }
 
-Status Hair::restore(std::span<const std::byte> bytes) {
-  if (crowd_ == nullptr) return Status::kNotCreated;
+Status HairWorld::restore(std::span<const std::byte> bytes) {
+  if (world_ == nullptr) return Status::kNotCreated;
   SavedHeader header{};
   if (bytes.size() < sizeof header) return Status::kDamagedState;
   std::memcpy(&header, bytes.data(), sizeof header);
   if (header.magic != kMagic) return Status::kDamagedState;
-  if (header.version != kVersion || header.instances != crowd_->instance_count()) return Status::kForeignState;
-  if (header.crowd != signature_of(*crowd_)) return Status::kForeignState;
+  if (header.version != kVersion || header.heads != head_count(*world_)) return Status::kForeignState;
+  if (header.world != signature_of(*world_)) return Status::kForeignState;
   const std::span<const std::byte> content = bytes.subspan(sizeof header);
-  const SavedHeader whole = header_of(*crowd_, content);
-  if (bytes.size() != size_of(*crowd_) || header.hash != whole.hash) return Status::kDamagedState;
+  const SavedHeader whole = header_of(*world_, content);
   const FloatEnvironment plain;
-  if (!could_be_saved(*crowd_, content)) return Status::kDamagedState;
-  read_all(*crowd_, {content.data()});
+  if (bytes.size() != size_of(*world_) || header.hash != whole.hash) return Status::kDamagedState;
+  if (!could_be_saved(*world_, content)) return Status::kDamagedState;
+  read_all(*world_, {content.data()});
   return Status::kOk;
 }
 

@@ -17,6 +17,7 @@ struct ChainLane {
   const BoneLanes* constants = nullptr;  ///< Per bone.
   void* state = nullptr;                 ///< Per bone, of the solver's own type.
   TwistState* twist = nullptr;           ///< Per bone; null where nothing twists.
+  PoseLanes* poses = nullptr;            ///< Per bone; null where no poses are followed.
   std::uint32_t constant_lane = 0;
   std::uint32_t state_lane = 0;
 };
@@ -37,37 +38,34 @@ inline void fill(const CoefficientLanes& to, Lanes& lanes, double value) {
   for (std::uint32_t i = to.begin; i < to.end; ++i) lanes.v[i] = float(value);
 }
 
-struct CharacterState;
-struct CrowdState;
-struct HeadStepLanes;
+struct Block;
+struct BlockStep;
+struct Crowd;
 struct RowCharacter;
+struct RowHeads;
+struct WornAsset;
+struct WorldState;
 class MemoryCarver;
 class SavedLane;
 
 /// The code for hair on a character, behind pointers, so that programs that name no such solver do not link it.
 struct CharacterCode {
-  /// Takes the arrays. `states` is the number of bones in CrowdState::states.
-  void (*carve)(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, std::uint64_t states,
-                std::uint32_t blocks, CharacterState& character) = nullptr;
-  /// Fills the arrays.
-  void (*create)(CrowdState& crowd) = nullptr;
-  /// Runs once per step that takes `dt` seconds.
-  void (*pass_time)(CrowdState& crowd, float dt) = nullptr;
-  /// Runs before a block's bones move. `put` has a bit for each head that was put somewhere.
-  void (*begin)(CrowdState& crowd, std::uint32_t block, const HeadStepLanes& step, std::uint16_t put,
-                const StepParts& parts) = nullptr;
-  /// Prepares one part of the step for the rows of the block. `only_head` is the lane of a head for rows of its chains,
-  /// else -1.
-  void (*set_up)(const CrowdState& crowd, std::uint32_t block, std::int32_t only_head,
-                 RowCharacter& character) = nullptr;
-  /// Prepares one of those rows. `state` is where its numbers begin, in bones.
-  void (*enter_row)(const CrowdState& crowd, const Row& row, std::size_t state, RowCharacter& character) = nullptr;
-  /// Runs before part `part` of the step: adds the air around each head of the block to `move`.
-  void (*blow)(CrowdState& crowd, std::uint32_t block, const StepParts& parts, std::uint32_t part,
+  /// Finds the ways of the colliders of a block's heads in this step. Runs before its bones move.
+  void (*begin)(WorldState& world, BlockStep& step) = nullptr;
+  /// Puts the bounds of those ways side by side.
+  void (*gather)(const WorldState& world, RowHeads& heads) = nullptr;
+  /// Adds the air around each head during a part of the step to `move`.
+  void (*blow)(const WorldState& world, const RowHeads& heads, const StepParts& parts, std::uint32_t part,
                MoveLanes& move) = nullptr;
-  void (*finish)(CrowdState& crowd, std::uint32_t block) = nullptr;
-  /// Moves colliders and pose of the head in `slot` to where it appears, without a way there.
-  void (*appear)(CrowdState& crowd, std::uint32_t slot) = nullptr;
+  /// Prepares that part for rows of these heads' chains.
+  void (*set_up)(const WorldState& world, const RowHeads& heads, const StepParts& parts, std::uint32_t part,
+                 RowCharacter& character) = nullptr;
+  /// The next step begins with the poses that were reached.
+  void (*finish)(WorldState& world, const Block& block) = nullptr;
+  /// Sets poses that add nothing: the rest pose.
+  void (*set_rest_poses)(const ChainLane& chain) = nullptr;
+  /// Moves colliders and pose of a head to where it appears, without a way there.
+  void (*appear)(WorldState& world, std::uint32_t head) = nullptr;
 };
 
 extern const CharacterCode kCharacterCode;

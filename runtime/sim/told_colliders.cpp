@@ -2,10 +2,10 @@
 
 #include <coif/hair.h>
 
-#include "crowd_step.h"
 #include "float_environment.h"
 #include "saved_collider.h"
 #include "vector_math.h"
+#include "world_heads.h"
 
 #include <bit>
 
@@ -24,42 +24,41 @@ bool same_collider(const MovingCollider& a, const MovingCollider& b) {
   return same_place && same_shape && a.rotation == b.rotation && same_velocity(a, b);
 }
 
-/// Whether hair of the head could touch the collider where it was set.
-bool is_in_reach(const CrowdState& crowd, std::uint32_t instance, const ToldCollider& told) {
-  const std::uint32_t slot = crowd.slots[instance], i = slot % kLanes;
-  const HeadLanes& heads = crowd.blocks[slot / kLanes].heads;
-  const double scale = 1.0 / double(heads.per_scale.v[i]);
-  double distance2 = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double way = told.now.center[axis] - heads.next_position[axis][i];
-    distance2 += way * way;
-  }
-  const double extent = double(told.extent) * (told.is_of_body ? scale : 1.0);
-  const double reach = double(crowd.character.reach) * scale + extent;
-  return told.keeps_inside || distance2 < reach * reach;
-}
-
 /// One collider place of a head.
 struct Place {
-  Place(CrowdState& all, std::uint32_t head, std::uint32_t index)
-      : crowd(all),
-        instance(head),
-        bit(std::uint64_t{1} << index),
-        told(all.character.told[std::size_t(head) * all.character.places + index]) {}
+  Place(WorldState& all, std::uint32_t index, std::uint32_t place)
+      : world(all),
+        head(index),
+        bit(std::uint64_t{1} << place),
+        told(all.told_colliders(all.heads[index])[place]),
+        there(all.colliders_of(all.heads[index]).there) {}
 
-  [[nodiscard]] bool is_taken() const { return (crowd.character.there[instance] & bit) != 0; }
+  [[nodiscard]] bool is_taken() const { return (there & bit) != 0; }
   [[nodiscard]] bool holds(const MovingCollider& collider) const {
     return is_taken() && same_collider(told.now, collider);
   }
-  /// True for a sleeping head that is affected when this collider comes, goes or moves.
-  [[nodiscard]] bool wakes() const {
-    return crowd.details[instance].asleep && is_taken() && is_in_reach(crowd, instance, told);
+  /// Whether hair of the head could touch the collider where it was set.
+  [[nodiscard]] bool is_in_reach() const {
+    const WornHead& worn = world.heads[head];
+    const HeadLanes& heads = worn.block->heads;
+    const double scale = 1.0 / double(heads.per_scale.v[worn.lane]);
+    double distance2 = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double way = told.now.center[axis] - heads.next_position[axis][worn.lane];
+      distance2 += way * way;
+    }
+    const double extent = double(told.extent) * (told.is_of_body ? scale : 1.0);
+    const double reach = double(world.worn_by(worn).reach) * scale + extent;
+    return told.keeps_inside || distance2 < reach * reach;
   }
+  /// True for a sleeping head that is affected when this collider comes, goes or moves.
+  [[nodiscard]] bool wakes() const { return world.heads[head].detail.asleep && is_taken() && is_in_reach(); }
 
-  CrowdState& crowd;
-  std::uint32_t instance;
+  WorldState& world;
+  std::uint32_t head;
   std::uint64_t bit;
   ToldCollider& told;
+  std::uint64_t& there;
 };
 
 /// Sets the collider of this place; a sleeping head wakes where that matters.
@@ -71,15 +70,15 @@ void tell(const Place& place, const MovingCollider& next, bool is_of_body, bool 
   told.now = next;
   told.is_of_body = is_of_body;
   told.keeps_inside = keeps_inside;
-  place.crowd.character.there[place.instance] |= place.bit;
-  if (woke || place.wakes()) wake(place.crowd, place.instance);
+  place.there |= place.bit;
+  if (woke || place.wakes()) wake(place.world, place.head);
 }
 
 void take_away(const Place& place) {
   const bool woke = place.wakes();
   place.told.has_way = false;
-  place.crowd.character.there[place.instance] &= ~place.bit;
-  if (woke) wake(place.crowd, place.instance);
+  place.there &= ~place.bit;
+  if (woke) wake(place.world, place.head);
 }
 
 /// A collider of the asset moved by its bone. `rest`: the bone's rest pose, from its own axes to head space.
@@ -102,36 +101,38 @@ MovingCollider carried_by(const ColliderRecord& record, const BodyBoneRecord& re
 
 }  // namespace
 
-Status Hair::set_colliders(std::uint32_t instance, std::span<const MovingCollider> colliders) {
-  if (block_of(crowd_, instance) == nullptr) return missing(crowd_);
-  CharacterState& character = crowd_->character;
-  const std::uint32_t first = character.body_colliders, room = character.places - first;
+Status HairWorld::set_colliders(WorldHead head, std::span<const MovingCollider> colliders) {
+  const WornHead* const worn = find(world_, head);
+  if (worn == nullptr) return missing(world_);
+  const WornAsset& asset = world_->worn_by(*worn);
+  const std::uint32_t first = asset.body_colliders, room = asset.places - first;
   if (colliders.size() > room) return Status::kNotAsked;
   const FloatEnvironment plain;
   std::uint32_t changed = 0;  // A collider that is set again without a change was right before.
   for (std::uint32_t i = 0; i < colliders.size(); ++i) {
-    if (Place(*crowd_, instance, first + i).holds(colliders[i])) continue;
+    if (Place(*world_, head.index, first + i).holds(colliders[i])) continue;
     if (const Status status = check_collider(colliders[i]); status != Status::kOk) return status;
     changed |= 1u << i;
   }
   for (; changed != 0; changed &= changed - 1) {
     const auto i = std::uint32_t(std::countr_zero(changed));
-    tell(Place(*crowd_, instance, first + i), colliders[i], false, false);
+    tell(Place(*world_, head.index, first + i), colliders[i], false, false);
   }
-  if (character.places == 0) return Status::kOk;  // The list must be empty, and it is.
+  if (asset.places == 0) return Status::kOk;  // The list must be empty, and it is.
   const auto next = first + std::uint32_t(colliders.size());
-  for (std::uint64_t gone = character.there[instance] >> next << next; gone != 0; gone &= gone - 1) {
-    take_away(Place(*crowd_, instance, std::uint32_t(std::countr_zero(gone))));
+  const std::uint64_t there = world_->colliders_of(*worn).there;
+  for (std::uint64_t gone = there >> next << next; gone != 0; gone &= gone - 1) {
+    take_away(Place(*world_, head.index, std::uint32_t(std::countr_zero(gone))));
   }
   return Status::kOk;
 }
 
-Status Hair::set_body(std::uint32_t instance, std::span<const BodyPose> bones) {
-  const Block* const block = block_of(crowd_, instance);
-  if (block == nullptr) return missing(crowd_);
-  const CharacterState& character = crowd_->character;
-  if (character.body_colliders == 0) return Status::kNotAsked;
-  const Asset& asset = crowd_->asset;
+Status HairWorld::set_body(WorldHead head, std::span<const BodyPose> bones) {
+  const WornHead* const worn = find(world_, head);
+  if (worn == nullptr) return missing(world_);
+  const WornAsset& dressed = world_->worn_by(*worn);
+  if (dressed.body_colliders == 0) return Status::kNotAsked;
+  const Asset& asset = dressed.asset;
   if (bones.size() != asset.body_bones().size()) return Status::kSizeMismatch;
   const FloatEnvironment plain;
   HeadPose unit;
@@ -139,13 +140,13 @@ Status Hair::set_body(std::uint32_t instance, std::span<const BodyPose> bones) {
     const HeadPose pose{{bone.position[0], bone.position[1], bone.position[2]}, bone.rotation};
     if (normalise_pose(pose, unit) != Status::kOk) return Status::kBadPose;
   }
-  const float scale = 1.0f / block->heads.per_scale.v[crowd_->slots[instance] % kLanes];
-  for (std::uint32_t i = 0; i < character.body_colliders; ++i) {
+  const float scale = 1.0f / worn->block->heads.per_scale.v[worn->lane];
+  for (std::uint32_t i = 0; i < dressed.body_colliders; ++i) {
     const ColliderRecord& record = asset.body_colliders()[i];
     const BodyPose& bone = bones[record.bone];
     (void)normalise_pose({{bone.position[0], bone.position[1], bone.position[2]}, bone.rotation}, unit);
     const MovingCollider next = carried_by(record, asset.body_bones()[record.bone], unit, scale);
-    const Place place(*crowd_, instance, i);
+    const Place place(*world_, head.index, i);
     if (!place.holds(next)) tell(place, next, true, (record.flags & kColliderKeepsInside) != 0);
   }
   return Status::kOk;

@@ -175,7 +175,9 @@ class Town {
   std::size_t heads_of(std::size_t kind) const {
     return std::size_t(std::ranges::count(residents, kind, [](const Resident& one) { return one.kind; }));
   }
-  Status come(std::size_t kind) { return world.add_asset(kinds_[kind]->asset, names_[kind]); }
+  Status come(std::size_t kind, std::uint32_t crowd = 0) {
+    return world.add_asset(kinds_[kind]->asset, names_[kind], crowd);
+  }
   Status leave(std::size_t kind) { return world.remove_asset(names_[kind]); }
 
   Status move_in(std::size_t kind, const HeadPose& pose) {

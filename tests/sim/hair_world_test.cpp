@@ -58,6 +58,9 @@ void give(const Order& order, HairWorld& world, WorldHead head, Hair& twin) {
   }
 }
 
+/// Assets are said to be worn by few heads, by some and by many.
+constexpr std::uint32_t kCrowds[] = {0, 2, 40};
+
 /// Assets and heads come and go, more of them come than go for a while, then the other way around.
 void move_about(Town& town, std::size_t kinds, int frame, std::mt19937& lot) {
   const auto one_of = [&](std::size_t count) { return std::size_t(lot() % count); };
@@ -65,7 +68,7 @@ void move_about(Town& town, std::size_t kinds, int frame, std::mt19937& lot) {
     const std::size_t kind = one_of(kinds);
     const bool grows = frame / 40 % 2 == 0 ? lot() % 4 != 0 : lot() % 4 == 0;
     if (grows) {
-      EXPECT_EQ(town.is_here(kind) ? Status::kOk : town.come(kind), Status::kOk);
+      EXPECT_EQ(town.is_here(kind) ? Status::kOk : town.come(kind, kCrowds[lot() % 3]), Status::kOk);
       EXPECT_EQ(town.move_in(kind, wander(0.1 * frame)), Status::kOk);
     }
     if (grows || town.residents.empty()) continue;

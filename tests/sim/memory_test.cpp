@@ -111,7 +111,8 @@ TEST(MemoryNeed, WhatTheMemoryHeldBeforeDoesNotMatter) {
 
 // What a head costs in memory.
 
-// 40 of them are the pose that the host told last, so that it may be told again for nothing.
+// 40 of them are the pose that the host told last, so that it may be told again for nothing, and 32 its handle and
+// where its numbers are.
 TEST(CrowdMemory, AHeadOfNineBonesHasLittleMoreThanHalfAKilobyteOfState) {
   TestRig rig = nine_bone_rig();
   for (DynamicsRecord& bone : rig.dynamics) bone.torsion = kShortestArc;
@@ -128,7 +129,7 @@ TEST(CrowdMemory, AHeadOfNineBonesHasLittleMoreThanHalfAKilobyteOfState) {
     const bool is_passive = solver == &kPassiveSolver;
     const char* const name = is_passive ? "passive" : solver == &kCoifSolver ? "coif" : "thesis";
     std::printf("%s: %.0f bytes a head besides its matrices\n", name, most);
-    EXPECT_LE(most, is_passive ? 744.0 : 568.0);
+    EXPECT_LE(most, is_passive ? 776.0 : 596.0);
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The air around heads and what it does to hair, in addition to the wind that blows everywhere: see Hair in
-// coif/hair.h, "Air".
+// The air around heads and what it does to hair, in addition to the wind that blows everywhere: see HairWorld in
+// coif/hair_world.h, "Air".
 
 #include <coif/export.h>
 #include <coif/math.h>

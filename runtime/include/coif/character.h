@@ -1,5 +1,6 @@
 #pragma once
-// What a character adds to its hair: colliders that move, and a body. See Hair in coif/hair.h, "On a character".
+// What a character adds to its hair: colliders that move, and a body. See HairWorld in coif/hair_world.h, "On a
+// character".
 
 #include <coif/asset_records.h>
 #include <coif/math.h>

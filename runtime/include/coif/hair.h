@@ -1,44 +1,8 @@
 #pragma once
 
-#include <coif/air.h>
-#include <coif/asset.h>
-#include <coif/character.h>
-#include <coif/export.h>
-#include <coif/instruction_set.h>
-#include <coif/math.h>
-#include <coif/status.h>
-#include <coif/step_settings.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <span>
+#include <coif/hair_world.h>
 
 namespace coif {
-
-inline constexpr std::uint32_t kMaxInstances = 1'000'000;
-inline constexpr std::uint32_t kMaxInterval = 4;
-inline constexpr float kLongestSettling = 600.0f;  ///< Seconds that Hair::settle() may take at most.
-
-/// A way to move bones. A program links only the solvers that it names.
-struct Solver;
-/// Algorithm 1 as published (thesis 5.2), with the artist's resistances and friction (Asset::asked()). This library
-/// adds what all its solvers have: air that goes along with the head, teleports, sleep, hitches. published_step() turns
-/// all of that off.
-extern COIF_API const Solver kThesisSolver;
-/// Moves each chain by one of the next two, as the asset says. The models are in runtime/docs/MODEL.md: the same at
-/// every frame rate, no stretch, no penetration.
-extern COIF_API const Solver kCoifSolver;
-extern COIF_API const Solver
-    kCascadeSolver;  ///< Bones do not hold back their parents: cheap, for stiff and well damped hair.
-/// Bones hold back their parents, so that soft hair swings and comes to rest. Bones never twist. Two to three times the
-/// work of kCascadeSolver.
-extern COIF_API const Solver kPassiveSolver;
-/// kCoifSolver for hair on a character, which may have moving colliders, a body and poses to follow. Only the features
-/// that HairDesc enables are stored. A program that does not name this solver does not link its code.
-extern COIF_API const Solver kCharacterSolver;
-extern COIF_API const Solver kCharacterCascadeSolver;  ///< The same for kCascadeSolver.
-
-struct LinkCode;
 
 struct HairDesc {
   std::uint32_t instances = 1;  ///< Heads that wear this asset, 1..kMaxInstances.
@@ -59,200 +23,76 @@ struct HairDesc {
   bool feels_gusts = false;    ///< set_gusts() will be called; 36 bytes for each head.
 };
 
-/// How much of the hair on one head is simulated. May change between any two steps. A finer level starts from the bones
-/// as the coarser one left them. Bones that a coarser level makes rigid take their rest pose at once, so choose levels
-/// at sizes at which nobody sees that.
-struct Detail {
-  /// The head's level among Asset::stored_lods(), as choose_lod() returns it. Bones that the level lacks are rigid to
-  /// their parents. kThesisSolver moves all bones.
-  std::uint32_t level = 0;
-  /// The head is stepped every 1st, 2nd or 4th step, over the time since its last one; up to
-  /// HairDesc::longest_interval.
-  std::uint32_t interval = 1;
-  /// False for a head that nobody sees: it is not stepped. When it is simulated again, the hair goes on from the same
-  /// shape, at rest, without catching up.
-  bool simulated = true;
-};
-
-struct MemoryNeed {
-  std::size_t bytes = 0;
-  std::size_t alignment = 64;
-};
-
-/// Sub-steps that the asset was tuned for at this dt (seconds), 1..kMaxSubsteps; StepSettings::substeps = 0 uses them.
-[[nodiscard]] COIF_API std::uint32_t tuned_substeps(const Asset& asset, float dt);
-
-struct CrowdState;
-
-/// A crowd of instances of one asset: state, simulation, bone matrices. Allocates nothing: the caller gives memory
-/// once, and create() divides it. Not thread safe except run_job(); different Hair objects are independent.
-///
-/// Results are the same bits everywhere: they do not depend on the instruction set, the number of instances, the order
-/// in which instances were changed, the thread that runs a job, or that thread's rounding mode. Where floating-point
-/// exceptions trap, no call here traps.
+/// A crowd of heads that all wear one asset: a HairWorld whose heads, numbered from 0, are there from the start. Every
+/// function does what the function of that name does for the head with that number in a HairWorld.
 class COIF_API Hair {
  public:
-  Hair() = default;
-  Hair(const Hair&) = delete;  ///< Two owners would step the same memory.
-  Hair& operator=(const Hair&) = delete;
-  Hair(Hair&& other) noexcept : crowd_(other.crowd_) { other.crowd_ = nullptr; }
-  Hair& operator=(Hair&& other) noexcept {
-    crowd_ = other.crowd_;
-    if (&other != this) other.crowd_ = nullptr;
-    return *this;
-  }
-
   /// Exactly the memory that create() needs for this asset; zero bytes for arguments that create() refuses.
   [[nodiscard]] static MemoryNeed memory_need(const Asset& asset, const HairDesc& desc);
 
-  /// Every instance starts in its rest pose with the head at the identity pose; its first pose puts it elsewhere, see
-  /// set_head(). The asset's bytes and `memory` must outlive this object; the Asset itself need not. Errors:
-  /// kAssetLacksData (not open), kBadArgument (desc), kMemoryTooSmall (or not aligned).
+  /// Every instance starts in its rest pose with the head at the identity pose; its first pose puts it elsewhere, as
+  /// teleport() does, and so does every other pose before the next step. The asset's bytes and `memory` must outlive
+  /// this object; the Asset itself need not. Errors: kAssetLacksData (not open), kBadArgument (desc), kMemoryTooSmall
+  /// (or not aligned).
   Status create(const Asset& asset, const HairDesc& desc, std::span<std::byte> memory);
 
   [[nodiscard]] std::uint32_t instance_count() const;
   [[nodiscard]] std::uint32_t bone_count() const;
 
-  /// Sets where the head is at the end of the next step. The step moves it there from where it was, and the hair feels
-  /// that motion: call teleport() or reset() for a head that jumps. The first pose of an instance puts the head there,
-  /// as teleport() does, and so does every other pose before the next step. kBadPose for a NaN, an infinity or a
-  /// rotation whose length is off one by more than 1e-3 (smaller errors are normalised away), kBadScale for a scale out
-  /// of its range.
-  ///
-  /// Scale: all lengths of the asset (colliders too) and of the results (matrices, bone ends) are in the hair's own
-  /// metres; one of them is `scale` world metres. World quantities (the head's path, wind, gusts, moving colliders,
-  /// pushes) are divided by the head's scale at the end of the step. Gravity is not divided, unless
-  /// Environment::true_gravity says so; time constants stay the same. So hair hangs as it was modelled at every scale.
-  /// A head that stands or turns in place in still air moves its hair in the same way at every scale, to the bit; so
-  /// does a head of twice the scale on a path twice as long in wind twice as fast. When a head grows, its hair keeps
-  /// its shape and motion relative to it. Of the settings, teleport_distance is in world metres, sleep_speed in the
-  /// hair's.
-  Status set_head(std::uint32_t instance, const HeadPose& pose);
-
-  /// As set_head(), for a host that knows how fast the head moves at the end of the step. Without it the velocity is
-  /// taken from the head's last three poses; with it the path is exact to one order more, above all at sharp turns. A
-  /// head that is put in place, by its first pose or by teleport(), and its hair have this velocity from the step's
-  /// start on. kBadPose also for a velocity that is not finite.
-  Status set_head(std::uint32_t instance, const HeadPose& pose, const HeadVelocity& velocity);
-
+  Status set_head(std::uint32_t instance, const HeadPose& pose) { return world_.set_head(head(instance), pose); }
+  Status set_head(std::uint32_t instance, const HeadPose& pose, const HeadVelocity& velocity) {
+    return world_.set_head(head(instance), pose, velocity);
+  }
   /// Calls set_head(pose) for every instance, instance_count() poses, for crowds of which most stand still. A pose with
   /// the same bits as the last one costs one comparison. kSizeMismatch: nothing is set. kBadPose or kBadScale where
   /// poses are bad: those heads keep their last pose, the others are set.
   Status set_heads(std::span<const HeadPose> poses);
+  Status reset(std::uint32_t instance, const HeadPose& pose) { return world_.reset(head(instance), pose); }
+  Status teleport(std::uint32_t instance, const HeadPose& pose) { return world_.teleport(head(instance), pose); }
+  Status set_detail(std::uint32_t instance, const Detail& detail) { return world_.set_detail(head(instance), detail); }
+  [[nodiscard]] bool is_asleep(std::uint32_t instance) const { return world_.is_asleep(head(instance)); }
 
-  /// Puts the head at `pose` and the hair into its rest pose there, at rest, and updates its matrices.
-  Status reset(std::uint32_t instance, const HeadPose& pose);
+  Status step(const StepSettings& settings) { return world_.step(settings); }
+  Status begin_step(const StepSettings& settings) { return world_.begin_step(settings); }
+  [[nodiscard]] std::uint32_t job_count() const { return world_.job_count(); }  ///< One for sixteen heads.
+  void run_job(std::uint32_t job) { world_.run_job(job); }
+  void finish_step() { world_.finish_step(); }
 
-  /// As set_head(), without a path: during the next step the head goes on as it did, in its own new directions, and
-  /// ends at `pose`. The hair keeps its shape and its motion relative to the head.
-  Status teleport(std::uint32_t instance, const HeadPose& pose);
-
-  /// kBadArgument for a level that the asset does not have or an interval above HairDesc::longest_interval.
-  Status set_detail(std::uint32_t instance, const Detail& detail);
-
-  /// True while the instance costs nothing, because nothing moves.
-  [[nodiscard]] bool is_asleep(std::uint32_t instance) const;
-
-  /// Advances every instance by settings.dt and updates the matrices. An instance whose numbers overflow (a head that
-  /// moves by light years, gravity of 1e30) is put back into its rest pose, at rest; the others are not affected.
-  Status step(const StepSettings& settings);
-
-  /// step() in parts, for a host's own scheduler: begin_step(), then run_job() once for each of job_count() jobs, in
-  /// any order, on any threads, at the same time; then finish_step(). Call nothing else in between. After an error
-  /// there are no jobs. A job is sixteen heads. A job that runs on the same thread in every step finds its data in that
-  /// core's cache: give each thread the same share first, and let it take from the others' only then.
-  Status begin_step(const StepSettings& settings);
-  [[nodiscard]] std::uint32_t job_count() const;
-  void run_job(std::uint32_t job);
-  void finish_step();
-
-  // On a character (kCharacterSolver). Each function may be called between any two steps and holds until its next call.
-  // A call with the same values, to the bit, costs nothing. A sleeping head wakes when the values change and are near
-  // enough to matter.
-
-  /// Sets the colliders that this head's hair keeps out of besides its asset's own, in place of those set before: the
-  /// game's hands, shoulders, chairs. A collider at the same index in two steps is the same one; MovingCollider says
-  /// how it moves from one pose to the next. Hair stays on the side that a collider comes to, at any speed within
-  /// MovingCollider's limit. No bone is deeper inside than a ten-thousandth of the radius where it can avoid it: a bone
-  /// that starts inside has its end outside, and between two colliders that leave it no room it goes out sideways.
-  /// kNotAsked for more than HairDesc::moving_colliders, kBadArgument for numbers that are not finite or out of their
-  /// range.
-  Status set_colliders(std::uint32_t instance, std::span<const MovingCollider> colliders);
-
-  /// Sets the poses of the body's bones at the end of the next step, in the order of Asset::body_bones(), one for each.
-  /// Call it after set_head(): the head's scale is theirs too. kNotAsked without HairDesc::follows_body, kSizeMismatch,
-  /// kBadPose.
-  Status set_body(std::uint32_t instance, std::span<const BodyPose> bones);
-
-  /// Sets the pose that the hair follows in place of the rest pose: for each bone its rotation from rest in its
-  /// parent's frame (those of rigid bones are not read). `weights` has one for each chain or one for all. At 1 the pose
-  /// is what the hair is pulled to; at 0 the hair is the pose and nothing else moves it; in between it is blended.
-  /// Change weights slowly: one that falls at once puts the hair into the pose. Back at 1 the hair goes on as fast as
-  /// the pose moved. During a step the pose changes at an even rate; the first pose holds at once. Without rotations
-  /// and weights the rest pose returns. kNotAsked without HairDesc::follows_poses, kSizeMismatch, kBadPose for a value
-  /// that is not a rotation, kBadArgument for weights outside 0..1.
-  Status set_pose(std::uint32_t instance, std::span<const Quat> rotations, std::span<const float> weights);
-
-  // Air. Sleeping heads wake where it changes.
-
-  /// Sets the air around one head until the next call: its own wind besides StepSettings' wind, and the share of that
-  /// wind and of the gusts that reaches the head. kNotAsked without HairDesc::has_own_air (kCharacterSolver),
-  /// kBadArgument for numbers that are not finite or out of their range.
-  Status set_air(std::uint32_t instance, const HeadAir& air);
-
-  /// Sets gusts for the whole crowd, besides the wind, until the next call; each bone feels the gust at its start. A
-  /// change of amplitude or speed keeps the pattern. Another length, direction or seed gives another pattern at once,
-  /// so fade `amplitude` first. While gusts blow, no head that they reach falls asleep. kNotAsked without
-  /// HairDesc::feels_gusts (kCharacterSolver), kBadArgument for numbers that are not finite or out of their range.
-  Status set_gusts(const Gusts& gusts);
-
-  [[nodiscard]] double gusts_way() const;  ///< How far the gusts' air has come in all steps so far, metres.
-
-  /// Sets the factors of one set of dynamics, applied on top of StepSettings::dynamics: wet, frozen, calm hair. Every
-  /// set starts with factors of 1. kThesisSolver ignores them. kNotAsked for a set beyond HairDesc::dynamics_sets,
-  /// kBadArgument.
-  Status set_dynamics(std::uint32_t set, const DynamicsScale& scale);
-
-  /// From the next step on the head's hair uses this set of dynamics; heads start with set 0. kNotAsked as
-  /// set_dynamics().
-  Status choose_dynamics(std::uint32_t instance, std::uint32_t set);
-
-  /// Changes the hair's speed at once, between two steps, at its present place: an explosion, a blow, a hand. No bone
-  /// is stretched or moved. A head that the impulse reaches wakes. kBadArgument for numbers that are not finite or a
-  /// radius that is not above 0.
-  Status push(std::uint32_t instance, const Impulse& impulse);
-
-  /// Lets the hair of these heads come to rest, for the start of a scene. The heads stand at their last pose. Takes up
-  /// to `seconds` (0..kLongestSettling) in steps of 1/60 s, whatever settings.dt is, and ends earlier when all of them
-  /// are at rest. No time passes for anything else: other heads, the gusts and the turns of intervals stay the same, to
-  /// the bit. Settle many heads in one call: each call costs about a copy of the others' state. Hair that comes to rest
-  /// before the first step, or with other gravity, wind or sleep settings than the last step's, stays awake until the
-  /// next step. kBadIndex, kBadTimeStep for the seconds, or the errors of step().
+  Status set_colliders(std::uint32_t instance, std::span<const MovingCollider> colliders) {
+    return world_.set_colliders(head(instance), colliders);
+  }
+  Status set_body(std::uint32_t instance, std::span<const BodyPose> bones) {
+    return world_.set_body(head(instance), bones);
+  }
+  Status set_pose(std::uint32_t instance, std::span<const Quat> rotations, std::span<const float> weights) {
+    return world_.set_pose(head(instance), rotations, weights);
+  }
+  Status set_air(std::uint32_t instance, const HeadAir& air) { return world_.set_air(head(instance), air); }
+  Status set_gusts(const Gusts& gusts) { return world_.set_gusts(gusts); }
+  [[nodiscard]] double gusts_way() const { return world_.gusts_way(); }
+  Status set_dynamics(std::uint32_t set, const DynamicsScale& scale) { return world_.set_dynamics(set, scale); }
+  Status choose_dynamics(std::uint32_t instance, std::uint32_t set) {
+    return world_.choose_dynamics(head(instance), set);
+  }
+  Status push(std::uint32_t instance, const Impulse& impulse) { return world_.push(head(instance), impulse); }
   Status settle(std::span<const std::uint32_t> instances, float seconds, const StepSettings& settings);
   Status settle(std::uint32_t instance, float seconds, const StepSettings& settings) {
     return settle(std::span(&instance, 1), seconds, settings);
   }
 
-  /// The size of the whole crowd's state, for rollback and replays. Two crowds of the same asset, solver and number of
-  /// heads in the same state save the same bytes, and compute the same bits after restore(), on every instruction set.
-  /// The asset and the description are not saved. Not between begin_step() and finish_step().
-  [[nodiscard]] std::size_t saved_bytes() const;
-  /// Writes the state. kSizeMismatch unless `bytes` has exactly saved_bytes() bytes.
-  Status save(std::span<std::byte> bytes) const;
-  /// Returns to a saved state. kForeignState or kDamagedState for bytes that this crowd could not have saved; every
-  /// number is checked. Then the crowd stays as it is.
-  Status restore(std::span<const std::byte> bytes);
+  [[nodiscard]] std::size_t saved_bytes() const { return world_.saved_bytes(); }
+  Status save(std::span<std::byte> bytes) const { return world_.save(bytes); }
+  Status restore(std::span<const std::byte> bytes) { return world_.restore(bytes); }
 
-  /// Skinning matrices, bone_count() of them: rest pose in head space -> current pose in head space. Draw the hair
-  /// under the head's world transform. The values change with step() and reset(); empty for a bad index.
-  [[nodiscard]] std::span<const Mat34> palette(std::uint32_t instance) const;
-
-  /// Writes the place of each bone's particle (rigid bones: their joint), head space, metres. kBadIndex, or
-  /// kSizeMismatch unless `ends` has exactly bone_count() elements.
-  Status bone_ends(std::uint32_t instance, std::span<Vec3> ends) const;
+  [[nodiscard]] std::span<const Mat34> palette(std::uint32_t instance) const { return world_.palette(head(instance)); }
+  Status bone_ends(std::uint32_t instance, std::span<Vec3> ends) const {
+    return world_.bone_ends(head(instance), ends);
+  }
 
  private:
-  CrowdState* crowd_ = nullptr;  ///< In the caller's memory.
+  static WorldHead head(std::uint32_t instance) { return {instance, 1}; }
+
+  HairWorld world_;
 };
 
 /// Steps several crowds with the same settings; stops at the first error.

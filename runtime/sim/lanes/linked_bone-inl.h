@@ -182,7 +182,7 @@ void HangingBone<D>::clear_of_moving(const Carrier<D>& from, LimitedBone<V<D>>* 
   bone.velocity = rotate_back(d_, turn(), now.velocity);
   bone.start_velocity = rotate_back(d_, turn(), sub(d_, from.velocity, load(d_, row_.move->velocity, lane)));
   bone.head_turning = rotate_back(d_, turn(), load(d_, row_.move->angular_velocity, lane));
-  const Obstacles<D> obstacles{*row_.colliders, shape().colliders, constants(), lane, &met, met.count};
+  const Obstacles<D> obstacles{row_.colliders, shape().colliders, constants(), lane, &met, met.count};
   bone.limited = limited;
   const int rounds = limited == nullptr ? 2 * kContactRounds : kLimitedRounds;
   const auto touched = keep_clear_of_all(d_, obstacles, own, rounds, bone);

@@ -104,7 +104,7 @@ COIF_RARE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane, st
     const auto needed = std::uint32_t(float(met.ways[k]->looks) * share + 0.999f);
     looks = needed > looks ? needed : looks;
   }
-  const Obstacles<D> obstacles{*row.colliders, row.bones[index].colliders, row.constants[index], lane, &met, met.count};
+  const Obstacles<D> obstacles{row.colliders, row.bones[index].colliders, row.constants[index], lane, &met, met.count};
   auto moved = hn::AndNot(own, own);
   V3<D> free = way.direction[0], last = way.direction[0];
   V3<D> tail = add_scaled(d, way.start[0], last, bone.length);
@@ -142,7 +142,7 @@ template <class D>
 HWY_INLINE hn::Mask<D> may_touch_body(D d, const RowCharacter& character, std::size_t lane, std::size_t index,
                                       const ColliderWay& way) {
   const auto zero = hn::Zero(d);
-  if (way.place >= character.body_colliders) return hn::Eq(zero, zero);
+  if (way.place >= kMaxBodyColliders) return hn::Eq(zero, zero);
   const hn::RebindToUnsigned<D> du;
   const auto sets = hn::Load(du, character.body_sets + index * kLanes + lane);
   return hn::RebindMask(d, hn::TestBit(sets, hn::Set(du, 1u << way.place)));

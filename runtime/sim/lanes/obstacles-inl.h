@@ -52,7 +52,7 @@ HWY_INLINE void go_along(D d, hn::Mask<D> touches, const Contact<D>& contact, co
 /// The colliders of its asset and the moving ones that a bone of one head may touch.
 template <class D>
 struct Obstacles {
-  const PlacedColliders& fixed;
+  const PlacedColliders* fixed;  ///< Null: none.
   std::uint32_t fixed_set;
   const BoneLanes& constants;
   std::size_t lane;
@@ -74,7 +74,7 @@ COIF_RARE hn::Mask<D> keep_clear_of_all(D d, const Obstacles<D>& obstacles, hn::
       const bool is_fixed = left != 0;
       const std::uint32_t i = is_fixed ? std::uint32_t(std::countr_zero(left)) : k++;
       if (is_fixed) left &= left - 1u;
-      const PlacedCollider& collider = is_fixed ? obstacles.fixed[i] : obstacles.moving->placed[i];
+      const PlacedCollider& collider = is_fixed ? (*obstacles.fixed)[i] : obstacles.moving->placed[i];
       const auto may_touch =
           is_fixed ? lanes_with(d, obstacles.constants, obstacles.lane, i) : obstacles.moving->lanes[i];
       Contact<D> contact;
@@ -106,7 +106,7 @@ COIF_RARE void leave_gap(D d, const Obstacles<D>& obstacles, hn::Mask<D> moved, 
     for (std::uint32_t left = obstacles.fixed_set; left != 0; left &= left - 1) {
       const std::uint32_t i = std::uint32_t(std::countr_zero(left));
       const auto those = hn::And(asked, lanes_with(d, obstacles.constants, obstacles.lane, i));
-      blocked = hn::Or(blocked, lies_in(d, those, obstacles.fixed[i], bone, direction));
+      blocked = hn::Or(blocked, lies_in(d, those, (*obstacles.fixed)[i], bone, direction));
     }
     for (std::uint32_t k = 0; k < obstacles.moving_count; ++k) {
       const auto those = hn::And(asked, obstacles.moving->lanes[k]);
@@ -130,7 +130,7 @@ template <class D>
 HWY_INLINE hn::Mask<D> keep_clear(OnCharacter<D> d, const PlacedColliders& colliders, std::uint32_t set,
                                   const BoneLanes& constants, std::size_t lane, hn::Mask<OnCharacter<D>> reached,
                                   TouchingBone<OnCharacter<D>>& bone) {
-  const Obstacles<OnCharacter<D>> obstacles{colliders, set, constants, lane, nullptr, 0};
+  const Obstacles<OnCharacter<D>> obstacles{&colliders, set, constants, lane, nullptr, 0};
   const int rounds = bone.limited == nullptr ? kContactRounds : kLimitedRounds;
   return keep_clear_of_all(d, obstacles, reached, rounds, bone);
 }

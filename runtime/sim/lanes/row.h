@@ -102,9 +102,10 @@ struct RowCharacter {
   std::uint32_t counts[kLanes];  ///< As of_lane.
   /// The lane in the block of the head that all lanes belong to; -1: each lane is a head.
   std::int32_t only_head = -1;
-  std::uint32_t body_colliders = 0;          ///< A ColliderWay::place below this is one of the asset's.
   const std::uint32_t* body_sets = nullptr;  ///< For each bone, for each lane: the asset's colliders that it may touch.
-  bool is_posed = false;                     ///< Some head of the block has a pose.
+  bool is_posed = false;                     ///< Some head of these has a pose.
+  Lanes has_colliders;                       ///< 1 for lanes whose own head has any, else 0; set where some has.
+  Lanes has_pose;                            ///< The same for poses.
   const PoseLanes* poses = nullptr;          ///< For each bone; null: no pose.
   const GustLanes* gusts = nullptr;          ///< The gusts at the block's heads; null: none blow.
   const GustWaves* waves = nullptr;

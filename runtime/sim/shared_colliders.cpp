@@ -1,4 +1,4 @@
-#include "world.h"
+#include "worn.h"
 
 #include <cstring>
 #include <new>

@@ -1,4 +1,4 @@
-#include "world.h"
+#include "bundles.h"
 
 #include "../memory_carver.h"
 
@@ -7,45 +7,25 @@
 namespace coif {
 namespace {
 
-struct BundleArrays {
-  Bundle* bundle = nullptr;
-  std::span<RowBone> bones;
-  std::span<BoneLanes> constants;
-  std::span<LimitLanes> limits;
-  std::span<std::byte> coefficients, state, scratch;
-  std::span<TwistState> twist;
-};
-
-void carve(MemoryCarver& carver, const Solver& solver, std::size_t bones, bool twists, bool is_bounded,
-           BundleArrays& arrays) {
-  const std::span<Bundle> bundle = carver.take<Bundle>(1);
-  arrays.bundle = bundle.empty() ? nullptr : &bundle[0];
-  arrays.bones = carver.take<RowBone>(bones);
-  arrays.constants = carver.take<BoneLanes>(bones);
-  arrays.limits = carver.take<LimitLanes>(is_bounded ? bones : 0);
-  arrays.coefficients = carver.take<std::byte>(bones * solver.coefficient_bytes);
-  arrays.state = carver.take<std::byte>(bones * solver.state_bytes);
-  arrays.twist = carver.take<TwistState>(twists ? bones : 0);
-  arrays.scratch = carver.take<std::byte>(bones > solver.scratch_from ? bones * solver.scratch_bytes : 0);
-}
-
-Bundle& make_bundle(std::byte* memory, const ChainShape& shape) {
-  MemoryCarver carver(memory);
-  BundleArrays arrays;
-  carve(carver, *shape.solver, shape.bones.size(), shape.twists, shape.is_bounded, arrays);
-  Bundle& bundle = *arrays.bundle;
-  bundle.bones = arrays.bones.data();
-  bundle.constants = arrays.constants.data();
-  bundle.limits = arrays.limits.data();
-  bundle.coefficients = arrays.coefficients.data();
-  bundle.state = arrays.state.data();
-  bundle.twist = arrays.twist.data();
-  bundle.scratch = arrays.scratch.data();
-  return bundle;
+/// Takes a bundle and what lies behind it; while counting the pointers are null.
+Bundle* carve(MemoryCarver& carver, const Solver& solver, std::size_t bones, const ShapeKind& kind) {
+  const std::span<Bundle> taken = carver.take<Bundle>(1);
+  Bundle counted;
+  Bundle& bundle = taken.empty() ? counted : taken[0];
+  bundle.bones = carver.take<RowBone>(bones).data();
+  bundle.constants = carver.take<BoneLanes>(bones).data();
+  bundle.limits = carver.take<LimitLanes>(kind.is_bounded ? bones : 0).data();
+  bundle.coefficients = carver.take<std::byte>(bones * solver.coefficient_bytes).data();
+  bundle.state = carver.take<std::byte>(bones * solver.state_bytes).data();
+  bundle.twist = carver.take<TwistState>(kind.twists ? bones : 0).data();
+  bundle.poses = carver.take<PoseLanes>(kind.has_poses ? bones : 0).data();
+  bundle.body_sets = carver.take<std::uint32_t>(kind.has_body ? bones * kLanes : 0).data();
+  bundle.scratch = carver.take<std::byte>(bones > solver.scratch_from ? bones * solver.scratch_bytes : 0).data();
+  return taken.data();
 }
 
 std::size_t bundle_bytes(const ChainShape& shape) {
-  return bundle_bytes(*shape.solver, shape.bones.size(), shape.twists, shape.is_bounded);
+  return bundle_bytes(*shape.solver, shape.bones.size(), shape.kind);
 }
 
 /// One of a bundle's arrays: for each bone and lane, sixteen numbers side by side, again and again.
@@ -58,7 +38,7 @@ struct LaneArray {
   }
 };
 
-constexpr std::size_t kArrays = 5;
+constexpr std::size_t kArrays = 7;
 struct LaneArrays {
   LaneArray all[kArrays];
 };
@@ -67,8 +47,10 @@ LaneArrays arrays_of(const ChainShape& shape, const Bundle& bundle) {
   return {{{bundle.constants, sizeof(BoneLanes)},
            {bundle.coefficients, shape.solver->coefficient_bytes},
            {bundle.state, shape.solver->state_bytes},
-           {bundle.twist, shape.twists ? sizeof(TwistState) : 0},
-           {bundle.limits, shape.is_bounded ? sizeof(LimitLanes) : 0}}};
+           {bundle.twist, shape.kind.twists ? sizeof(TwistState) : 0},
+           {bundle.poses, shape.kind.has_poses ? sizeof(PoseLanes) : 0},
+           {bundle.body_sets, shape.kind.has_body ? kLanes * sizeof(std::uint32_t) : 0},
+           {bundle.limits, shape.kind.is_bounded ? sizeof(LimitLanes) : 0}}};
 }
 
 void move_lane(WorldState& world, const ChainShape& shape, const ChainPlace& from, const ChainPlace& to) {
@@ -80,7 +62,7 @@ void move_lane(WorldState& world, const ChainShape& shape, const ChainPlace& fro
   }
   to.part->head[to.lane] = head;
   to.part->chain[to.lane] = chain;
-  world.heads[head].places[chain] = to;
+  world.places(world.heads[head])[chain] = to;
   to.part->is_loose = from.part->is_loose = true;
   if (from.part->version != to.part->version) to.part->version = 0;
 }
@@ -100,14 +82,14 @@ ChainPlace before(const ChainPlace& place) {
 }
 
 /// The last lane of this length, which must exist.
-ChainPlace last_of(const ChainShape& shape, std::uint32_t length) {
+ChainPlace last_of(const BundleList& list, std::uint32_t length) {
   for (std::uint32_t next = length + 1; next < kLengths; ++next) {
-    if (shape.counts[next] != 0) return before(shape.first[next]);
+    if (list.counts[next] != 0) return before(list.first[next]);
   }
-  return shape.bundles.back();
+  return list.bundles.back();
 }
 
-/// Index into ChainShape::counts.
+/// Index into BundleList::counts.
 std::uint32_t length_index(const ChainShape& shape, std::uint32_t bones) {
   return std::uint32_t(shape.bones.size()) - bones;
 }
@@ -118,32 +100,38 @@ ChainLane bone_lane(const ChainShape& shape, const ChainPlace& place, std::size_
   lane.bones = shape.bones.subspan(bone, 1);
   lane.constants += bone;
   lane.state = static_cast<std::byte*>(lane.state) + bone * shape.solver->state_bytes;
-  if (shape.twists) lane.twist += bone;
+  if (shape.kind.twists) lane.twist += bone;
   return lane;
+}
+
+void give_spares_back(WorldState& world, ChainShape& shape) {
+  while (Bundle* const spare = shape.pool.take_spare(std::uint32_t(shape.lists.size()))) {
+    world.heap.give_back(spare, bundle_bytes(shape));
+  }
 }
 
 }  // namespace
 
-std::size_t bundle_bytes(const Solver& solver, std::size_t bones, bool twists, bool is_bounded) {
+std::size_t bundle_bytes(const Solver& solver, std::size_t bones, const ShapeKind& kind) {
   MemoryCarver counter(nullptr);
-  BundleArrays arrays;
-  carve(counter, solver, bones, twists, is_bounded, arrays);
+  (void)carve(counter, solver, bones, kind);
   return std::size_t(counter.used());
 }
 
 bool add_member(WorldState& world, ChainShape& shape) {
-  if (shape.bundles.is_full()) {
+  while (shape.pool.parts < part_count(shape.pool.members + 1, std::uint32_t(shape.lists.size()))) {
     std::byte* const memory = world.heap.take(bundle_bytes(shape));
-    if (memory == nullptr) return false;
-    shape.bundles.append(&make_bundle(memory, shape));
+    if (memory == nullptr) return give_spares_back(world, shape), false;
+    MemoryCarver carver(memory);
+    shape.pool.add(carve(carver, *shape.solver, shape.bones.size(), shape.kind));
   }
-  ++shape.bundles.members;
+  ++shape.pool.members;
   return true;
 }
 
 void remove_member(WorldState& world, ChainShape& shape) {
-  --shape.bundles.members;
-  if (Bundle* const spare = shape.bundles.take_spare()) world.heap.give_back(spare, bundle_bytes(shape));
+  --shape.pool.members;
+  give_spares_back(world, shape);
 }
 
 void fill_missing_bones(const ChainShape& shape, Bundle& bundle) {
@@ -162,44 +150,46 @@ void fill_missing_bones(const ChainShape& shape, Bundle& bundle) {
   bundle.has_all_bones = true;
 }
 
-ChainPlace push_lane(WorldState& world, ChainShape& shape, std::uint32_t bones) {
+ChainPlace push_lane(WorldState& world, ChainShape& shape, BundleList& list, std::uint32_t bones,
+                     std::uint32_t version) {
   const std::uint32_t own = length_index(shape, bones);
-  ChainPlace free = shape.bundles.push();
-  if (free.part->count == 1) free.part->version = shape.pace->version;
+  ChainPlace free = list.bundles.push(shape.pool);
+  if (free.part->count == 1) free.part->version = version;
   free.part->is_loose = true;
   // For each shorter length, its first lane moves behind its last.
   for (std::uint32_t length = kLengths - 1; length > own; --length) {
-    if (shape.counts[length] == 0) continue;
-    const ChainPlace moved = shape.first[length];
+    if (list.counts[length] == 0) continue;
+    const ChainPlace moved = list.first[length];
     move_lane(world, shape, moved, free);
-    shape.first[length] = after(moved);
+    list.first[length] = after(moved);
     free = moved;
   }
-  if (shape.counts[own]++ == 0) shape.first[own] = free;
+  if (list.counts[own]++ == 0) list.first[own] = free;
   return free;
 }
 
-void pop_lane(WorldState& world, ChainShape& shape, std::uint32_t bones, ChainPlace lane) {
+void pop_lane(WorldState& world, ChainShape& shape, BundleList& list, std::uint32_t bones, ChainPlace lane) {
   const std::uint32_t own = length_index(shape, bones);
   ChainPlace gap = lane;
   for (std::uint32_t length = own; length < kLengths; ++length) {
-    if (shape.counts[length] == 0) continue;
-    const ChainPlace last = last_of(shape, length);
+    if (list.counts[length] == 0) continue;
+    const ChainPlace last = last_of(list, length);
     if (last.part != gap.part || last.lane != gap.lane) move_lane(world, shape, last, gap);
-    if (length != own) shape.first[length] = gap;
+    if (length != own) list.first[length] = gap;
     gap = last;
   }
-  --shape.counts[own];
+  --list.counts[own];
   gap.part->is_loose = true;
-  shape.bundles.pop();
+  list.bundles.pop(shape.pool);
 }
 
-ChainLane chain_lane(const ChainShape& shape, const ChainPlace& place, std::uint32_t bones) {
+ChainLane chain_lane(const ChainShape& shape, const ChainPlace& place, std::size_t bones) {
   ChainLane chain;
-  chain.bones = shape.bones.first(bones < place.part->longest ? place.part->longest : bones);
+  chain.bones = shape.bones.first(bones);
   chain.constants = place.part->constants;
   chain.state = place.part->state;
   chain.twist = place.part->twist;
+  chain.poses = place.part->poses;
   chain.constant_lane = chain.state_lane = place.lane;
   return chain;
 }

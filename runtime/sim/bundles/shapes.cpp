@@ -1,4 +1,4 @@
-#include "world.h"
+#include "bundles.h"
 
 #include "../memory_carver.h"
 
@@ -70,7 +70,7 @@ bool is_like(const RowBone& bone, const RowBone& other) {
 
 bool has_shape(const ChainShape& shape, const WornAsset& worn, const Solver& solver, const ChainRecord& chain) {
   const Asset& asset = worn.asset;
-  if (shape.solver != &solver || shape.pace != worn.pace) return false;
+  if (shape.solver != &solver) return false;
   if (ShapeRoom{std::uint32_t(shape.bones.size()), shape.is_uneven} != room_for(asset, solver, chain)) return false;
   const bool has_others = shape.touching != 0 && shape.colliders != worn.colliders;
   if (has_others && touches_colliders(asset, chain)) return false;
@@ -92,74 +92,85 @@ bool have_one_shape(const Asset& asset, const Solver& asked, const ChainRecord& 
   return true;
 }
 
-void carve(MemoryCarver& carver, std::size_t bones, std::span<ChainShape>& shape, std::span<RowBone>& pattern) {
-  shape = carver.take<ChainShape>(1);
-  pattern = carver.take<RowBone>(bones);
+/// The arrays of a shape.
+struct ShapeArrays {
+  std::span<ChainShape> shape;
+  std::span<RowBone> bones;
+  std::span<BundleList> lists;
+};
+
+void carve(MemoryCarver& carver, std::size_t bones, std::size_t lists, ShapeArrays& arrays) {
+  arrays.shape = carver.take<ChainShape>(1);
+  arrays.bones = carver.take<RowBone>(bones);
+  arrays.lists = carver.take<BundleList>(lists);
 }
 
-std::size_t shape_bytes(std::size_t bones) {
+std::size_t shape_bytes(std::size_t bones, std::size_t lists) {
   MemoryCarver counter(nullptr);
-  std::span<ChainShape> shape;
-  std::span<RowBone> pattern;
-  carve(counter, bones, shape, pattern);
+  ShapeArrays arrays;
+  carve(counter, bones, lists, arrays);
   return std::size_t(counter.used());
+}
+
+ShapeKind kind_of(const WorldRules& rules, std::uint32_t features) {
+  return {(features & kRowTwists) != 0, (features & kRowIsBounded) != 0, rules.follows_poses, rules.follows_body};
 }
 
 ChainShape* make_shape(WorldState& world, const WornAsset& worn, const ChainRecord& chain) {
   const Asset& asset = worn.asset;
-  const Solver& solver = solver_for(*world.solver, chain);
+  Crowd& crowd = *worn.crowd;
+  const Solver& solver = solver_for(*world.rules.solver, chain);
   const auto [bones, is_uneven] = room_for(asset, solver, chain);
-  std::byte* const memory = world.heap.take(shape_bytes(bones));
+  const std::size_t lists = crowd.lists.size() - 1;
+  std::byte* const memory = world.heap.take(shape_bytes(bones, lists));
   if (memory == nullptr) return nullptr;
   MemoryCarver carver(memory);
-  std::span<ChainShape> made;
-  std::span<RowBone> pattern;
-  carve(carver, bones, made, pattern);
-  ChainShape& shape = made[0];
+  ShapeArrays made;
+  carve(carver, bones, lists, made);
+  ChainShape& shape = made.shape[0];
   shape.solver = &solver;
   const WidthSets sets(world.widest);
   for (std::uint32_t w = 0; w < kWidths; ++w) shape.steps[w] = shape.solver->row_code(sets.set[w]);
-  shape.pace = worn.pace;
+  shape.crowd = &crowd;
   const std::uint32_t features = common_features(asset, solver, chain);
   for (std::uint32_t i = 0; i < bones; ++i) {
-    if (i < chain.bone_count) pattern[i] = common_bone(asset, solver, chain, i);
-    if (i >= chain.bone_count) pattern[i] = {.features = features, .parent = std::int32_t(i) - 1};
+    if (i < chain.bone_count) made.bones[i] = common_bone(asset, solver, chain, i);
+    if (i >= chain.bone_count) made.bones[i] = {.features = features, .parent = std::int32_t(i) - 1};
   }
-  shape.twists = (features & kRowTwists) != 0;
-  shape.is_bounded = (features & kRowIsBounded) != 0;
+  shape.kind = kind_of(world.rules, features);
   shape.is_uneven = is_uneven;
-  assign_slots(pattern);
-  shape.bones = pattern;
-  shape.next = world.shapes;
-  world.shapes = &shape;
+  assign_slots(made.bones);
+  shape.bones = made.bones;
+  shape.lists = made.lists;
+  shape.next = crowd.shapes;
+  crowd.shapes = &shape;
   return &shape;
 }
 
 /// Bytes that `count` chains of one shape take; `chain` is one of them.
-std::size_t chain_bytes(const Asset& asset, const Solver& asked, const ChainRecord& chain, std::uint64_t count) {
-  const Solver& solver = solver_for(asked, chain);
-  const std::uint32_t features = common_features(asset, solver, chain);
-  const bool twists = (features & kRowTwists) != 0, is_bounded = (features & kRowIsBounded) != 0;
+std::uint64_t chain_bytes(const Asset& asset, const WorldRules& rules, const ChainRecord& chain, std::uint32_t count) {
+  const Solver& solver = solver_for(*rules.solver, chain);
+  const ShapeKind kind = kind_of(rules, common_features(asset, solver, chain));
   const std::uint32_t bones = room_for(asset, solver, chain).bones;
-  const std::size_t bundle = bundle_bytes(solver, bones, twists, is_bounded);
-  const auto bundles = std::size_t((count + kLanes - 1) / kLanes);
-  return WorldHeap::rounded(shape_bytes(bones)) + bundles * WorldHeap::rounded(bundle);
+  const std::uint32_t lists = treatment_count(levels_of(asset), rules.intervals, 1) - 1;
+  return WorldHeap::most(shape_bytes(bones, lists)) +
+         std::uint64_t(part_count(count, lists)) * WorldHeap::most(bundle_bytes(solver, bones, kind));
 }
 
 void leave_shape(WorldState& world, ChainShape& shape, bool touches) {
   if (touches) --shape.touching;
   if (--shape.users != 0) return;
-  ChainShape** link = &world.shapes;
+  ChainShape** link = &shape.crowd->shapes;
   while (*link != &shape) link = &(*link)->next;
   *link = shape.next;
-  world.heap.give_back(&shape, shape_bytes(shape.bones.size()));
+  world.heap.give_back(&shape, shape_bytes(shape.bones.size(), shape.lists.size()));
 }
 
 /// Tries `last` first: neighbouring chains mostly share a shape.
 ChainShape* join_shape(WorldState& world, WornAsset& worn, std::uint32_t index, ChainShape* last) {
   const ChainRecord& chain = worn.asset.chains()[index];
-  const Solver& solver = solver_for(*world.solver, chain);
-  ChainShape* shape = last != nullptr && has_shape(*last, worn, solver, chain) ? last : world.shapes;
+  const Solver& solver = solver_for(*world.rules.solver, chain);
+  ChainShape* shape = last != nullptr && has_shape(*last, worn, solver, chain) ? last : worn.crowd->shapes;
   while (shape != nullptr && !has_shape(*shape, worn, solver, chain)) shape = shape->next;
   if (shape == nullptr) shape = make_shape(world, worn, chain);
   if (shape == nullptr) return nullptr;
@@ -182,30 +193,35 @@ bool join_shapes(WorldState& world, WornAsset& worn) {
   return true;
 }
 
-void leave_shapes(WorldState& world, const WornAsset& worn) {
+void leave_shapes(WorldState& world, WornAsset& worn) {
   for (std::size_t c = 0; c < worn.shapes.size() && worn.shapes[c] != nullptr; ++c) {
     leave_shape(world, *worn.shapes[c], touches_colliders(worn.asset, worn.asset.chains()[c]));
   }
 }
 
-std::size_t bytes_of_chains(const Asset& asset, std::uint32_t heads, const Solver& asked) {
-  std::size_t bytes = 0;
+std::size_t bytes_of_chains(const Asset& asset, std::uint32_t heads, const WorldRules& rules) {
+  std::uint64_t bytes = 0;
   const auto chains = asset.chains();
   for (std::size_t c = 0; c < chains.size(); ++c) {
-    const auto is_alike = [&](const ChainRecord& other) { return have_one_shape(asset, asked, other, chains[c]); };
+    const auto is_alike = [&](const ChainRecord& other) {
+      return have_one_shape(asset, *rules.solver, other, chains[c]);
+    };
     const auto here = chains.begin() + std::ptrdiff_t(c);
     if (std::any_of(chains.begin(), here, is_alike)) continue;  // Counted with the first one.
-    bytes += chain_bytes(asset, asked, chains[c], std::uint64_t(std::count_if(here, chains.end(), is_alike)) * heads);
+    const auto alike = std::uint32_t(std::count_if(here, chains.end(), is_alike));
+    bytes += chain_bytes(asset, rules, chains[c], alike * heads);
   }
-  return bytes;
+  return std::size_t(bytes);
 }
 
-std::size_t kept_floats(const Asset& asset, const Solver& asked) {
+std::size_t kept_floats(const Asset& asset, const WorldRules& rules) {
   std::size_t floats = 0;
   for (const ChainRecord& chain : asset.chains()) {
-    const Solver& solver = solver_for(asked, chain);
-    const bool twists = (common_features(asset, solver, chain) & kRowTwists) != 0;
-    const std::size_t bytes = solver.state_bytes + (twists ? sizeof(TwistState) : 0);
+    const Solver& solver = solver_for(*rules.solver, chain);
+    const ShapeKind kind = kind_of(rules, common_features(asset, solver, chain));
+    std::size_t bytes = solver.state_bytes;
+    if (kind.twists) bytes += sizeof(TwistState);
+    if (kind.has_poses) bytes += sizeof(PoseLanes);
     floats += chain.bone_count * (bytes / sizeof(Lanes));
   }
   return floats;
