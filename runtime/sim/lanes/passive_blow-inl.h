@@ -19,13 +19,16 @@ namespace HWY_NAMESPACE {
 /// Shares of the rest of a step. It is split a little after a bone has met a collider, and within these bounds.
 constexpr float kAfterMeeting = 0.03f, kEarliestSplit = 0.1f, kLatestSplit = 0.93f;
 
-/// Whether the step may be taken in parts. Moving colliders, poses and links support only whole steps.
+/// Lanes whose step may be taken in parts, of those in `asked`. Moving colliders, poses and links support only whole
+/// steps.
 template <class D>
-bool PassiveChain<D>::may_split() const {
+hn::Mask<D> PassiveChain<D>::may_split(hn::Mask<D> asked) const {
+  if (row_.is_linked || (part_ != nullptr && !part_->may_split)) return hn::AndNot(asked, asked);
   if constexpr (kOnCharacter<D>) {
-    if (row_.character->collider_count != 0 || row_.character->poses != nullptr) return false;
+    asked = hn::AndNot(with_colliders(d_, *row_.character, lane_), asked);
+    asked = hn::AndNot(with_pose(d_, *row_.character, lane_), asked);
   }
-  return !row_.is_linked && (part_ == nullptr || part_->may_split);
+  return part_ != nullptr ? hn::And(asked, part_->acts) : asked;
 }
 
 /// An impact changes accelerations at once, and the earlier ones say nothing about the next step. That step uses the
@@ -53,8 +56,8 @@ COIF_RARE void PassiveChain<D>::start_after_blow(hn::Mask<D> blow) {
 /// is none.)
 template <class D>
 COIF_RARE bool PassiveChain<D>::finds_split(hn::Mask<D> hit) {
-  if (!may_split()) return false;
-  if (part_ != nullptr) hit = hn::And(hit, part_->acts);
+  hit = may_split(hit);
+  if (hn::AllFalse(d_, hit)) return false;
   auto first = hn::Set(d_, 2.0f);
   for (std::size_t i = 0; i < count_; ++i) {
     first = hn::Min(first, hn::IfThenElse(lay_on(i), hn::Set(d_, 2.0f), bones_[i].touch.when));

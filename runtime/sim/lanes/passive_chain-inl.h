@@ -158,7 +158,7 @@ class PassiveChain {
   HWY_INLINE const V3<D>& place_tail(std::size_t i);
   [[nodiscard]] HWY_INLINE hn::Mask<D> lay_on(std::size_t i) const;
   HWY_INLINE bool meet_colliders();
-  [[nodiscard]] bool may_split() const;
+  [[nodiscard]] hn::Mask<D> may_split(hn::Mask<D> asked) const;
   [[nodiscard]] bool finds_split(hn::Mask<D> hit);
   void hold_at_contacts(hn::Mask<D> touching);
   HWY_INLINE void find_hold(std::size_t i, const Symmetric3<D>& inverse, V<D> opening);

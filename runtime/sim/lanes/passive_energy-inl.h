@@ -63,9 +63,8 @@ HWY_INLINE void PassiveChain<D>::look_at_head() {
   const auto speed2 = fastest(velocity, velocity_before), turning2 = fastest(spin, spin_before), zero = hn::Zero(d_);
   watched_ =
       hn::And(hn::Lt(speed2, hn::Set(d_, kSlowHead * kSlowHead)), hn::Lt(turning2, hn::Set(d_, kSlowTurn * kSlowTurn)));
-  bool is_moved = row_.is_linked;
-  if constexpr (kOnCharacter<D>) is_moved = is_moved || row_.character->poses != nullptr;
-  if (is_moved) watched_ = hn::Lt(speed2, zero);
+  if (row_.is_linked) watched_ = hn::Lt(speed2, zero);
+  if constexpr (kOnCharacter<D>) watched_ = hn::AndNot(with_pose(d_, *row_.character, lane_), watched_);
   was_watched_ = watched_;
   keeps_book_ = !hn::AllFalse(d_, watched_);
   if (keeps_book_) begin_book(velocity, velocity_before, spin, spin_before, hn::Eq(hn::Add(speed2, turning2), zero));
@@ -185,13 +184,13 @@ HWY_INLINE void PassiveChain<D>::balance() {
   const auto is_more = hn::And(hn::Gt(excess, zero), watched_);
   if (HWY_LIKELY(hn::AllFalse(d_, is_more))) return;
   const auto motion = hn::Mul(half, has_);
-  const auto is_too_high = hn::And(is_more, hn::Ge(excess, motion));
+  auto is_too_high = hn::And(is_more, hn::Ge(excess, motion));
   const auto left = hn::Div(hn::Sub(motion, excess),
                             hn::IfThenElse(is_more, hn::Max(motion, hn::Set(d_, 1e-30f)), hn::Set(d_, 1.0f)));
   slow_down(is_more, hn::Sqrt(hn::Max(left, zero)));
   // By now a collider may be where the chain was.
   if constexpr (kOnCharacter<D>) {
-    if (row_.character->collider_count != 0) return;
+    is_too_high = hn::AndNot(with_colliders(d_, *row_.character, lane_), is_too_high);
   }
   if (HWY_UNLIKELY(!hn::AllFalse(d_, is_too_high))) stay(is_too_high);
 }

@@ -25,6 +25,19 @@ HWY_INLINE const PoseLanes* pose_of(D, const RowStep& row, std::size_t bone) {
     return row.character->poses != nullptr ? &row.character->poses[bone] : nullptr;
 }
 
+/// Lanes of heads with moving colliders, and of heads that follow a pose. What is done for one head alone must not
+/// depend on those beside it.
+template <class D>
+HWY_INLINE hn::Mask<D> with_colliders(D d, const RowCharacter& character, std::size_t lane) {
+  const auto has = character.collider_count == 0 ? hn::Zero(d) : load(d, character.has_colliders, lane);
+  return hn::Gt(has, hn::Zero(d));
+}
+template <class D>
+HWY_INLINE hn::Mask<D> with_pose(D d, const RowCharacter& character, std::size_t lane) {
+  const auto has = character.poses == nullptr ? hn::Zero(d) : load(d, character.has_pose, lane);
+  return hn::Gt(has, hn::Zero(d));
+}
+
 template <class D>
 HWY_INLINE V3<D> mixed(D d, const Lanes3& before, const Lanes3& now, float s, std::size_t lane) {
   const V3<D> from = load(d, before, lane);
