@@ -2,6 +2,7 @@
 #include "saved_lane.h"
 
 #include "head_lanes.h"
+#include "rules.h"
 #include "saved_collider.h"
 #include "step_settings.h"
 
@@ -118,7 +119,7 @@ bool is_told_collider(const WornAsset& worn, std::uint32_t place, const SavedCol
   if ((saved.flags & 1u) == 0) return same_bits(&saved, &none, sizeof none);
   const ToldCollider told = unpacked(saved);
   const SavedCollider again = packed(told);
-  if (check_collider(told.now) != Status::kOk || !same_bits(&saved, &again, sizeof again)) return false;
+  if (check(told.now) != Status::kOk || !same_bits(&saved, &again, sizeof again)) return false;
   if (told.has_way && !(is_finite(told.center_before) && is_unit(told.rotation_before))) return false;
   const bool is_of_body = place < worn.body_colliders;
   if (told.is_of_body != is_of_body) return false;

@@ -6,9 +6,6 @@
 namespace coif {
 namespace {
 
-/// Leaves room in the address space for the other arrays.
-constexpr std::size_t kMostHairBytes = SIZE_MAX / 4;
-
 /// Takes the world's arrays; while counting they are empty. Returns the heap's memory.
 std::span<std::byte> carve(MemoryCarver& carver, const WorldDesc& desc, std::uint64_t units, WorldState& world) {
   world.assets = carver.take<WornAsset>(desc.assets);
@@ -32,27 +29,7 @@ void choose_code(WorldState& world, InstructionSet set) {
   }
 }
 
-bool are_counts(const WorldDesc& desc) {
-  return desc.assets >= 1 && desc.assets <= kMaxWorldAssets && desc.heads >= 1 && desc.heads <= kMaxInstances &&
-         desc.hair_bytes <= kMostHairBytes && desc.dynamics_sets >= 1 && desc.dynamics_sets <= kMaxDynamicsSets &&
-         is_interval(desc.longest_interval);
-}
-
-bool asks_for_character(const WorldDesc& desc) {
-  return desc.moving_colliders != 0 || desc.follows_body || desc.follows_poses || desc.has_own_air || desc.feels_gusts;
-}
-
 }  // namespace
-
-Status check_desc(const WorldDesc& desc) {
-  if (!are_counts(desc) || desc.solver == nullptr || !can_run(desc.instruction_set)) return Status::kBadArgument;
-  const bool is_worn = desc.solver->character != nullptr;
-  if (asks_for_character(desc) && !is_worn) return Status::kBadArgument;
-  if (desc.moving_colliders > kMaxMovingColliders) return Status::kBadArgument;
-  if (desc.links == nullptr) return Status::kOk;
-  const bool fits = desc.links->of_character == is_worn && !desc.solver->keeps_places;
-  return fits ? Status::kOk : Status::kBadArgument;
-}
 
 WorldRules rules_of(const WorldDesc& desc) {
   return {.solver = desc.solver,

@@ -1,6 +1,7 @@
 // The waves of gusts (coif/air.h), at any place.
 
 #include "lanes/gust_waves.h"
+#include "rules.h"
 #include "vector_math.h"
 
 #include <cmath>
@@ -12,8 +13,6 @@ constexpr double kShorter = 1.6;            ///< Each wave is shorter than the o
 constexpr double kWeaker = 0.854987973338;  ///< Each wave is weaker by this factor, the third root of 1 / kShorter.
 constexpr double kMostSideways = 0.6, kLeastSideways = 0.1, kMostUp = 0.3;  ///< Radians.
 constexpr float kAcross = 0.4f;
-
-bool is_within(float value, float least, float most) { return value >= least && value <= most; }
 
 /// A random number in 0..1 for each seed, wave and use; after Steele et al. 2014, "Fast Splittable Pseudorandom Number
 /// Generators".
@@ -51,11 +50,7 @@ double first_share() {
 
 }  // namespace
 
-bool are_gusts(const Gusts& gusts) {
-  const Vec3& d = gusts.direction;
-  return is_within(gusts.amplitude, 0, kMostGust) && is_within(gusts.length, kShortestGust, kLongestGust) &&
-         is_within(gusts.speed, 0, kMostGust) && is_finite(d) && !(d == Vec3{});
-}
+bool are_gusts(const Gusts& gusts) { return check(gusts) == Status::kOk; }
 
 GustWaves waves_of(const Gusts& gusts) {
   const Axes axes = axes_of(gusts.direction);

@@ -1,6 +1,7 @@
 #include <coif/hair.h>
 
 #include "float_environment.h"
+#include "rules.h"
 #include "worn.h"
 
 namespace coif {
@@ -31,8 +32,8 @@ WornNeed need_of(const Asset& asset, const WorldDesc& world) {
 }  // namespace
 
 MemoryNeed Hair::memory_need(const Asset& asset, const HairDesc& desc) {
+  if (!asset.is_open() || check(desc) != Status::kOk) return {};
   WorldDesc world = world_of(desc);
-  if (!asset.is_open() || check_desc(world) != Status::kOk) return {};
   const WornNeed need = need_of(asset, world);
   if (need.bytes > SIZE_MAX / 2) return {};
   world.hair_bytes = std::size_t(need.bytes);
@@ -41,8 +42,8 @@ MemoryNeed Hair::memory_need(const Asset& asset, const HairDesc& desc) {
 
 Status Hair::create(const Asset& asset, const HairDesc& desc, std::span<std::byte> memory) {
   if (!asset.is_open()) return Status::kAssetLacksData;
+  if (const Status status = check(desc); status != Status::kOk) return status;
   WorldDesc world = world_of(desc);
-  if (const Status status = check_desc(world); status != Status::kOk) return status;
   const WornNeed need = need_of(asset, world);
   if (need.bytes > SIZE_MAX / 2) return Status::kMemoryTooSmall;
   world.hair_bytes = std::size_t(need.bytes);

@@ -2,6 +2,7 @@
 
 #include "float_environment.h"
 #include "head_lanes.h"
+#include "rules.h"
 #include "worn.h"
 
 #include <cstdint>
@@ -23,17 +24,17 @@ LaneOrder order_for(const Asset& asset, const WorldRules& rules, std::uint32_t c
 }  // namespace
 
 MemoryNeed HairWorld::memory_need(const WorldDesc& desc) {
-  return check_desc(desc) == Status::kOk ? world_need(desc, most_units(desc)) : MemoryNeed{};
+  return check(desc) == Status::kOk ? world_need(desc, most_units(desc)) : MemoryNeed{};
 }
 
 std::size_t HairWorld::bytes_for(const Asset& asset, std::uint32_t heads, const WorldDesc& desc, std::uint32_t crowd) {
-  if (!asset.is_open() || check_desc(desc) != Status::kOk) return 0;
+  if (!asset.is_open() || check(desc) != Status::kOk) return 0;
   const WorldRules rules = rules_of(desc);
   return std::size_t(need_of(asset, rules, &kSharedCode, order_for(asset, rules, crowd), heads).bytes);
 }
 
 Status HairWorld::create(const WorldDesc& desc, std::span<std::byte> memory) {
-  if (const Status status = check_desc(desc); status != Status::kOk) return status;
+  if (const Status status = check(desc); status != Status::kOk) return status;
   WorldState* const world = create_world(desc, most_units(desc), &kSharedCode, memory);
   if (world == nullptr) return Status::kMemoryTooSmall;
   world_ = world;
@@ -46,8 +47,7 @@ Status HairWorld::add_asset(const Asset& asset, WorldAsset& added, std::uint32_t
   const FloatEnvironment plain;
   WornAsset* const worn = free_asset(*world_);
   if (worn == nullptr) return Status::kMemoryTooSmall;
-  const LaneOrder order = world_->shared == nullptr ? choose_lane_order(asset, *world_->rules.solver, crowd)
-                                                    : order_for(asset, world_->rules, crowd);
+  const LaneOrder order = order_for(asset, world_->rules, crowd);
   if (!coif::add_asset(*world_, *worn, asset, order)) return Status::kMemoryTooSmall;
   added = {std::uint32_t(worn - world_->assets.data()), worn->generation};
   return Status::kOk;

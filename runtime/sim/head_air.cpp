@@ -3,6 +3,7 @@
 #include <coif/hair.h>
 
 #include "float_environment.h"
+#include "rules.h"
 #include "vector_math.h"
 #include "world_heads.h"
 
@@ -21,7 +22,7 @@ bool same_gusts(const Gusts& a, const Gusts& b) {
 Status HairWorld::set_air(WorldHead head, const HeadAir& air) {
   if (find(world_, head) == nullptr) return missing(world_);
   if (world_->airs.empty()) return Status::kNotAsked;
-  if (!is_finite(air.wind) || !(air.exposure >= 0.0f && air.exposure <= 1.0f)) return Status::kBadArgument;
+  if (const Status status = check(air); status != Status::kOk) return status;
   HeadAir& told = world_->airs[head.index];
   if (same_air(told, air)) return Status::kOk;
   told = air;

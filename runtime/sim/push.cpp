@@ -5,6 +5,7 @@
 
 #include "chain_motion.h"
 #include "float_environment.h"
+#include "rules.h"
 #include "vector_math.h"
 #include "world_heads.h"
 
@@ -12,14 +13,6 @@
 
 namespace coif {
 namespace {
-
-bool is_impulse(const Impulse& impulse) {
-  for (const double metres : impulse.center) {
-    if (!std::isfinite(metres)) return false;
-  }
-  const bool has_reach = impulse.radius > 0.0f && std::isfinite(impulse.radius);
-  return has_reach && std::isfinite(impulse.speed) && is_finite(impulse.axis) && is_finite(impulse.velocity);
-}
 
 /// An impulse relative to the head's position, in world axes and the hair's metres.
 struct FeltImpulse {
@@ -136,7 +129,7 @@ Status HairWorld::push(WorldHead head, const Impulse& impulse) {
   const WornHead* const worn = find(world_, head);
   if (worn == nullptr) return missing(world_);
   const FloatEnvironment plain;
-  if (!is_impulse(impulse)) return Status::kBadArgument;
+  if (const Status status = check(impulse); status != Status::kOk) return status;
   const std::uint32_t i = worn->lane;
   const HeadLanes& heads = worn->block->heads;
   FeltImpulse felt;

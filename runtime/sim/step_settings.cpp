@@ -1,20 +1,11 @@
 #include "step_settings.h"
 
-#include "vector_math.h"
+#include "rules.h"
 
 #include <cmath>
-#include <limits>
 
 namespace coif {
 namespace {
-
-bool is_within(float value, float low, float high) { return value >= low && value <= high; }
-
-Status check_environment(const Environment& environment) {
-  if (!is_finite(environment.gravity) || !is_finite(environment.wind)) return Status::kBadArgument;
-  if (environment.true_gravity > 1) return Status::kBadArgument;
-  return is_within(environment.air_follow, 0.0f, 1.0f) ? Status::kOk : Status::kBadArgument;
-}
 
 /// A frame that is longer only by rounding needs no further part.
 float parts_of_tuning(float substep_rate, float dt) { return std::ceil(dt * substep_rate - 1e-3f); }
@@ -69,20 +60,9 @@ bool rests_under_both(const StepSettings& a, const StepSettings& b) {
          a.sleep_speed == b.sleep_speed;
 }
 
-bool fits(const DynamicsScale& scale) {
-  return is_within(scale.stiffness, 0.0f, kMostScale) && is_within(scale.damping, 0.0f, kMostScale) &&
-         is_within(scale.friction, 0.0f, kMostScale);
-}
+bool fits(const DynamicsScale& scale) { return check(scale) == Status::kOk; }
 
-Status check_settings(const StepSettings& settings) {
-  if (!is_within(settings.dt, 0.0f, std::numeric_limits<float>::max())) return Status::kBadTimeStep;
-  if (settings.iterations < 1 || settings.iterations > kMaxIterations) return Status::kBadArgument;
-  if (settings.substeps > kMaxSubsteps) return Status::kBadArgument;
-  if (!fits(settings.dynamics) || !is_within(settings.inertia, 0.0f, 1.0f)) return Status::kBadArgument;
-  if (!(settings.teleport_distance >= 0.0f && settings.teleport_angle >= 0.0f)) return Status::kBadArgument;
-  if (!(settings.sleep_after >= 0.0f && settings.sleep_speed >= 0.0f)) return Status::kBadArgument;
-  return check_environment(settings.environment);
-}
+Status check_settings(const StepSettings& settings) { return check(settings); }
 
 std::uint32_t tuned_substeps(const Asset& asset, float dt) {
   return in_range(parts_of_tuning(pace_of(asset, true).substep_rate, smaller(dt, kMaxTimeStep)));

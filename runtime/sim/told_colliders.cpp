@@ -3,6 +3,7 @@
 #include <coif/hair.h>
 
 #include "float_environment.h"
+#include "rules.h"
 #include "saved_collider.h"
 #include "vector_math.h"
 #include "world_heads.h"
@@ -111,7 +112,7 @@ Status HairWorld::set_colliders(WorldHead head, std::span<const MovingCollider> 
   std::uint32_t changed = 0;  // A collider that is set again without a change was right before.
   for (std::uint32_t i = 0; i < colliders.size(); ++i) {
     if (Place(*world_, head.index, first + i).holds(colliders[i])) continue;
-    if (const Status status = check_collider(colliders[i]); status != Status::kOk) return status;
+    if (const Status status = check(colliders[i]); status != Status::kOk) return status;
     changed |= 1u << i;
   }
   for (; changed != 0; changed &= changed - 1) {

@@ -5,8 +5,7 @@
 
 namespace coif {
 
-/// A world as it is described.
-[[nodiscard]] Status check_desc(const WorldDesc& desc);
+/// What a valid description says.
 [[nodiscard]] WorldRules rules_of(const WorldDesc& desc);
 
 /// Memory for a world with `units` blocks and bundles at most.

@@ -18,6 +18,7 @@ FEATURES = {
     "asset access for tools and renderers": r"Asset::(bone_name|lod_\w+|texture|texels)\(",
     "load messages": r"describe\(coif::Load",
     "status messages": r"describe\(coif::Status",
+    "sentences about values": r"coif::explain\(|explain\(coif::",
     "levels of detail": r"choose_lod|screen_share",
     "heads on bones": r"head_pose_of_bone|is_mirrored",
     "crowd": r"\bHair::|step_block|WorldState",
