@@ -1,18 +1,11 @@
 // Air, impulses and sets of dynamics in C.
-#include "asset_view.h"
-
-#include <coif/air.h>
+#include "character_calls.h"
 
 namespace {
 
 using coif::c::code;
-using coif::c::vector_of;
 
 coif_vec3 in_c(const coif::Vec3& from) { return {from.x, from.y, from.z}; }
-
-coif::Gusts gusts_of(const coif_gusts& from) {
-  return {from.amplitude, from.length, from.speed, vector_of(from.direction), from.seed};
-}
 
 }  // namespace
 
@@ -24,9 +17,7 @@ void coif_head_air_init(coif_head_air* air) {
 }
 
 coif_status coif_hair_set_air(coif_hair* hair, uint32_t instance, const coif_head_air* air) {
-  if (hair == nullptr) return COIF_NOT_CREATED;
-  if (air == nullptr) return COIF_BAD_ARGUMENT;
-  return code(hair->hair.set_air(instance, {vector_of(air->wind), air->exposure}));
+  return coif::c::set_air(hair, instance, air);
 }
 
 void coif_gusts_init(coif_gusts* gusts) {
@@ -34,18 +25,14 @@ void coif_gusts_init(coif_gusts* gusts) {
   *gusts = {usual.amplitude, usual.length, usual.speed, in_c(usual.direction), usual.seed};
 }
 
-coif_status coif_hair_set_gusts(coif_hair* hair, const coif_gusts* gusts) {
-  if (hair == nullptr) return COIF_NOT_CREATED;
-  if (gusts == nullptr) return COIF_BAD_ARGUMENT;
-  return code(hair->hair.set_gusts(gusts_of(*gusts)));
-}
+coif_status coif_hair_set_gusts(coif_hair* hair, const coif_gusts* gusts) { return coif::c::set_gusts(hair, gusts); }
 
 double coif_hair_gusts_way(const coif_hair* hair) { return hair == nullptr ? 0.0 : hair->hair.gusts_way(); }
 
 coif_vec3 coif_gust_at(const coif_gusts* gusts, double way, const double place[3]) {
   if (gusts == nullptr || place == nullptr) return {0, 0, 0};
   const double there[3] = {place[0], place[1], place[2]};
-  return in_c(coif::gust_at(gusts_of(*gusts), way, there));
+  return in_c(coif::gust_at(coif::c::gusts_of(*gusts), way, there));
 }
 
 coif_status coif_hair_set_dynamics(coif_hair* hair, uint32_t set, float stiffness, float damping, float friction) {
@@ -65,16 +52,7 @@ void coif_impulse_init(coif_impulse* impulse) {
 }
 
 coif_status coif_hair_push(coif_hair* hair, uint32_t instance, const coif_impulse* impulse) {
-  if (hair == nullptr) return COIF_NOT_CREATED;
-  if (impulse == nullptr) return COIF_BAD_ARGUMENT;
-  coif::Impulse its;
-  for (int axis = 0; axis < 3; ++axis) its.center[axis] = impulse->center[axis];
-  its.axis = vector_of(impulse->axis);
-  its.radius = impulse->radius;
-  its.speed = impulse->speed;
-  its.velocity = vector_of(impulse->velocity);
-  its.strokes = impulse->strokes != 0;
-  return code(hair->hair.push(instance, its));
+  return coif::c::push(hair, instance, impulse);
 }
 
 }  // extern "C"

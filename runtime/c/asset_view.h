@@ -1,6 +1,6 @@
 #pragma once
-// What the files of the C interface share: an asset behind coif_asset, hair behind coif_hair, and lists of records as C
-// sees them.
+// What the files of the C interface share: an asset behind coif_asset, hair behind coif_hair, a world behind
+// coif_world, and lists of records as C sees them.
 
 #include <coif.h>
 #include <coif/asset.h>
@@ -18,6 +18,11 @@
 struct coif_hair {
   coif::Asset asset;
   coif::Hair hair;
+};
+
+// The same for coif::HairWorld. The member has the name of coif_hair's, for functions that take either.
+struct coif_world {
+  coif::HairWorld hair;
 };
 
 namespace coif::c {
@@ -62,6 +67,10 @@ To copied(const From& from) {
 }
 
 inline coif::Vec3 vector_of(const coif_vec3& from) { return {from.x, from.y, from.z}; }
+inline coif::Vec3 of_three(const float (&from)[3]) { return {from[0], from[1], from[2]}; }
+
+inline coif::WorldAsset in_cpp(coif_world_asset asset) { return {asset.index, asset.generation}; }
+inline coif::WorldHead in_cpp(coif_world_head head) { return {head.index, head.generation}; }
 
 inline coif::HeadPose pose_of(const coif_head_pose& from) { return copied<coif::HeadPose>(from); }
 

@@ -1,7 +1,5 @@
 // The simulation in C.
-#include "asset_view.h"
-
-#include <coif/links.h>
+#include "simulation_calls.h"
 
 #include <cstddef>
 #include <new>
@@ -9,84 +7,18 @@
 
 namespace {
 
-constexpr std::size_t kAlignment = 64;
-constexpr std::size_t kHeadBytes = (sizeof(coif_hair) + kAlignment - 1) / kAlignment * kAlignment;
-
-static_assert(sizeof(coif_vec3) == sizeof(coif::Vec3) && sizeof(coif_mat34) == sizeof(coif::Mat34));
-static_assert(sizeof(coif_head_pose) == sizeof(coif::HeadPose) && alignof(coif_head_pose) == alignof(coif::HeadPose));
 COIF_SAME(coif_head_pose, rotation, coif::HeadPose, rotation);
 COIF_SAME(coif_head_pose, scale, coif::HeadPose, scale);
 COIF_SAME(coif_head_pose, reserved, coif::HeadPose, reserved);
-static_assert(alignof(coif_hair) <= kAlignment);
 
 using coif::c::bytes_of;
 using coif::c::code;
-using coif::c::pose_of;
-using coif::c::vector_of;
-
-/// Null for an enumerator that this version does not know.
-const coif::Solver* solver_of(std::uint32_t solver) {
-  switch (solver) {
-    case COIF_SOLVER_COIF: return &coif::kCoifSolver;
-    case COIF_SOLVER_PASSIVE: return &coif::kPassiveSolver;
-    case COIF_SOLVER_CASCADE: return &coif::kCascadeSolver;
-#ifndef COIF_C_CROWDS_ALONE
-    case COIF_SOLVER_THESIS: return &coif::kThesisSolver;
-    case COIF_SOLVER_CHARACTER: return &coif::kCharacterSolver;
-#endif
-  }
-  return nullptr;
-}
+using coif::c::kOwnBytes;
 
 bool read(const coif_hair_desc* from, coif::HairDesc& desc) {
-  if (from == nullptr || solver_of(from->solver) == nullptr) return false;
+  if (from == nullptr) return false;
   desc.instances = from->instances;
-  desc.solver = solver_of(from->solver);
-  desc.longest_interval = from->longest_interval;
-  desc.moving_colliders = from->moving_colliders;
-  desc.follows_body = from->follows_body != 0;
-  desc.follows_poses = from->follows_poses != 0;
-  desc.has_own_air = from->has_own_air != 0;
-  desc.feels_gusts = from->feels_gusts != 0;
-  desc.dynamics_sets = from->dynamics_sets;
-#ifdef COIF_C_CROWDS_ALONE  // A build without characters, links and Algorithm 1 refuses them.
-  return from->keeps_links == 0;
-#else
-  const bool is_worn = from->solver == COIF_SOLVER_CHARACTER;
-  if (from->keeps_links != 0) desc.links = is_worn ? &coif::kCharacterLinks : &coif::kLinks;
-  return true;
-#endif
-}
-
-coif::StepSettings settings_of(const coif_step_settings& from) {
-  coif::StepSettings settings;
-  settings.dt = from.dt;
-  settings.substeps = from.substeps;
-  settings.iterations = from.iterations;
-  settings.environment = {vector_of(from.gravity), vector_of(from.wind), from.air_follow, from.true_gravity};
-  settings.dynamics = {from.stiffness, from.damping, from.friction};
-  settings.inertia = from.inertia;
-  settings.teleport_distance = from.teleport_distance;
-  settings.teleport_angle = from.teleport_angle;
-  settings.sleep_after = from.sleep_after;
-  settings.sleep_speed = from.sleep_speed;
-  return settings;
-}
-
-using PoseCall = coif::Status (coif::Hair::*)(std::uint32_t, const coif::HeadPose&);
-
-coif_status call(PoseCall method, coif_hair* hair, std::uint32_t instance, const coif_head_pose* pose) {
-  if (hair == nullptr) return COIF_NOT_CREATED;
-  if (pose == nullptr) return COIF_BAD_POSE;
-  return code((hair->hair.*method)(instance, pose_of(*pose)));
-}
-
-using StepCall = coif::Status (coif::Hair::*)(const coif::StepSettings&);
-
-coif_status call(StepCall method, coif_hair* hair, const coif_step_settings* settings) {
-  if (hair == nullptr) return COIF_NOT_CREATED;
-  if (settings == nullptr) return COIF_BAD_ARGUMENT;
-  return code((hair->hair.*method)(settings_of(*settings)));
+  return coif::c::read_rules(*from, desc);
 }
 
 }  // namespace
@@ -139,7 +71,7 @@ size_t coif_hair_memory_need(const void* asset, size_t asset_bytes, const coif_h
   coif::HairDesc wanted;
   if (!read(desc, wanted) || !opened.open(bytes_of(asset, asset_bytes))) return 0;
   const coif::MemoryNeed need = coif::Hair::memory_need(opened, wanted);
-  return need.bytes == 0 ? 0 : kHeadBytes + need.bytes;
+  return need.bytes == 0 ? 0 : kOwnBytes<coif_hair> + need.bytes;
 }
 
 coif_status coif_hair_create(const void* asset, size_t asset_bytes, const coif_hair_desc* desc, void* memory,
@@ -148,12 +80,11 @@ coif_status coif_hair_create(const void* asset, size_t asset_bytes, const coif_h
   *hair = nullptr;
   coif::HairDesc wanted;
   if (!read(desc, wanted)) return COIF_BAD_ARGUMENT;
-  const bool is_aligned = reinterpret_cast<std::uintptr_t>(memory) % kAlignment == 0;
-  if (memory == nullptr || !is_aligned || memory_bytes < kHeadBytes) return COIF_MEMORY_TOO_SMALL;
+  const std::span<std::byte> rest = coif::c::rest_of<coif_hair>(memory, memory_bytes);
+  if (rest.data() == nullptr) return COIF_MEMORY_TOO_SMALL;
   coif::Asset opened;
   if (!opened.open(bytes_of(asset, asset_bytes))) return COIF_ASSET_LACKS_DATA;
   coif::Hair crowd;
-  const std::span<std::byte> rest(static_cast<std::byte*>(memory) + kHeadBytes, memory_bytes - kHeadBytes);
   const coif::Status status = crowd.create(opened, wanted, rest);
   if (status != coif::Status::kOk) return code(status);
   *hair = new (memory) coif_hair{opened, static_cast<coif::Hair&&>(crowd)};
@@ -169,7 +100,7 @@ const char* coif_hair_bone_name(const coif_hair* hair, uint32_t bone) {
 }
 
 coif_status coif_hair_set_head(coif_hair* hair, uint32_t instance, const coif_head_pose* pose) {
-  return call(static_cast<PoseCall>(&coif::Hair::set_head), hair, instance, pose);
+  return coif::c::place(&coif::Hair::set_head, hair, instance, pose);
 }
 
 coif_status coif_hair_set_heads(coif_hair* hair, const coif_head_pose* poses, size_t count) {
@@ -180,25 +111,19 @@ coif_status coif_hair_set_heads(coif_hair* hair, const coif_head_pose* poses, si
 
 coif_status coif_hair_set_moving_head(coif_hair* hair, uint32_t instance, const coif_head_pose* pose,
                                       const coif_head_velocity* velocity) {
-  if (hair == nullptr) return COIF_NOT_CREATED;
-  if (pose == nullptr || velocity == nullptr) return COIF_BAD_POSE;
-  const auto vector = [](const float(&v)[3]) { return coif::Vec3{v[0], v[1], v[2]}; };
-  const coif::HeadVelocity its{vector(velocity->linear), vector(velocity->angular)};
-  return code(hair->hair.set_head(instance, pose_of(*pose), its));
+  return coif::c::set_moving_head(hair, instance, pose, velocity);
 }
 
 coif_status coif_hair_reset(coif_hair* hair, uint32_t instance, const coif_head_pose* pose) {
-  return call(&coif::Hair::reset, hair, instance, pose);
+  return coif::c::place(&coif::Hair::reset, hair, instance, pose);
 }
 
 coif_status coif_hair_teleport(coif_hair* hair, uint32_t instance, const coif_head_pose* pose) {
-  return call(&coif::Hair::teleport, hair, instance, pose);
+  return coif::c::place(&coif::Hair::teleport, hair, instance, pose);
 }
 
 coif_status coif_hair_set_detail(coif_hair* hair, uint32_t instance, const coif_detail* detail) {
-  if (hair == nullptr) return COIF_NOT_CREATED;
-  if (detail == nullptr) return COIF_BAD_ARGUMENT;
-  return code(hair->hair.set_detail(instance, {detail->level, detail->interval, detail->simulated != 0}));
+  return coif::c::set_detail(hair, instance, detail);
 }
 
 int coif_hair_is_asleep(const coif_hair* hair, uint32_t instance) {
@@ -206,11 +131,11 @@ int coif_hair_is_asleep(const coif_hair* hair, uint32_t instance) {
 }
 
 coif_status coif_hair_step(coif_hair* hair, const coif_step_settings* settings) {
-  return call(&coif::Hair::step, hair, settings);
+  return coif::c::step(&coif::Hair::step, hair, settings);
 }
 
 coif_status coif_hair_begin_step(coif_hair* hair, const coif_step_settings* settings) {
-  return call(&coif::Hair::begin_step, hair, settings);
+  return coif::c::step(&coif::Hair::begin_step, hair, settings);
 }
 
 uint32_t coif_hair_job_count(const coif_hair* hair) { return hair == nullptr ? 0 : hair->hair.job_count(); }
@@ -225,37 +150,23 @@ void coif_hair_finish_step(coif_hair* hair) {
 
 coif_status coif_hair_settle(coif_hair* hair, const uint32_t* instances, uint32_t count, float seconds,
                              const coif_step_settings* settings) {
-  if (hair == nullptr) return COIF_NOT_CREATED;
-  if (settings == nullptr) return COIF_BAD_ARGUMENT;
-  if (instances == nullptr && count > 0) return COIF_BAD_ARGUMENT;
-  const std::span<const uint32_t> chosen(instances, count);
-  return code(hair->hair.settle(chosen, seconds, settings_of(*settings)));
+  return coif::c::settle<std::uint32_t>(hair, instances, count, seconds, settings);
 }
 
 size_t coif_hair_saved_bytes(const coif_hair* hair) { return hair == nullptr ? 0 : hair->hair.saved_bytes(); }
 
-coif_status coif_hair_save(const coif_hair* hair, void* bytes, size_t size) {
-  if (hair == nullptr) return COIF_NOT_CREATED;
-  if (bytes == nullptr) return COIF_SIZE_MISMATCH;
-  return code(hair->hair.save({static_cast<std::byte*>(bytes), size}));
-}
+coif_status coif_hair_save(const coif_hair* hair, void* bytes, size_t size) { return coif::c::save(hair, bytes, size); }
 
 coif_status coif_hair_restore(coif_hair* hair, const void* bytes, size_t size) {
-  if (hair == nullptr) return COIF_NOT_CREATED;
-  if (bytes == nullptr) return COIF_DAMAGED_STATE;
-  return code(hair->hair.restore(bytes_of(bytes, size)));
+  return coif::c::restore(hair, bytes, size);
 }
 
 const coif_mat34* coif_hair_palette(const coif_hair* hair, uint32_t instance) {
-  if (hair == nullptr) return nullptr;
-  const std::span<const coif::Mat34> palette = hair->hair.palette(instance);
-  return palette.empty() ? nullptr : reinterpret_cast<const coif_mat34*>(palette.data());
+  return coif::c::palette(hair, instance);
 }
 
 coif_status coif_hair_bone_ends(const coif_hair* hair, uint32_t instance, coif_vec3* ends, uint32_t count) {
-  if (hair == nullptr) return COIF_NOT_CREATED;
-  if (ends == nullptr) return COIF_SIZE_MISMATCH;
-  return code(hair->hair.bone_ends(instance, {reinterpret_cast<coif::Vec3*>(ends), count}));
+  return coif::c::bone_ends(hair, instance, ends, count);
 }
 
 }  // extern "C"

@@ -1,11 +1,11 @@
 #ifndef COIF_H
 #define COIF_H
-/* The C interface of coif, for engines with a C interface and languages that call C. This header is all of it:
- * simulation below, in coif/c/character.h and coif/c/air.h, poses of heads from an engine's bones in
- * coif/c/head_bone.h, the asset in coif/c/asset.h, what a renderer needs in coif/c/drawing.h and coif/c/observing.h.
- * Each function calls the function or method of that name in coif/hair.h, coif/asset.h, coif/lod.h, coif/drawing.h or
- * coif/skinning.h, where the rules are: nothing allocates, throws, locks, reads a file or keeps anything global; after
- * an error everything is as it was before.
+/* The C interface of coif, for engines with a C interface and languages that call C. This header is all of it: heads
+ * that wear one asset below, in coif/c/character.h and coif/c/air.h, heads of many assets in coif/c/world.h, poses of
+ * heads from an engine's bones in coif/c/head_bone.h, the asset in coif/c/asset.h, what a renderer needs in
+ * coif/c/drawing.h and coif/c/observing.h. Each function calls the function or method of that name in coif/hair.h,
+ * coif/hair_world.h, coif/asset.h, coif/lod.h, coif/drawing.h or coif/skinning.h, where the rules are: nothing
+ * allocates, throws, locks, reads a file or keeps anything global; after an error everything is as it was before.
  *
  * Plain data has the same layout as in C++. A description is filled with its defaults by the function beside it, so
  * that members which later versions add (minor versions before 1.0, major versions from then on) have values. */
@@ -17,6 +17,7 @@
 #include <coif/c/head_bone.h>
 #include <coif/c/observing.h>
 #include <coif/c/types.h>
+#include <coif/c/world.h>
 #include <coif/version.h>
 
 #ifdef __cplusplus
