@@ -1,8 +1,9 @@
-// coif in JavaScript: loads the module, opens assets, makes crowds. coif.d.ts documents the types and functions.
+// coif in JavaScript: loads the module, opens assets, makes worlds. coif.d.ts documents the types and functions.
 
 import { Asset } from './asset.mjs';
 import { CoifError, Memory } from './memory.mjs';
 import { RECORDS, read, write, writeMatrix } from './records.mjs';
+import { bytesForWorld, World } from './world.mjs';
 
 export { CoifError };
 
@@ -47,7 +48,7 @@ export async function loadCoif({ memoryBytes = 64 << 20, parts = 'all', wasm = M
   return new Coif(exports, memory);
 }
 
-/** The module, its memory, and the functions that assets and crowds call. */
+/** The module, its memory, and the functions that assets, crowds and worlds call. */
 export class Coif {
   constructor(exports, memory) {
     this.exports = exports;
@@ -70,6 +71,14 @@ export class Coif {
     return new Asset(this, ArrayBuffer.isView(bytes) ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength) : new Uint8Array(bytes));
   }
 
+  createWorld(desc = {}) {
+    return new World(this, desc);
+  }
+
+  bytesForWorld(asset, heads, desc = {}, options = {}) {
+    return bytesForWorld(asset, heads, desc, options);
+  }
+
   screenShare(height, distance, fov) {
     return this.exports.coif_screen_share(height, distance, fov);
   }
@@ -89,7 +98,7 @@ export class Coif {
     return { position, rotation, scale };
   }
 
-  // For asset.mjs and hair.mjs.
+  // For the other modules.
 
   /** Writes the pose of a head on a bone to the address `out`; its status. */
   poseOfBone(bone, headBone, out) {

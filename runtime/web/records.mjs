@@ -33,6 +33,8 @@ record('HeadBone', 'BoneMatrix rest, f64 origin[3], f64 metresPerUnit, f64 large
 record('HeadVelocity', 'f32 linear[3], f32 angular[3]');
 record('HairDesc', 'u32 instances, u32 solver, u32 longestInterval, u32 movingColliders, u32 followsBody, u32 followsPoses, ' +
   'u32 hasOwnAir, u32 feelsGusts, u32 dynamicsSets, u32 keepsLinks');
+record('WorldDesc', 'u32 assets, u32 heads, u32 hairBytes, u32 solver, u32 instructionSet, u32 longestInterval, u32 movingColliders, ' +
+  'u32 followsBody, u32 followsPoses, u32 hasOwnAir, u32 feelsGusts, u32 dynamicsSets, u32 keepsLinks');
 record('StepSettings', 'f32 dt, u32 substeps, u32 iterations, f32 gravity[3], f32 wind[3], f32 airFollow, f32 stiffness, f32 damping, ' +
   'f32 friction, f32 inertia, f32 teleportDistance, f32 teleportAngle, f32 sleepAfter, f32 sleepSpeed, ' +
   'u32 trueGravity');

@@ -8,7 +8,7 @@ import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
 
-const MOST_BYTES = 191_000; // compressed: simulation with everything, hair for three, and what joins them
+const MOST_BYTES = 207_000; // compressed: simulation with everything, hair for three, and what joins them
 const ofPackage = (name) => readFileSync(join('node_modules/coif', name));
 const compressed = (bytes) => gzipSync(bytes, { level: 9 }).length;
 
@@ -29,7 +29,7 @@ function inFolder(act) {
 
 test('what a page loads stays small', () => inFolder((folder) => {
   const scripts = compressed(readFileSync(bundle(folder, "export { loadCoif } from 'coif';\nexport * from 'coif/three';")));
-  for (const [name, most] of [['coif.wasm', MOST_BYTES], ['coif-crowd.wasm', MOST_BYTES * 0.65]]) {
+  for (const [name, most] of [['coif.wasm', MOST_BYTES], ['coif-crowd.wasm', MOST_BYTES * 0.61]]) {
     const bytes = compressed(ofPackage(name));
     console.log(`${name} ${bytes} + scripts with coif/three ${scripts} = ${bytes + scripts} bytes, compressed`);
     assert.ok(bytes + scripts <= most, `${name} and scripts: ${bytes + scripts} bytes, above ${most}`);

@@ -11,7 +11,8 @@ const headers = ['coif.h', ...readdirSync(join(folder, 'coif/c')).map((name) => 
 const code = headers.map((name) => readFileSync(join(folder, name), 'utf8').replace(/\/\*[\s\S]*?\*\//g, '')).join('\n')
   .replace(/COIF_MAX_LODS\]/g, '8]').replace(/COIF_VIEW_CELLS\]/g, '96]');
 
-const TYPES = { uint8_t: 'u8', int16_t: 'i16', uint16_t: 'u16', uint32_t: 'u32', uint64_t: 'u64', float: 'f32', double: 'f64' };
+// Sizes have 32 bits in the module.
+const TYPES = { uint8_t: 'u8', int16_t: 'i16', uint16_t: 'u16', uint32_t: 'u32', uint64_t: 'u64', size_t: 'u32', float: 'f32', double: 'f64' };
 const VECTORS = { coif_vec3: 3, coif_quat: 4 };
 const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
 const pascal = (name) => camel(`_${name.replace(/^coif_/, '')}`);
