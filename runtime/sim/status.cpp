@@ -7,7 +7,8 @@ const char* describe(Status status) {
     case Status::kOk: return "ok";
     case Status::kBadTimeStep: return "the time step is not a number, below zero or infinite";
     case Status::kBadPose: return "a pose has a NaN, an infinity or a rotation that is not a unit quaternion";
-    case Status::kBadArgument: return "an argument is not finite or outside its documented range; explain() of coif/explain.h says which";
+    case Status::kBadArgument:
+      return "an argument is not finite or outside its documented range; explain() of coif/explain.h says which";
     case Status::kBadIndex: return "there is no such instance or bone";
     case Status::kMemoryTooSmall: return "the memory given is smaller than memory_need() says, or not aligned";
     case Status::kNotCreated: return "the object has not been created, or its creation failed";
