@@ -24,6 +24,7 @@ Status HairWorld::set_detail(WorldHead head, const Detail& detail) {
     return Status::kBadArgument;
   }
   if (power_of(detail.interval) >= world_->rules.intervals) return Status::kBadArgument;
+  const FloatEnvironment plain;
   HeadDetail& own = worn->detail;
   const bool appears = detail.simulated && !own.simulated;
   const bool refines = detail.level < own.level;
@@ -34,7 +35,6 @@ Status HairWorld::set_detail(WorldHead head, const Detail& detail) {
   // Bones that were rigid have to find their own rest.
   if (own.asleep && (appears || refines)) wake(*world_, head.index);
   sort_in(*world_, head.index);
-  const FloatEnvironment plain;
   if (appears) come_into_view(*world_, head.index);
   return Status::kOk;
 }

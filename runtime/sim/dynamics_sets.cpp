@@ -2,6 +2,7 @@
 
 #include <coif/hair.h>
 
+#include "float_environment.h"
 #include "world_heads.h"
 
 namespace coif {
@@ -9,6 +10,7 @@ namespace coif {
 Status HairWorld::set_dynamics(std::uint32_t set, const DynamicsScale& scale) {
   if (world_ == nullptr) return Status::kNotCreated;
   if (world_->rules.sets == 1 || set >= world_->rules.sets) return Status::kNotAsked;
+  const FloatEnvironment plain;
   if (!fits(scale)) return Status::kBadArgument;
   DynamicsScale& told = world_->dynamics_sets[set];
   if (same(told, scale)) return Status::kOk;
@@ -25,6 +27,7 @@ Status HairWorld::choose_dynamics(WorldHead head, std::uint32_t set) {
   const std::span<const DynamicsScale> all = world_->dynamics_sets;
   if (set >= all.size()) return Status::kNotAsked;
   if (worn->set == set) return Status::kOk;
+  const FloatEnvironment plain;
   const bool differs = !same(all[set], all[worn->set]);
   const bool has_lanes = worn->has_lanes;
   if (has_lanes) world_->shared->leave_lanes(*world_, head.index);

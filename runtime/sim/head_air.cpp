@@ -22,6 +22,7 @@ bool same_gusts(const Gusts& a, const Gusts& b) {
 Status HairWorld::set_air(WorldHead head, const HeadAir& air) {
   if (find(world_, head) == nullptr) return missing(world_);
   if (world_->airs.empty()) return Status::kNotAsked;
+  const FloatEnvironment plain;
   if (const Status status = check(air); status != Status::kOk) return status;
   HeadAir& told = world_->airs[head.index];
   if (same_air(told, air)) return Status::kOk;
@@ -33,10 +34,10 @@ Status HairWorld::set_air(WorldHead head, const HeadAir& air) {
 Status HairWorld::set_gusts(const Gusts& gusts) {
   if (world_ == nullptr) return Status::kNotCreated;
   if (world_->gusts.empty()) return Status::kNotAsked;
+  const FloatEnvironment plain;
   if (!are_gusts(gusts)) return Status::kBadArgument;
   GustField& field = world_->gusts[0];
   if (same_gusts(field.told, gusts)) return Status::kOk;
-  const FloatEnvironment plain;
   const bool blow = field.told.amplitude != 0.0f || gusts.amplitude != 0.0f;
   field.told = gusts;
   field.waves = waves_of(gusts);

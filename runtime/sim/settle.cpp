@@ -103,7 +103,6 @@ Status settle(WorldState& world, std::size_t count, const HeadAt& head_at, float
   if (const Status status = check_settings(steps); status != Status::kOk) return status;
   if (count == 0) return Status::kOk;
 
-  const FloatEnvironment plain;
   const Clock clock(world);
   for_each_head(world, [&](std::uint32_t head) { keep(world.heads[head].detail); });
   for (std::size_t i = 0; i < count; ++i) {
@@ -126,6 +125,7 @@ Status settle(WorldState& world, std::size_t count, const HeadAt& head_at, float
 
 Status HairWorld::settle(std::span<const WorldHead> heads, float seconds, const StepSettings& settings) {
   if (world_ == nullptr) return Status::kNotCreated;
+  const FloatEnvironment plain;
   for (const WorldHead head : heads) {
     if (find(world_, head) == nullptr) return Status::kBadIndex;
   }
@@ -136,6 +136,7 @@ Status HairWorld::settle(std::span<const WorldHead> heads, float seconds, const 
 Status Hair::settle(std::span<const std::uint32_t> instances, float seconds, const StepSettings& settings) {
   WorldState* const world = world_.world_;
   if (world == nullptr) return Status::kNotCreated;
+  const FloatEnvironment plain;
   for (const std::uint32_t instance : instances) {
     if (instance >= instance_count()) return Status::kBadIndex;
   }

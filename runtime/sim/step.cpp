@@ -11,8 +11,8 @@ Status HairWorld::begin_step(const StepSettings& settings) {
   if (world_ == nullptr) return Status::kNotCreated;
   world_->job_count = 0;
   world_->is_in_step = false;
-  if (const Status status = check_settings(settings); status != Status::kOk) return status;
   const FloatEnvironment plain;
+  if (const Status status = check_settings(settings); status != Status::kOk) return status;
   coif::begin_step(*world_, settings);
   return Status::kOk;
 }

@@ -1,11 +1,15 @@
 // What a host's threads have chosen for floating point is theirs, and does not matter to hair.
 
 #include "models/playback.h"
+#include "sim/hair_town.h"
 
 #include <gtest/gtest.h>
 
 #include <cfenv>
+#include <cstring>
 #include <functional>
+#include <limits>
+#include <vector>
 
 namespace coif::float_environment_test {
 
@@ -78,6 +82,63 @@ TEST(FloatEnvironment, TheHostsOwnIsBackAfterwards) {
         EXPECT_EQ(std::fegetround(), FE_UPWARD);
       },
       InstructionSet::kBest);
+}
+
+/// Matrices of heads whose chains take other lanes in calls that compute nothing else, after `choose` chose something
+/// for this thread.
+std::vector<Mat34> matrices_under(const std::function<void()>& choose) {
+  const auto kinds = hair_town::opened(
+      {hair_town::uneven_strands(ChainModel::kPassive, 4, kShortestArc, true).contents(), feature_rig().contents()});
+  const WorldDesc desc{.assets = 2, .heads = 6, .dynamics_sets = 2};
+  AlignedBytes memory = hair_town::memory_of(HairWorld::memory_need(desc).bytes);
+  HairWorld world;
+  EXPECT_EQ(world.create(desc, memory.bytes()), Status::kOk);
+  std::vector<WorldHead> heads(desc.heads);
+  WorldAsset assets[2];
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(world.add_asset(kinds[i]->asset, assets[i]), Status::kOk);
+  for (std::size_t i = 0; i < heads.size(); ++i) {
+    EXPECT_EQ(world.add_head(assets[i % 2], {}, heads[i]), Status::kOk);
+    EXPECT_EQ(world.set_detail(heads[i], {.simulated = false}), Status::kOk);
+  }
+  std::fenv_t usual;
+  EXPECT_EQ(std::fegetenv(&usual), 0);
+  choose();
+  for (const WorldHead head : heads) EXPECT_EQ(world.set_detail(head, {}), Status::kOk);
+  for (const WorldHead head : heads) EXPECT_EQ(world.choose_dynamics(head, 1), Status::kOk);
+  for (int frame = 0; frame < 30; ++frame) EXPECT_EQ(world.step({}), Status::kOk);
+  EXPECT_EQ(std::fesetenv(&usual), 0);
+  std::vector<Mat34> matrices;
+  for (const WorldHead head : heads) {
+    matrices.insert(matrices.end(), world.palette(head).begin(), world.palette(head).end());
+  }
+  return matrices;
+}
+
+TEST(FloatEnvironment, ChainsTakeOtherLanesWithTheSameBits) {
+  const std::vector<Mat34> usual = matrices_under([] {});
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    const std::vector<Mat34> here = matrices_under([mode] { EXPECT_EQ(std::fesetround(mode), 0); });
+    EXPECT_EQ(std::memcmp(usual.data(), here.data(), usual.size() * sizeof(Mat34)), 0) << mode;
+  }
+}
+
+TEST(FloatEnvironment, NumbersThatAreNoneAreRefusedWithoutATrap) {
+#if defined(__GLIBC__)
+  if (feenableexcept(FE_INVALID) == -1) GTEST_SKIP() << "this processor does not trap";
+  (void)fedisableexcept(FE_ALL_EXCEPT);
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  TestHair test(nine_bone_rig(),
+                {.solver = &kCharacterSolver, .dynamics_sets = 2, .has_own_air = true, .feels_gusts = true});
+  (void)feenableexcept(FE_INVALID);
+  EXPECT_EQ(test.hair.step({.dt = none}), Status::kBadTimeStep);
+  EXPECT_EQ(test.hair.settle(0, none, {}), Status::kBadTimeStep);
+  EXPECT_EQ(test.hair.set_dynamics(1, {.damping = none}), Status::kBadArgument);
+  EXPECT_EQ(test.hair.set_air(0, {.exposure = none}), Status::kBadArgument);
+  EXPECT_EQ(test.hair.set_gusts({.length = none}), Status::kBadArgument);
+  (void)fedisableexcept(FE_ALL_EXCEPT);
+#else
+  GTEST_SKIP() << "no way to let exceptions trap";
+#endif
 }
 
 }  // namespace coif::float_environment_test
