@@ -81,13 +81,23 @@ void end_settling(HeadDetail& detail, bool may_sleep) {
   detail.asleep = has_settled ? detail.asleep && may_sleep : was_asleep;
 }
 
+/// Jobs do not say so: a head without chains has none, and takes its time to fall asleep all the same.
+bool are_all_idle(const WorldState& world) {
+  for (const Crowd& crowd : world.crowds) {
+    if (crowd.users == 0) continue;
+    for (const TreatedHeads& list : crowd.lists.subspan(kIdle + 1)) {
+      if (list.blocks.first != nullptr) return false;
+    }
+  }
+  return true;
+}
+
 void run_steps(WorldState& world, std::uint32_t count, const StepSettings& settings) {
   world.settings = settings;  // So that nobody wakes because the settings changed.
   world.has_asked = false;
   for (GustField& field : world.gusts) field.way -= double(field.told.speed) * double(kSettlingStep) * count;
-  for (std::uint32_t i = 0; i < count; ++i) {
+  for (std::uint32_t i = 0; i < count && !are_all_idle(world); ++i) {
     begin_step(world, settings);
-    if (world.job_count == 0) return;
     for (std::uint32_t job = 0; job < world.job_count; ++job) run_job(world, job);
     finish_step(world);
   }

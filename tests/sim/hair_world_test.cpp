@@ -155,6 +155,19 @@ TEST(HairWorld, ResetAndTeleportWakeAHeadThatStandsThereAlready) {
   }
 }
 
+TEST(HairWorld, AHeadWithoutChainsSettlesAsOthersDo) {
+  const auto kinds = opened({TestRig().contents()});
+  Town town(kinds, {.assets = 1, .heads = 1});
+  ASSERT_EQ(town.come(0), Status::kOk);
+  ASSERT_EQ(town.move_in(0, {}), Status::kOk);
+  town.step({});
+  const Resident& one = town.residents[0];
+  ASSERT_EQ(town.world.settle(std::vector{one.head}, 2, {}), Status::kOk);
+  ASSERT_EQ(one.twin->hair.settle(0, 2, {}), Status::kOk);
+  EXPECT_TRUE(town.world.is_asleep(one.head));
+  EXPECT_EQ(town.strangers(), 0);
+}
+
 TEST(HairWorld, SoItHasInALongLife) { live(kCoifSolver, InstructionSet::kBest, 600, 8); }
 
 }  // namespace coif::hair_world_test
