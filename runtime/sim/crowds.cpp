@@ -105,7 +105,7 @@ void leave_crowd(WorldState& world, Crowd& crowd) {
 
 bool add_members(WorldState& world, Crowd& crowd, std::uint32_t count) {
   const auto lists = std::uint32_t(crowd.lists.size());
-  const std::uint32_t needed = part_count(crowd.blocks.members + count, lists);
+  const std::uint64_t needed = part_count(std::uint64_t{crowd.blocks.members} + count, lists);
   // First all blocks and then all their numbers, since most calls for a head read only its block.
   while (crowd.blocks.parts < needed) {
     std::byte* const memory = world.heap.take(sizeof(Block));

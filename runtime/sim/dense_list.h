@@ -10,7 +10,7 @@ namespace coif {
 
 /// Number of parts of sixteen lanes that suffice for so many members in any division among so many lists: each list has
 /// at most one part that is not full, and at least one member.
-[[nodiscard]] constexpr std::uint32_t part_count(std::uint32_t members, std::uint32_t lists) {
+[[nodiscard]] constexpr std::uint64_t part_count(std::uint64_t members, std::uint32_t lists) {
   if (members == 0) return 0;
   return (members + kLanes - 1) / kLanes + (lists < members ? lists : members) - 1;
 }

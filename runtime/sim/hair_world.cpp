@@ -28,9 +28,11 @@ MemoryNeed HairWorld::memory_need(const WorldDesc& desc) {
 }
 
 std::size_t HairWorld::bytes_for(const Asset& asset, std::uint32_t heads, const WorldDesc& desc, std::uint32_t crowd) {
+  const FloatEnvironment plain;
   if (!asset.is_open() || check(desc) != Status::kOk) return 0;
   const WorldRules rules = rules_of(desc);
-  return std::size_t(need_of(asset, rules, &kSharedCode, order_for(asset, rules, crowd), heads).bytes);
+  const std::uint64_t bytes = need_of(asset, rules, &kSharedCode, order_for(asset, rules, crowd), heads).bytes;
+  return bytes < SIZE_MAX ? std::size_t(bytes) : SIZE_MAX;
 }
 
 Status HairWorld::create(const WorldDesc& desc, std::span<std::byte> memory) {

@@ -173,7 +173,7 @@ struct WorldState {
 /// programs with crowds of one asset alone do not link it. See bundles/bundles.h.
 struct SharedCode {
   /// Upper bound of the bytes of the chains of so many heads.
-  std::size_t (*bytes_of_chains)(const Asset& asset, std::uint32_t heads, const WorldRules& rules) = nullptr;
+  std::uint64_t (*bytes_of_chains)(const Asset& asset, std::uint32_t heads, const WorldRules& rules) = nullptr;
   /// Number of floats that the chains of one head keep.
   std::size_t (*kept_floats)(const Asset& asset, const WorldRules& rules) = nullptr;
   /// Adds the arrays of an asset; while counting they are empty.

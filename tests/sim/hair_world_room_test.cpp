@@ -34,6 +34,15 @@ TEST(HairWorldRoom, BytesForAnAssetAreEnoughAndNotFarTooMany) {
   }
 }
 
+TEST(HairWorldRoom, BytesForMoreChainsThanAreCountedIn32Bits) {
+  TestRig rig;
+  while (rig.bones.size() < kMaxBones) rig.add({.length = 0.1f, .stiffness = 50, .damping = 4});
+  const auto kinds = opened({rig.contents()});
+  const auto bytes = [&](std::uint32_t heads) { return double(HairWorld::bytes_for(kinds[0]->asset, heads)); };
+  EXPECT_GT(bytes(2 * kMaxInstances), 1.99 * bytes(kMaxInstances));
+  EXPECT_GT(bytes(kNone), 4000 * bytes(kMaxInstances));
+}
+
 TEST(HairWorldRoom, ChainsOfDifferentAssetsShareLanes) {
   // Sixteen assets of one strand each: alone each would need a bundle of sixteen lanes for its one head.
   std::vector<AssetContents> contents;

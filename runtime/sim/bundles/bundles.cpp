@@ -119,7 +119,7 @@ std::size_t bundle_bytes(const Solver& solver, std::size_t bones, const ShapeKin
 }
 
 bool add_member(WorldState& world, ChainShape& shape) {
-  while (shape.pool.parts < part_count(shape.pool.members + 1, std::uint32_t(shape.lists.size()))) {
+  while (shape.pool.parts < part_count(std::uint64_t{shape.pool.members} + 1, std::uint32_t(shape.lists.size()))) {
     std::byte* const memory = world.heap.take(bundle_bytes(shape));
     if (memory == nullptr) return give_spares_back(world, shape), false;
     MemoryCarver carver(memory);

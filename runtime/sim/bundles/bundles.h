@@ -74,7 +74,7 @@ struct ChainShape {
 
 [[nodiscard]] bool join_shapes(WorldState& world, WornAsset& worn);
 void leave_shapes(WorldState& world, WornAsset& worn);
-[[nodiscard]] std::size_t bytes_of_chains(const Asset& asset, std::uint32_t heads, const WorldRules& rules);
+[[nodiscard]] std::uint64_t bytes_of_chains(const Asset& asset, std::uint32_t heads, const WorldRules& rules);
 [[nodiscard]] std::size_t kept_floats(const Asset& asset, const WorldRules& rules);
 
 // motions.cpp: coefficients

@@ -148,13 +148,13 @@ ChainShape* make_shape(WorldState& world, const WornAsset& worn, const ChainReco
 }
 
 /// Bytes that `count` chains of one shape take; `chain` is one of them.
-std::uint64_t chain_bytes(const Asset& asset, const WorldRules& rules, const ChainRecord& chain, std::uint32_t count) {
+std::uint64_t chain_bytes(const Asset& asset, const WorldRules& rules, const ChainRecord& chain, std::uint64_t count) {
   const Solver& solver = solver_for(*rules.solver, chain);
   const ShapeKind kind = kind_of(rules, common_features(asset, solver, chain));
   const std::uint32_t bones = room_for(asset, solver, chain).bones;
   const std::uint32_t lists = treatment_count(levels_of(asset), rules.intervals, 1) - 1;
   return WorldHeap::most(shape_bytes(bones, lists)) +
-         std::uint64_t(part_count(count, lists)) * WorldHeap::most(bundle_bytes(solver, bones, kind));
+         part_count(count, lists) * WorldHeap::most(bundle_bytes(solver, bones, kind));
 }
 
 void leave_shape(WorldState& world, ChainShape& shape, bool touches) {
@@ -199,7 +199,7 @@ void leave_shapes(WorldState& world, WornAsset& worn) {
   }
 }
 
-std::size_t bytes_of_chains(const Asset& asset, std::uint32_t heads, const WorldRules& rules) {
+std::uint64_t bytes_of_chains(const Asset& asset, std::uint32_t heads, const WorldRules& rules) {
   std::uint64_t bytes = 0;
   const auto chains = asset.chains();
   for (std::size_t c = 0; c < chains.size(); ++c) {
@@ -208,10 +208,10 @@ std::size_t bytes_of_chains(const Asset& asset, std::uint32_t heads, const World
     };
     const auto here = chains.begin() + std::ptrdiff_t(c);
     if (std::any_of(chains.begin(), here, is_alike)) continue;  // Counted with the first one.
-    const auto alike = std::uint32_t(std::count_if(here, chains.end(), is_alike));
+    const auto alike = std::uint64_t(std::count_if(here, chains.end(), is_alike));
     bytes += chain_bytes(asset, rules, chains[c], alike * heads);
   }
-  return std::size_t(bytes);
+  return bytes;
 }
 
 std::size_t kept_floats(const Asset& asset, const WorldRules& rules) {
