@@ -160,6 +160,21 @@ struct Resident {
   std::unique_ptr<Twin> twin;
 };
 
+/// Runs the jobs of a step that has begun.
+inline void run_jobs(HairWorld& world, JobOrder order) {
+  const std::uint32_t jobs = world.job_count();
+  const auto run_every_second = [&](std::uint32_t first) {
+    for (std::uint32_t job = first; job < jobs; job += 2) world.run_job(job);
+  };
+  if (order == JobOrder::kTwoThreads) {
+    std::thread other(run_every_second, 1);
+    run_every_second(0);
+    other.join();
+    return;
+  }
+  for (std::uint32_t i = 0; i < jobs; ++i) world.run_job(order == JobOrder::kAscending ? i : jobs - 1 - i);
+}
+
 /// A world, and each of its heads once more alone.
 class Town {
  public:
@@ -197,7 +212,7 @@ class Town {
 
   void step(const StepSettings& settings, JobOrder order = JobOrder::kAscending) {
     ASSERT_EQ(world.begin_step(settings), Status::kOk);
-    run_jobs(order);
+    run_jobs(world, order);
     world.finish_step();
     for (const Resident& one : residents) ASSERT_EQ(one.twin->hair.step(settings), Status::kOk);
   }
@@ -218,20 +233,6 @@ class Town {
   std::vector<Resident> residents;
 
  private:
-  void run_jobs(JobOrder order) {
-    const std::uint32_t jobs = world.job_count();
-    const auto run_every_second = [&](std::uint32_t first) {
-      for (std::uint32_t job = first; job < jobs; job += 2) world.run_job(job);
-    };
-    if (order == JobOrder::kTwoThreads) {
-      std::thread other(run_every_second, 1);
-      run_every_second(0);
-      other.join();
-      return;
-    }
-    for (std::uint32_t i = 0; i < jobs; ++i) world.run_job(order == JobOrder::kAscending ? i : jobs - 1 - i);
-  }
-
   const std::vector<std::unique_ptr<Kind>>& kinds_;
   const Solver& solver_;
   AlignedBytes memory_;

@@ -168,8 +168,11 @@ class Street {
       tell_all([&](auto& hair) { return hair.set_dynamics(1, {.stiffness = 1 + float(frame % 3)}); });
   }
 
-  void step(const StepSettings& settings) {
-    tell_all([&](auto& hair) { return hair.step(settings); });
+  void step(const StepSettings& settings, JobOrder order) {
+    ASSERT_EQ(world.begin_step(settings), Status::kOk);
+    hair_town::run_jobs(world, order);
+    world.finish_step();
+    for (const auto& one : alone) ASSERT_EQ(one->hair.step(settings), Status::kOk);
   }
 
   void settle(std::uint32_t head, const StepSettings& settings) {
@@ -230,13 +233,14 @@ StepSettings settings_of(int frame) {
 }
 
 void live(const Solver& solver, InstructionSet set, bool has_crowds, int frames) {
+  constexpr JobOrder kOrders[] = {JobOrder::kAscending, JobOrder::kDescending, JobOrder::kTwoThreads};
   Street street(desc_of(solver, set), has_crowds);
   int asleep = 0;
   for (int frame = 1; frame <= frames; ++frame) {
     const StepSettings settings = settings_of(frame);
     street.tell(frame);
     if (frame % 19 == 0) street.settle(std::uint32_t(frame) % 16, settings);
-    street.step(settings);
+    street.step(settings, kOrders[frame % 3]);
     ASSERT_EQ(street.strangers(), 0) << "frame " << frame << (has_crowds ? " with crowds" : "");
     for (const WorldHead head : street.heads) asleep += street.world.is_asleep(head) ? 1 : 0;
   }
