@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 namespace coif::hair_world_test {
@@ -166,6 +167,21 @@ TEST(HairWorld, AHeadWithoutChainsSettlesAsOthersDo) {
   ASSERT_EQ(one.twin->hair.settle(0, 2, {}), Status::kOk);
   EXPECT_TRUE(town.world.is_asleep(one.head));
   EXPECT_EQ(town.strangers(), 0);
+}
+
+/// Without hair that shows it.
+TEST(HairWorld, AHeadWhoseNumbersOverflowIsPutToRest) {
+  const auto kinds = opened({TestRig().contents()});
+  Town town(kinds, {.assets = 1, .heads = 1});
+  ASSERT_EQ(town.come(0), Status::kOk);
+  ASSERT_EQ(town.move_in(0, {}), Status::kOk);
+  const WorldHead head = town.residents[0].head;
+  ASSERT_EQ(town.world.teleport(head, {}), Status::kOk);
+  ASSERT_EQ(town.world.set_head(head, {}, {{}, {0, std::numeric_limits<float>::max(), 0}}), Status::kOk);
+  ASSERT_EQ(town.world.step({}), Status::kOk);
+  std::vector<std::byte> saved(town.world.saved_bytes());
+  ASSERT_EQ(town.world.save(saved), Status::kOk);
+  EXPECT_EQ(town.world.restore(saved), Status::kOk);
 }
 
 TEST(HairWorld, SoItHasInALongLife) { live(kCoifSolver, InstructionSet::kBest, 600, 8); }

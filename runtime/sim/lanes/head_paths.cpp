@@ -5,6 +5,8 @@
 #include "head_path-inl.h"
 #include "lane_code.h"
 
+#include <limits>
+
 HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
@@ -59,6 +61,17 @@ struct Heads {
     return std::uint32_t(bytes[0] | bytes[1] << 8);
   }
 
+  /// Where all velocities are numbers whose squares are numbers, too.
+  static HWY_INLINE hn::Mask<D> is_sound(D d, const HeadLanes& heads, std::size_t i) {
+    auto sum2 = hn::Zero(d);
+    for (const Lanes3* const vector :
+         {&heads.velocity, &heads.angular_velocity, &heads.mean_velocity, &heads.mean_angular_velocity}) {
+      const V3<D> v = load(d, *vector, i);
+      sum2 = hn::Add(sum2, dot(d, v, v));
+    }
+    return hn::Le(sum2, hn::Set(d, std::numeric_limits<float>::max()));
+  }
+
   static RestingHeads finish(HeadLanes& heads, std::uint32_t lanes, const HeadStepLanes& step, const Lanes& motions,
                              const RestWatch& watch) {
     const D d;
@@ -67,7 +80,8 @@ struct Heads {
       finish_path(d, heads, i, step);
       const auto motion = load(d, motions, i);
       resting.may_sleep |= bits_of(watch_rest(d, heads, i, motion, watch)) << i;
-      resting.flies |= bits_of(hn::Not(hn::Lt(motion, hn::Set(d, kFastest2)))) << i;
+      const auto stays = hn::And(hn::Lt(motion, hn::Set(d, kFastest2)), is_sound(d, heads, i));
+      resting.flies |= bits_of(hn::Not(stays)) << i;
     }
     return resting;
   }

@@ -28,7 +28,7 @@ struct RestWatch {
 /// Lanes of a block, a bit for each.
 struct RestingHeads {
   std::uint32_t may_sleep = 0;
-  std::uint32_t flies = 0;  ///< Its hair is faster than light, or not a number.
+  std::uint32_t flies = 0;  ///< Its hair is faster than light, or a speed of hair or head is not a number.
 };
 
 /// Moves the heads of one block through a step, in this order: look_ahead, begin, move for each part, finish. Works on
