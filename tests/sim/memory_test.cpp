@@ -129,7 +129,7 @@ TEST(CrowdMemory, AHeadOfNineBonesHasLittleMoreThanHalfAKilobyteOfState) {
     const bool is_passive = solver == &kPassiveSolver;
     const char* const name = is_passive ? "passive" : solver == &kCoifSolver ? "coif" : "thesis";
     std::printf("%s: %.0f bytes a head besides its matrices\n", name, most);
-    EXPECT_LE(most, is_passive ? 776.0 : 596.0);
+    EXPECT_LE(most, is_passive ? 780.0 : 600.0);
   }
 }
 

@@ -8,7 +8,7 @@ import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
 
-const MOST_BYTES = 207_000; // compressed: simulation with everything, hair for three, and what joins them
+const MOST_BYTES = 209_000; // compressed: simulation with everything, hair for three, and what joins them
 const ofPackage = (name) => readFileSync(join('node_modules/coif', name));
 const compressed = (bytes) => gzipSync(bytes, { level: 9 }).length;
 
