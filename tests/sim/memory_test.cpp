@@ -111,7 +111,7 @@ TEST(MemoryNeed, WhatTheMemoryHeldBeforeDoesNotMatter) {
 
 // What a head costs in memory.
 
-// 40 of them are the pose that the host told last, so that it may be told again for nothing, and 32 its handle and
+// 40 of them are the pose that the host told last, so that it may be told again for nothing, and 40 its handle and
 // where its numbers are.
 TEST(CrowdMemory, AHeadOfNineBonesHasLittleMoreThanHalfAKilobyteOfState) {
   TestRig rig = nine_bone_rig();
