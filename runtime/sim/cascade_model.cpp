@@ -93,7 +93,7 @@ void calm(const ChainLane& chain) {
 
 bool could_be(const SavedLane& lane, std::size_t at) {
   return is_unit_direction(lane.vector(at + offsetof(CoifState, direction))) &&
-         length(lane.vector(at + offsetof(CoifState, arm))) <= 1.0f + kSavedUnitTolerance;
+         length(lane.vector(at + offsetof(CoifState, arm))) <= 1.0f + kSavedFrameTolerance;
 }
 
 }  // namespace cascade

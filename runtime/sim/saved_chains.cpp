@@ -12,9 +12,10 @@ namespace {
 bool is_rigid(const Mat34& matrix) {
   Vec3 column[3];
   for (int k = 0; k < 3; ++k) column[k] = {matrix.m[0][k], matrix.m[1][k], matrix.m[2][k]};
-  const bool is_square = is_unit_direction(column[0]) && is_unit_direction(column[1]) &&
-                         std::fabs(dot(column[0], column[1])) <= kSavedUnitTolerance &&
-                         length(cross(column[0], column[1]) - column[2]) <= 4 * kSavedUnitTolerance;
+  constexpr float kOff = kSavedFrameTolerance;
+  const bool is_square = is_unit_direction(column[0], kOff) && is_unit_direction(column[1], kOff) &&
+                         std::fabs(dot(column[0], column[1])) <= kOff &&
+                         length(cross(column[0], column[1]) - column[2]) <= 4 * kOff;
   return is_square && is_finite(Vec3{matrix.m[0][3], matrix.m[1][3], matrix.m[2][3]});
 }
 
@@ -57,7 +58,7 @@ bool are_twists(std::uint32_t bones, const SavedLane& lane) {
     const std::size_t at = i * sizeof(TwistState);
     const float cosine = lane.number(at + offsetof(TwistState, cosine)),
                 sine = lane.number(at + offsetof(TwistState, sine));
-    if (!is_unit_direction(lane.vector(at + offsetof(TwistState, before)))) return false;
+    if (!is_unit_direction(lane.vector(at + offsetof(TwistState, before)), kSavedFrameTolerance)) return false;
     if (!is_unit_direction({cosine, sine, 0})) return false;
   }
   return true;

@@ -15,6 +15,9 @@ namespace coif {
 
 /// Allowed error of a length that the simulation keeps at one.
 inline constexpr float kSavedUnitTolerance = 1e-3f;
+/// The same for what follows from the frames of a chain: a bone that is nearly folded over its parent multiplies the
+/// errors of the frames above it. A chain of nine was off by 1.5e-3.
+inline constexpr float kSavedFrameTolerance = 0.02f;
 
 /// Reads values by their byte offsets in the struct of Lanes that was saved; the bytes may lie anywhere.
 class SavedLane {
@@ -87,7 +90,9 @@ inline bool is_share(float value) { return value >= 0.0f && value <= 1.0f; }
 inline bool same_bits(const void* a, const void* b, std::size_t bytes) { return std::memcmp(a, b, bytes) == 0; }
 
 /// False for anything with a NaN or an infinity.
-inline bool is_unit_direction(const Vec3& v) { return std::fabs(length(v) - 1.0f) <= kSavedUnitTolerance; }
+inline bool is_unit_direction(const Vec3& v, float tolerance = kSavedUnitTolerance) {
+  return std::fabs(length(v) - 1.0f) <= tolerance;
+}
 
 /// Whether the world could have saved this: numbers are finite and in their ranges, rotations are rotations, and all
 /// parts agree with each other. `content` must be as long as the world's own. Needs a plain FloatEnvironment.
