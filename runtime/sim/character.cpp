@@ -3,7 +3,7 @@
 #include <coif/hair.h>
 
 #include "followed_pose.h"
-#include "row_heads.h"
+#include "world_step.h"
 
 namespace coif {
 namespace {

@@ -1,6 +1,6 @@
 
-#include "row_heads.h"
 #include "vector_math.h"
+#include "world_step.h"
 
 namespace coif {
 namespace {

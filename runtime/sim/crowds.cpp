@@ -48,10 +48,6 @@ void put_lanes_to_rest(const WorldRules& rules, const WornAsset& worn, Block& bl
   spread_lane(block.poses, bones * sizeof(PoseLanes));
 }
 
-bool same_pace(const StepPace& a, const StepPace& b) {
-  return a.substep_rate == b.substep_rate && a.air_lag == b.air_lag && a.has_substeps == b.has_substeps;
-}
-
 }  // namespace
 
 std::size_t number_bytes(const WorldRules& rules, LaneOrder order, const WornAsset* worn) {
@@ -73,7 +69,7 @@ Crowd* join_crowd(WorldState& world, WornAsset& worn, LaneOrder order) {
       if (free == nullptr) free = &known;
       continue;
     }
-    if (!is_shared || known.order != order || known.levels != levels || !same_pace(known.pace, pace)) continue;
+    if (!is_shared || known.order != order || known.levels != levels || known.pace != pace) continue;
     ++known.users;
     return &known;
   }

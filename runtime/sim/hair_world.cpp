@@ -60,7 +60,7 @@ Status HairWorld::remove_asset(WorldAsset asset) {
   if (worn == nullptr) return missing(world_);
   if (worn->heads != 0) return Status::kBadArgument;
   coif::remove_asset(*world_, *worn);
-  worn->generation = worn->generation + 1 == 0 ? 1 : worn->generation + 1;  // Never 0, which no asset has.
+  worn->generation = next_generation(worn->generation);
   return Status::kOk;
 }
 

@@ -1,8 +1,8 @@
 #include "moving_colliders.h"
 
-#include "row_heads.h"
 #include "vector_math.h"
 #include "world.h"
+#include "world_step.h"
 
 #include <bit>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include "chain_links.h"
 #include "head_pose.h"
 #include "solver.h"
+#include "step_settings.h"
 #include "vector_math.h"
 
 #include <coif/hair.h>
@@ -40,8 +41,7 @@ template <typename Desc, typename Judge>
 void judge_features(const Desc& desc, Judge& is) {
   is.require("solver is null", desc.solver != nullptr);
   is.require("instruction_set is one that this processor or this build lacks", can_run(desc.instruction_set));
-  is.require("longest_interval is neither 1, 2 nor 4",
-             desc.longest_interval == 1 || desc.longest_interval == 2 || desc.longest_interval == 4);
+  is.require("longest_interval is neither 1, 2 nor 4", is_interval(desc.longest_interval));
   is.within("dynamics_sets", desc.dynamics_sets, 1, kMaxDynamicsSets);
   is.within("moving_colliders", desc.moving_colliders, 0, kMaxMovingColliders);
   if (desc.solver == nullptr) return;

@@ -1,5 +1,4 @@
 #include "head_lanes.h"
-#include "row_heads.h"
 #include "world_step.h"
 
 #include <bit>

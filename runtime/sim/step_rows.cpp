@@ -1,6 +1,5 @@
 // One part of a step for the rows of a block's heads.
 
-#include "row_heads.h"
 #include "world_step.h"
 
 namespace coif {

@@ -31,8 +31,16 @@ struct StepPace {
   float substep_rate = 0;     ///< Sub-steps per second that it was tuned for; 0: one per step.
   float air_lag = 0;          ///< SkeletonRecord::air_lag.
   bool has_substeps = false;  ///< Some of its solvers use sub-steps; see RowCount.
+
+  bool operator==(const StepPace&) const = default;
 };
 [[nodiscard]] StepPace pace_of(const Asset& asset, bool has_substeps);
+
+/// The intervals that HairDesc and Detail accept: 1, 2 or 4, which are 2 to the power 0, 1 and 2.
+[[nodiscard]] inline bool is_interval(std::uint32_t interval) {
+  return interval == 1 || interval == 2 || interval == 4;
+}
+[[nodiscard]] inline std::uint32_t power_of(std::uint32_t interval) { return interval / 2; }
 
 /// One frame, or several together.
 struct FrameSpan {

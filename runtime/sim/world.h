@@ -104,6 +104,11 @@ struct WornHead {
   bool has_lanes : 1 = false;  ///< kShared: its chains have lanes; else their numbers are kept.
 };
 
+/// Never 0, which no asset and no head has.
+[[nodiscard]] inline std::uint32_t next_generation(std::uint32_t generation) {
+  return generation + 1 == 0 ? 1 : generation + 1;
+}
+
 /// What a step visits: a block, or a bundle of chains of several heads.
 struct StepUnit {
   const ChainShape* shape = nullptr;  ///< Null for a block.

@@ -138,10 +138,4 @@ void for_each_head(WorldState& world, const Visit& visit) {
   }
 }
 
-/// The intervals that HairDesc and Detail accept: 1, 2 or 4, which are 2 to the power 0, 1 and 2.
-[[nodiscard]] inline bool is_interval(std::uint32_t interval) {
-  return interval == 1 || interval == 2 || interval == 4;
-}
-[[nodiscard]] inline std::uint32_t power_of(std::uint32_t interval) { return interval / 2; }
-
 }  // namespace coif

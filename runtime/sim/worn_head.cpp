@@ -79,9 +79,9 @@ void remove_head(WorldState& world, std::uint32_t index) {
   remove_member(world, *worn.crowd);
   world.heap.give_back(head.memory, worn.layout.bytes);
   --worn.heads;
-  const std::uint32_t generation = head.generation + 1 == 0 ? 1 : head.generation + 1;
+  const std::uint32_t generation = next_generation(head.generation);
   head = WornHead{};
-  head.generation = generation;  // Never 0, which no head has.
+  head.generation = generation;
   head.asset = world.first_free_head;
   world.first_free_head = index;
 }

@@ -1,7 +1,6 @@
 // One step of the chains of several heads.
 
 #include "../head_lanes.h"
-#include "../row_heads.h"
 #include "../world_step.h"
 #include "bundles.h"
 
